@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "uncertainty_identification/configuration.h"
+#include "uncertainty_identification/data/rejected_experiment.h"
 #include "uncertainty_identification/model/mixture.h"
 
 namespace uncertainty_identification {
@@ -62,12 +63,6 @@ struct Candidate {
   double bic = 0;
   double validation_fit = 0;           ///< held-out simulation fit [%]; NaN where not used
   bool chosen = false;
-};
-
-/// A finding about the data or the result that a user should read.
-struct RejectedExperiment {
-  std::string id;
-  std::string reason;                  ///< what was found and what to record instead
 };
 
 /// Fit on experiments not used for fitting (or, without any, absent: `experiments` empty).
