@@ -85,11 +85,13 @@ struct InitialOptions {
   void validate() const;
 };
 
+enum class InputResampling { hold };
 enum class OutputResampling { hold, linear, mean };
 
 /// How stamped signals become samples on a uniform grid.
 struct ResamplingOptions {
-  OutputResampling output = OutputResampling::hold;  ///< the input is always held (zero-order hold)
+  InputResampling input = InputResampling::hold;  ///< zero-order hold, as actuators do
+  OutputResampling output = OutputResampling::hold;
   double max_age = 0;                  ///< [s] older samples count as missing; 0 = three sample times
   double max_jitter = 0;               ///< [s] largest departure of stamps from the grid accepted; 0 = any, reported only
 

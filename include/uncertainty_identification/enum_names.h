@@ -1,0 +1,40 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "uncertainty_identification/configuration.h"
+
+namespace uncertainty_identification {
+
+/// The words that stand for an enumeration's values in configurations and results, in order of
+/// declaration.
+template <class Enum>
+using EnumNames = std::vector<std::pair<Enum, std::string>>;
+
+const EnumNames<Structure>& enumNames(Structure);
+const EnumNames<Focus>& enumNames(Focus);
+const EnumNames<BasisKind>& enumNames(BasisKind);
+const EnumNames<Constraint>& enumNames(Constraint);
+const EnumNames<Algorithm>& enumNames(Algorithm);
+const EnumNames<InitialState>& enumNames(InitialState);
+const EnumNames<NoiseStart>& enumNames(NoiseStart);
+const EnumNames<Offsets>& enumNames(Offsets);
+const EnumNames<OffsetSide>& enumNames(OffsetSide);
+const EnumNames<InputResampling>& enumNames(InputResampling);
+const EnumNames<OutputResampling>& enumNames(OutputResampling);
+const EnumNames<ExperimentMode>& enumNames(ExperimentMode);
+
+/// The word for a value, e.g. "box_jenkins". Throws std::invalid_argument for a value outside the
+/// enumeration.
+template <class Enum>
+std::string nameOf(Enum value) {
+  for (const auto& [candidate, name] : enumNames(value)) {
+    if (candidate == value) return name;
+  }
+  throw std::invalid_argument("a value outside its enumeration");
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <sstream>
+#include <string>
+
+#include "uncertainty_identification/errors.h"
+
+namespace uncertainty_identification {
+
+/// Throws ConfigurationError "<key>: found <value>; allowed: <allowed>" unless `ok`.
+template <class Value>
+void require(bool ok, const std::string& key, const Value& value, const std::string& allowed) {
+  if (ok) return;
+  std::ostringstream message;
+  message << key << ": found " << value << "; allowed: " << allowed;
+  throw ConfigurationError(message.str());
+}
+
+/// Throws ConfigurationError naming key, value and range unless low <= value <= high (so NaN is
+/// refused). `otherwise` names what is allowed besides the range, e.g. "auto".
+template <class Value>
+void requireRange(const std::string& key, const Value& value, const Value& low, const Value& high,
+                  const std::string& otherwise = "") {
+  std::ostringstream allowed;
+  allowed << low << " to " << high << (otherwise.empty() ? "" : ", or " + otherwise);
+  require(value >= low && value <= high, key, value, allowed.str());
+}
+
+}  // namespace uncertainty_identification

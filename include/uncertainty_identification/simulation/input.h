@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <random>
+
+#include "uncertainty_identification/simulation/truth.h"
+
+namespace uncertainty_identification {
+
+/// An input of `samples` values. Throws ConfigurationError when a multisine has more tones than the
+/// record can carry.
+Eigen::VectorXd makeInput(const InputTruth& input, int samples, std::mt19937_64& random);
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,165 @@
+#include "uncertainty_identification/configuration.h"
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "uncertainty_identification/require.h"
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr int kMaxCoefficients = 50;     // of one polynomial
+constexpr int kMaxDelay = 100000;        // [samples]
+constexpr int kMaxErrorParameters = 10;  // n
+
+template <class Value>
+void requireRangeOrAutomatic(const std::string& key, const Value& value, const Value& low,
+                             const Value& high) {
+  if (value != kAutomatic) requireRange(key, value, low, high, "auto");
+}
+
+void requirePositive(const std::string& key, double value) {
+  require(value > 0 && std::isfinite(value), key, value, "a finite number above 0");
+}
+
+void requireNotNegative(const std::string& key, double value) {
+  require(value >= 0 && std::isfinite(value), key, value, "a finite number, 0 or above");
+}
+
+void validateSignal(const std::string& key, const SignalOptions& signal) {
+  require(!signal.topic.empty(), key + ".topic", "an empty text", "the name of a topic");
+  require(!signal.field.empty(), key + ".field", "an empty text",
+          "the path of a numeric field, or auto");
+}
+
+void validateCovariates(const std::vector<SignalOptions>& covariates) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < covariates.size(); ++i) {
+    const std::string key = "covariates[" + std::to_string(i) + "]";
+    validateSignal(key, covariates[i]);
+    require(!covariates[i].name.empty(), key + ".name", "an empty text", "a name");
+    require(names.insert(covariates[i].name).second, key + ".name", covariates[i].name,
+            "a name that no other covariate has");
+  }
+}
+
+// n of eta = T xi, where it follows from the options alone.
+int errorParameters(const ErrorModelOptions& options) {
+  if (options.constraint == Constraint::explicit_matrix) return static_cast<int>(options.T.cols());
+  return options.constraint == Constraint::zero_static_gain ? options.taps - 1 : options.taps;
+}
+
+void validateExplicitMatrix(const ErrorModelOptions& options) {
+  const std::string shape =
+      std::to_string(options.T.rows()) + " x " + std::to_string(options.T.cols());
+  require(options.taps != kAutomatic, "error_model.taps", "auto",
+          "a number, the rows of T, when constraint is explicit");
+  require(options.T.rows() == options.taps && options.T.cols() >= 1 &&
+              options.T.cols() <= options.T.rows(),
+          "error_model.T", "a " + shape + " matrix",
+          "taps = " + std::to_string(options.taps) + " rows and between 1 and taps columns");
+  require(options.T.allFinite(), "error_model.T", "an entry that is not finite", "finite numbers");
+}
+
+}  // namespace
+
+void NominalModelOptions::validate() const {
+  const std::string at = "nominal_model.";
+  requireRange(at + "max_order", max_order, 1, 20);
+  requireRange(at + "max_delay", max_delay, 0, kMaxDelay);
+  requireRange(at + "nb", nb, 1, kMaxCoefficients);
+  requireRange(at + "na", na, 0, kMaxCoefficients);
+  requireRange(at + "nc", nc, 0, kMaxCoefficients);
+  requireRange(at + "nd", nd, 0, kMaxCoefficients);
+  requireRange(at + "delay", delay, 0, kMaxDelay);
+  requireRange(at + "time_constants", time_constants, 0, kMaxCoefficients);
+  requireRange(at + "resonances", resonances, 0, kMaxCoefficients / 2);
+  requireRange(at + "zeros", zeros, 0, kMaxCoefficients);
+  if (structure == Structure::continuous) {
+    require(!orders_auto, at + "orders", "auto", "given, when structure is continuous");
+    const int poles = time_constants + 2 * resonances;
+    require(zeros < poles, at + "zeros", zeros,
+            "fewer than the " + std::to_string(poles) + " poles (time_constants + 2 resonances)");
+  }
+  for (const auto& [name, value] : fixed) {
+    require(std::isfinite(value), at + "fixed." + name, value, "a finite number");
+  }
+}
+
+void ErrorModelOptions::validate() const {
+  const std::string at = "error_model.";
+  requireRangeOrAutomatic(at + "taps", taps, 0, kMaxErrorParameters + 1);
+  requireRangeOrAutomatic(at + "components", components, 1, 10);
+  requireRange(at + "max_taps", max_taps, 1, kMaxErrorParameters + 1);
+  requireRange(at + "max_components", max_components, 1, 10);
+  require(std::abs(pole) < 1, at + "pole", pole, "above -1 and below 1");
+  require(std::hypot(pole_real, pole_imag) < 1, at + "pole_real", pole_real,
+          "pole_real and pole_imag inside the unit circle");
+  require(basis != BasisKind::kautz || pole_imag != 0, at + "pole_imag", pole_imag,
+          "a number other than 0 (a real pole: basis laguerre)");
+  if (constraint == Constraint::explicit_matrix) validateExplicitMatrix(*this);
+  if (taps == kAutomatic || taps == 0) return;
+  const int free = errorParameters(*this);
+  require(free >= 1 && free <= kMaxErrorParameters, at + "taps", taps,
+          "a number that leaves between 1 and 10 free error parameters (zero_static_gain takes one "
+          "away), or 0 for no error model");
+}
+
+void EstimationOptions::validate() const {
+  const std::string at = "estimation.";
+  requireRange(at + "max_iterations", max_iterations, 0, 1000000);
+  require(tolerance > 0 && tolerance < 1, at + "tolerance", tolerance, "above 0 and below 1");
+  requireRange(at + "restarts", restarts, 0, 1000);
+  requireRangeOrAutomatic(at + "threads", threads, 1, 1024);
+  requireRange(at + "discard_samples", discard_samples, 0, 1000000000);
+}
+
+void InitialOptions::validate() const {
+  const std::string at = "initial.";
+  require(theta.allFinite(), at + "theta", "an entry that is not finite", "finite numbers");
+  if (mixture.components() > 0 || !mixture.means.empty() || !mixture.covariances.empty()) {
+    mixture.validate("initial");
+  }
+  if (noise_variance) requirePositive(at + "noise_variance", *noise_variance);
+}
+
+void ResamplingOptions::validate() const {
+  requireNotNegative("resampling.max_age", max_age);
+  requireNotNegative("resampling.max_jitter", max_jitter);
+}
+
+void ExperimentOptions::validate() const {
+  const bool listens = mode == ExperimentMode::topic || mode == ExperimentMode::message;
+  require(!listens || !topic.empty(), "experiment.topic", "an empty text", "the name of a topic");
+  requireNotNegative("experiment.duration", duration);
+  requireNotNegative("experiment.gap", gap);
+  if (mode == ExperimentMode::duration) requirePositive("experiment.duration", duration);
+  if (mode == ExperimentMode::gap) requirePositive("experiment.gap", gap);
+}
+
+void LimitOptions::validate() const {
+  constexpr int kMost = std::numeric_limits<int>::max();
+  requireRange("limits.max_experiments", max_experiments, 1, kMost);
+  requireRange("limits.max_samples", max_samples, 1, kMost);
+  requireRange("limits.min_samples", min_samples, 1, max_samples);
+  require(max_missing >= 0 && max_missing < 1, "limits.max_missing", max_missing,
+          "at least 0 and below 1");
+}
+
+void Configuration::validate() const {
+  require(sample_time >= 0 && std::isfinite(sample_time), "sample_time", sample_time,
+          "a finite number above 0, or auto");
+  nominal_model.validate();
+  error_model.validate();
+  estimation.validate();
+  initial.validate();
+  resampling.validate();
+  validateSignal("input", input);
+  validateSignal("output", output);
+  validateCovariates(covariates);
+  experiment.validate();
+  limits.validate();
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,113 @@
+#include "uncertainty_identification/io/tree.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/read_file.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using nlohmann::json;
+
+json convert(const YAML::Node& node, const std::string& path, std::map<std::string, int>& lines);
+
+json convertMap(const YAML::Node& node, const std::string& path,
+                std::map<std::string, int>& lines) {
+  json object = json::object();
+  for (const auto& entry : node) {
+    const std::string key = entry.first.Scalar();
+    const std::string child = pathOf(path, key);
+    if (object.contains(key)) {
+      const int line = entry.first.Mark().line + 1;
+      throw ConfigurationError(child + (line > 0 ? " (line " + std::to_string(line) + ")" : "") +
+                               ": the key is given twice; keep one");
+    }
+    object[key] = convert(entry.second, child, lines);
+    if (entry.first.Mark().line >= 0) lines[child] = entry.first.Mark().line + 1;
+  }
+  return object;
+}
+
+json convertSequence(const YAML::Node& node, const std::string& path,
+                     std::map<std::string, int>& lines) {
+  json array = json::array();
+  for (const auto& entry : node) {
+    const std::string child = pathOf(path, array.size());
+    if (entry.Mark().line >= 0) lines[child] = entry.Mark().line + 1;
+    array.push_back(convert(entry, child, lines));
+  }
+  return array;
+}
+
+json convert(const YAML::Node& node, const std::string& path, std::map<std::string, int>& lines) {
+  if (node.IsMap()) return convertMap(node, path, lines);
+  if (node.IsSequence()) return convertSequence(node, path, lines);
+  if (node.IsScalar()) return node.Scalar();
+  return nullptr;
+}
+
+}  // namespace
+
+Tree treeFromYaml(const YAML::Node& node) {
+  Tree tree;
+  tree.value = convert(node, "", tree.lines);
+  return tree;
+}
+
+YAML::Node yamlFromTree(const json& value) {
+  if (value.is_object()) {
+    YAML::Node map(YAML::NodeType::Map);
+    for (const auto& [key, entry] : value.items()) map[key] = yamlFromTree(entry);
+    return map;
+  }
+  if (value.is_array()) {
+    YAML::Node sequence(YAML::NodeType::Sequence);
+    for (const auto& entry : value) sequence.push_back(yamlFromTree(entry));
+    return sequence;
+  }
+  if (value.is_null()) return YAML::Node(YAML::NodeType::Null);
+  return YAML::Node(value.is_string() ? value.get<std::string>() : value.dump());
+}
+
+YAML::Node loadYaml(const std::string& path) {
+  const std::string text = readFile(path);
+  try {
+    const YAML::Node node = YAML::Load(text);
+    if (node.IsNull()) {
+      throw ConfigurationError(path + ": the file holds no keys; write {} to take every default");
+    }
+    return node;
+  } catch (const YAML::Exception& error) {
+    throw ConfigurationError(path + ", line " + std::to_string(error.mark.line + 1) +
+                             ": not YAML: " + error.msg);
+  }
+}
+
+std::string pathOf(const std::string& parent, const std::string& key) {
+  return parent.empty() ? key : parent + "." + key;
+}
+
+std::string pathOf(const std::string& parent, std::size_t index) {
+  return parent + "[" + std::to_string(index) + "]";
+}
+
+// Wagner and Fischer's recursion, one row at a time.
+int editDistance(const std::string& from, const std::string& to) {
+  std::vector<int> row(to.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 1; i <= from.size(); ++i) {
+    int diagonal = row[0];
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j <= to.size(); ++j) {
+      const int replaced = diagonal + (from[i - 1] == to[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row[to.size()];
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,102 @@
+#include "uncertainty_identification/io/truth_yaml.h"
+
+#include "uncertainty_identification/io/configuration_binding.h"
+#include "uncertainty_identification/io/tree.h"
+#include "uncertainty_identification/io/tree_reader.h"
+#include "uncertainty_identification/io/tree_writer.h"
+#include "uncertainty_identification/simulation/simulate.h"
+#include "uncertainty_identification/version.h"
+
+namespace uncertainty_identification {
+
+template <class Archive>
+void bind(Archive& archive, InputTruth& input) {
+  archive("kind", input.kind);
+  archive("mean", input.mean);
+  archive("variance", input.variance);
+  archive("hold", input.hold);
+  archive("tones", input.tones);
+}
+
+template <class Archive>
+void bind(Archive& archive, PlantTruth& plant) {
+  archive("structure", plant.structure);
+  archive("b", plant.b);
+  archive("a", plant.a);
+  archive("delay", plant.delay);
+  archive("gain", plant.gain);
+  archive("time_constant", plant.time_constant);
+  archive("time_constant_spread", plant.time_constant_spread);
+}
+
+template <class Archive>
+void bind(Archive& archive, ErrorModelTruth& error_model) {
+  bindBasis(archive, error_model.basis);
+  bindMixture(archive, error_model.mixture);
+}
+
+template <class Archive>
+void bind(Archive& archive, SensorTruth& sensor) {
+  archive("missing", sensor.missing);
+}
+
+template <class Archive>
+void bind(Archive& archive, NoiseTruth& noise) {
+  archive("variance", noise.variance);
+  archive("c", noise.c);
+  archive("d", noise.d);
+  archive("start", noise.start);
+}
+
+template <class Archive>
+void bind(Archive& archive, Truth& truth) {
+  archive("sample_time", truth.sample_time);
+  archive.section("experiments", [&truth](auto& section) {
+    section("count", truth.experiments);
+    section("samples", oneOrMany(truth.samples));
+  });
+  archive("input", truth.input);
+  archive("plant", truth.plant);
+  archive("error_model", truth.error_model);
+  archive("sensor", truth.sensor);
+  archive("noise", truth.noise);
+}
+
+Truth parseTruth(const YAML::Node& node) {
+  const Tree tree = treeFromYaml(node);
+  Truth truth;
+  TreeReader reader(tree.value, tree.lines, ReadingRule::configuration);
+  bind(reader, truth);
+  reader.finish();
+  truth.validate();
+  return truth;
+}
+
+Truth loadTruth(const std::string& path) { return loadYamlAs(path, parseTruth); }
+
+nlohmann::json toJson(const Truth& truth) {
+  Truth copy = truth;
+  TreeWriter writer;
+  bind(writer, copy);
+  return writer.tree();
+}
+
+nlohmann::json answerJson(const Truth& truth, std::uint64_t seed) {
+  nlohmann::json experiments = nlohmann::json::array();
+  for (int r = 0; r < truth.experiments; ++r) {
+    const DrawnSystem system = drawSystem(truth, seed, r);
+    nlohmann::json entry{
+        {"id", experimentId(r)}, {"component", nullptr}, {"time_constant", nullptr}};
+    entry["xi"] = std::vector<double>(system.xi.data(), system.xi.data() + system.xi.size());
+    if (system.component >= 0) entry["component"] = system.component;
+    if (system.time_constant > 0) entry["time_constant"] = system.time_constant;
+    experiments.push_back(entry);
+  }
+  return {{"format", "uncertainty_identification/answer/1"},
+          {"version", version()},
+          {"seed", seed},
+          {"truth", toJson(truth)},
+          {"experiments", experiments}};
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,55 @@
+#include "uncertainty_identification/simulation/input.h"
+
+#include <cmath>
+
+#include "uncertainty_identification/require.h"
+
+namespace uncertainty_identification {
+namespace {
+
+const double kPi = std::acos(-1.0);
+
+// One value per `hold` samples.
+template <class Draw>
+Eigen::VectorXd held(int samples, int hold, Draw draw) {
+  Eigen::VectorXd signal(samples);
+  double value = 0;
+  for (int k = 0; k < samples; ++k) {
+    if (k % hold == 0) value = draw();
+    signal(k) = value;
+  }
+  return signal;
+}
+
+// Unit variance: harmonic j has amplitude sqrt(2/tones), and harmonics are orthogonal over the
+// record.
+Eigen::VectorXd multisine(int samples, int tones, std::mt19937_64& random) {
+  require(2 * tones < samples, "input.tones", tones,
+          "fewer than half the " + std::to_string(samples) + " samples of an experiment");
+  std::uniform_real_distribution<double> phase(0, 2 * kPi);
+  const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(samples, 0, samples - 1) / samples;
+  Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(samples);
+  for (int j = 1; j <= tones; ++j) sum += (2 * kPi * j * t + phase(random)).cos();
+  return std::sqrt(2.0 / tones) * sum;
+}
+
+// Zero mean, unit variance.
+Eigen::VectorXd standardInput(const InputTruth& input, int samples, std::mt19937_64& random) {
+  if (input.kind == InputKind::multisine) return multisine(samples, input.tones, random);
+  std::normal_distribution<double> normal;
+  std::bernoulli_distribution high(0.5);
+  std::uniform_real_distribution<double> level(-std::sqrt(3.0), std::sqrt(3.0));
+  return held(samples, input.hold, [&] {
+    if (input.kind == InputKind::white_noise) return normal(random);
+    return input.kind == InputKind::prbs ? (high(random) ? 1.0 : -1.0) : level(random);
+  });
+}
+
+}  // namespace
+
+Eigen::VectorXd makeInput(const InputTruth& input, int samples, std::mt19937_64& random) {
+  const Eigen::VectorXd standard = standardInput(input, samples, random);
+  return (input.mean + std::sqrt(input.variance) * standard.array()).matrix();
+}
+
+}  // namespace uncertainty_identification
