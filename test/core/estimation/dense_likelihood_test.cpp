@@ -181,14 +181,14 @@ TEST(DenseLikelihood, DiffuseOffsetIsAnIntegral) {
   const auto system = test::randomSystem(system_options, 5);
   Options options;
   options.noise_start = NoiseStart::stationary;
-  const double step = 0.02;
+  const double step = 0.005;
   const auto density = [&](int k) {
     options.output_offset = 1.5 + k * step;
     return dense::logLikelihood(system.experiments, system.truth, options);
   };
   const double center = density(0);
   double sum = 0;
-  for (int k = -150; k <= 150; ++k) sum += std::exp(density(k) - center);
+  for (int k = -250; k <= 250; ++k) sum += std::exp(density(k) - center);
   options.output_offset = 0;
   options.diffuse_offset = true;
   EXPECT_NEAR(dense::logLikelihood(system.experiments, system.truth, options),
