@@ -14,7 +14,7 @@ using Engine = std::mt19937_64;
 Eigen::VectorXd normal(Eigen::Index size, Engine& engine) {
   std::normal_distribution<double> distribution;
   Eigen::VectorXd values(size);
-  for (auto& value : values) value = distribution(engine);
+  for (Eigen::Index k = 0; k < size; ++k) values[k] = distribution(engine);
   return values;
 }
 

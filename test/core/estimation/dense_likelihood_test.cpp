@@ -126,7 +126,7 @@ TEST(DenseSignals, LaguerreFiltersAreOrthonormal) {
 TEST(DenseLikelihood, WhiteNoise) {
   const VectorXd y = vector({0.3, -1.2, 0.7});
   double expected = 0;
-  for (const double value : y) expected += logNormal(value, 0.4);
+  for (Eigen::Index k = 0; k < y.size(); ++k) expected += logNormal(y[k], 0.4);
   const Model model = noiseModel({}, {}, 0.4);
   EXPECT_NEAR(dense::logLikelihood({outputOnly(y)}, model), expected, 1e-13);
 }
