@@ -1,0 +1,192 @@
+#include "uncertainty_identification/estimation/expectation.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::Dynamic;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int kMostRegressors = 11;
+
+/// Sizes known to the compiler for small n, and no allocation for the others.
+template <int n>
+using Square = Eigen::Matrix<double, n, n, 0, n == Dynamic ? kMostRegressors : n, n == Dynamic ? kMostRegressors : n>;
+template <int n>
+using Column = Eigen::Matrix<double, n, 1, 0, n == Dynamic ? kMostRegressors : n, 1>;
+
+template <int n>
+struct Component {
+  double log_weight;
+  Column<n> mean;
+  Square<n> root;
+};
+
+/// One experiment under one component; equations of docs/method.md, section on sufficient statistics.
+template <int n>
+double expect(const Statistics& statistics, int r, const Component<n>& component, double noise_variance, Index column,
+              Expectation* out) {
+  const Statistics::ConstGram gram = statistics.gram(r);
+  const Index size = statistics.regressors();
+  const Square<n> S = gram.topLeftCorner(size, size);
+  const Column<n> v = gram.topRightCorner(size, 1);
+  const double s = gram(size, size);
+  const double samples = statistics.samples()[r];
+
+  const Square<n>& L = component.root;
+  const Column<n> shifted = S * component.mean;
+  const Column<n> r0 = v - shifted;
+  const double q0 = s - component.mean.dot(v) - component.mean.dot(r0);
+  Square<n> K = L.transpose() * S * L;
+  K.diagonal().array() += noise_variance;
+  const Eigen::LLT<Square<n>> factor(K);
+  const Column<n> projected = L.transpose() * r0;
+  const Column<n> solved = factor.solve(projected);
+  const Column<n> mean = component.mean + L * solved;
+  const Square<n> covariance = noise_variance * L * factor.solve(Square<n>(L.transpose()));
+
+  double log_determinant = (samples - static_cast<double>(size)) * std::log(noise_variance);
+  for (Index k = 0; k < size; ++k) log_determinant += 2 * std::log(factor.matrixLLT()(k, k));
+  const double quadratic = (q0 - projected.dot(solved)) / noise_variance;
+  out->means.col(column) = mean;
+  Eigen::Map<Square<n>>(out->covariances.col(column).data(), size, size) = covariance;
+  const Index kappa = out->misfits.rows();
+  out->misfits(column % kappa, column / kappa) = s - 2 * v.dot(mean) + mean.dot(S * mean) + S.cwiseProduct(covariance).sum();
+  return component.log_weight - 0.5 * (samples * std::log(boost::math::constants::two_pi<double>()) + log_determinant + quadratic);
+}
+
+template <int n>
+void expectRange(const Statistics& statistics, const std::vector<Component<n>>& components, double noise_variance,
+                 int first, int last, Expectation* out) {
+  const Index kappa = static_cast<Index>(components.size());
+  for (int r = first; r < last; ++r) {
+    auto responsibility = out->responsibilities.col(r);
+    for (Index i = 0; i < kappa; ++i) {
+      responsibility[i] =
+          expect<n>(statistics, r, components[static_cast<std::size_t>(i)], noise_variance, r * kappa + i, out);
+    }
+    const double largest = responsibility.maxCoeff();
+    responsibility = (responsibility.array() - largest).exp();
+    const double sum = responsibility.sum();
+    responsibility /= sum;
+    out->log_likelihood[r] = largest + std::log(sum) + statistics.logJacobian()[r];
+  }
+}
+
+template <int n>
+void expectAll(const Statistics& statistics, const Mixture& mixture, double noise_variance, WorkerPool* pool,
+               Expectation* out) {
+  std::vector<Component<n>> components;
+  for (std::size_t i = 0; i < mixture.weights.size(); ++i) {
+    components.push_back({std::log(mixture.weights[i]), mixture.means[i], squareRoot(mixture.covariances[i])});
+  }
+  constexpr int kChunk = 512;
+  const int experiments = statistics.experiments();
+  pool->forEach((experiments + kChunk - 1) / kChunk, [&](int chunk) {
+    expectRange<n>(statistics, components, noise_variance, chunk * kChunk, std::min((chunk + 1) * kChunk, experiments),
+                   out);
+  });
+}
+
+}  // namespace
+
+MatrixXd squareRoot(const MatrixXd& covariance) {
+  if (covariance.rows() == 1) return covariance.cwiseMax(0).cwiseSqrt();
+  const Eigen::LLT<MatrixXd> cholesky(covariance);
+  if (cholesky.info() == Eigen::Success) return cholesky.matrixL();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(covariance);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+}
+
+Expectation expectation(const Statistics& statistics, const Mixture& mixture, double noise_variance,
+                        WorkerPool* pool) {
+  const Index experiments = statistics.experiments(), n = statistics.regressors();
+  const Index kappa = mixture.components();
+  Expectation out;
+  out.log_likelihood.resize(experiments);
+  out.responsibilities.resize(kappa, experiments);
+  out.misfits.resize(kappa, experiments);
+  out.means.resize(n, kappa * experiments);
+  out.covariances.resize(n * n, kappa * experiments);
+  switch (n) {
+    case 1:
+      expectAll<1>(statistics, mixture, noise_variance, pool, &out);
+      break;
+    case 2:
+      expectAll<2>(statistics, mixture, noise_variance, pool, &out);
+      break;
+    case 3:
+      expectAll<3>(statistics, mixture, noise_variance, pool, &out);
+      break;
+    default:
+      expectAll<Dynamic>(statistics, mixture, noise_variance, pool, &out);
+  }
+  return out;
+}
+
+LatentMoments latentMoments(const Expectation& expectation) {
+  const Index n = expectation.means.rows(), kappa = expectation.responsibilities.rows();
+  const Index experiments = expectation.responsibilities.cols();
+  LatentMoments moments{MatrixXd::Zero(n, experiments), MatrixXd::Zero(n * n, experiments)};
+  for (Index r = 0; r < experiments; ++r) {
+    Eigen::Map<MatrixXd> covariance(moments.covariances.col(r).data(), n, n);
+    const auto of_r = expectation.means.middleCols(r * kappa, kappa);
+    moments.means.col(r) = of_r * expectation.responsibilities.col(r);
+    moments.covariances.col(r) = expectation.covariances.middleCols(r * kappa, kappa) * expectation.responsibilities.col(r);
+    for (Index i = 0; i < kappa; ++i) {
+      const VectorXd away = of_r.col(i) - moments.means.col(r);
+      covariance += expectation.responsibilities(i, r) * away * away.transpose();
+    }
+  }
+  return moments;
+}
+
+MatrixXd scores(const Statistics& statistics, const ModelParameters& at, const Expectation& expectation) {
+  const Index n = statistics.regressors(), p = statistics.parameters(), kappa = at.mixture.components();
+  const Index triangle = n * (n + 1) / 2, experiments = statistics.experiments();
+  const double variance = at.noise_variance;
+  const LatentMoments moments = latentMoments(expectation);
+  MatrixXd all(p + kappa * (1 + n + triangle) + 1, experiments);
+  MatrixXd weight(n + 1, n + 1);  // dl/dgram: -1/2 sigma^-2 [M -m; -m' 1]
+  for (Index r = 0; r < experiments; ++r) {
+    const auto m = moments.means.col(r);
+    weight.topLeftCorner(n, n) = Eigen::Map<const MatrixXd>(moments.covariances.col(r).data(), n, n) + m * m.transpose();
+    weight.topRightCorner(n, 1) = -m;
+    weight.bottomLeftCorner(1, n) = -m.transpose();
+    weight(n, n) = 1;
+    for (Index j = 0; j < p; ++j) {
+      all(j, r) = -0.5 / variance *
+                      statistics.gramDerivative(static_cast<int>(r), static_cast<int>(j)).cwiseProduct(weight).sum() +
+                  statistics.logJacobianDerivatives()(j, r);
+    }
+    const Statistics::ConstGram gram = statistics.gram(static_cast<int>(r));
+    const auto S = gram.topLeftCorner(n, n);
+    double misfit = 0;
+    for (Index i = 0; i < kappa; ++i) {
+      const auto component = static_cast<std::size_t>(i);
+      const double z = expectation.responsibilities(i, r);
+      const Eigen::Map<const MatrixXd> posterior(expectation.covariances.col(r * kappa + i).data(), n, n);
+      const VectorXd g = (gram.topRightCorner(n, 1) - S * expectation.means.col(r * kappa + i)) / variance;
+      const MatrixXd of_covariance = 0.5 * z * (g * g.transpose() - (S - S * posterior * S / variance) / variance);
+      all(p + i, r) = z / at.mixture.weights[component];
+      all.col(r).segment(p + kappa + i * n, n) = z * g;
+      Index entry = p + kappa * (1 + n) + i * triangle;
+      for (Index row = 0; row < n; ++row) {
+        for (Index col = 0; col <= row; ++col) {
+          all(entry++, r) = (row == col ? 1 : 2) * of_covariance(row, col);
+        }
+      }
+      misfit += z * expectation.misfits(i, r);
+    }
+    all(all.rows() - 1, r) = 0.5 * (misfit / variance - statistics.samples()[r]);
+  }
+  return all;
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,148 @@
+#include "uncertainty_identification/estimation/likelihood.h"
+
+#include <Eigen/Cholesky>
+
+#include "uncertainty_identification/model/filter.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+void subtractScaled(const Signals& signal, const Lanes& factor, Signals* from) {
+  if (signal.cols() == 0) return;
+  if (from->cols() == 0) from->setZero(kLanes, signal.cols());
+  *from -= signal.colwise() * factor;
+}
+
+/// Lane-wise values of row i of a matrix with one column per experiment.
+Lanes lanesOf(const MatrixXd& values, Index row, const Block& block) {
+  Lanes lanes = Lanes::Zero();
+  for (int lane = 0; lane < block.lanes; ++lane) lanes[lane] = values(row, block.index[static_cast<std::size_t>(lane)]);
+  return lanes;
+}
+
+/// Gram matrix of [Z Phi d] per lane, a signal without samples standing for zero.
+std::vector<MatrixXd> gramOf(const std::vector<const Signals*>& signals, int lanes) {
+  const Index size = static_cast<Index>(signals.size());
+  std::vector<MatrixXd> grams(static_cast<std::size_t>(lanes), MatrixXd::Zero(size, size));
+  for (Index i = 0; i < size; ++i) {
+    for (Index j = i; j < size; ++j) {
+      const Signals &left = *signals[static_cast<std::size_t>(i)], &right = *signals[static_cast<std::size_t>(j)];
+      if (left.cols() == 0 || right.cols() == 0) continue;
+      const Lanes sums = dot(left, right);
+      for (std::size_t lane = 0; lane < grams.size(); ++lane) {
+        grams[lane](i, j) = grams[lane](j, i) = sums[static_cast<Index>(lane)];
+      }
+    }
+  }
+  return grams;
+}
+
+/// Most likely coefficients of the random-effect columns given the latent means: zeta = (Z'Z + precision)^-1 Z'(e - Phi m).
+MatrixXd columnCoefficients(const Response& response, const Signals& unexplained, int lanes) {
+  const Index columns = response.column_precision.size();
+  std::vector<const Signals*> list;
+  for (const Signals& column : response.value.columns) list.push_back(&column);
+  list.push_back(&unexplained);
+  const std::vector<MatrixXd> grams = gramOf(list, lanes);
+  MatrixXd zeta = MatrixXd::Zero(columns, kLanes);
+  for (int lane = 0; lane < lanes; ++lane) {
+    MatrixXd inner = grams[static_cast<std::size_t>(lane)].topLeftCorner(columns, columns);
+    inner.diagonal() += response.column_precision;
+    inner.diagonal() = (inner.diagonal().array() > 0).select(inner.diagonal(), 1.0);
+    zeta.col(lane) = inner.llt().solve(grams[static_cast<std::size_t>(lane)].topRightCorner(columns, 1));
+  }
+  return zeta;
+}
+
+/// Sensitivities d_j of the residual e - Phi m - Z zeta.
+std::vector<Signals> sensitivities(const Response& response, const Block& block, const LatentMoments& moments) {
+  Signals unexplained = response.value.residual;
+  for (std::size_t i = 0; i < response.value.regressors.size(); ++i) {
+    subtractScaled(response.value.regressors[i], lanesOf(moments.means, static_cast<Index>(i), block), &unexplained);
+  }
+  const MatrixXd zeta = columnCoefficients(response, unexplained, block.lanes);
+  std::vector<Signals> all;
+  for (const WhitenedSignals& tangent : response.derivatives) {
+    Signals d = tangent.residual;
+    for (std::size_t i = 0; i < tangent.regressors.size(); ++i) {
+      subtractScaled(tangent.regressors[i], lanesOf(moments.means, static_cast<Index>(i), block), &d);
+    }
+    for (std::size_t k = 0; k < tangent.columns.size(); ++k) {
+      subtractScaled(tangent.columns[k], zeta.row(static_cast<Index>(k)).transpose().array(), &d);
+    }
+    all.push_back(std::move(d));
+  }
+  return all;
+}
+
+ScoringInformation informationOf(const Model& model, const Block& block, const ModelParameters& at,
+                                 const LatentMoments& moments) {
+  Response response;
+  model.evaluate(block, at.parameters, true, &response);
+  const std::vector<Signals> d = sensitivities(response, block, moments);
+  const Index columns = response.column_precision.size(), n = model.regressors();
+  const Index p = static_cast<Index>(d.size());
+  std::vector<const Signals*> list;
+  for (const Signals& column : response.value.columns) list.push_back(&column);
+  for (const Signals& regressor : response.value.regressors) list.push_back(&regressor);
+  for (const Signals& signal : d) list.push_back(&signal);
+  const std::vector<MatrixXd> grams = gramOf(list, block.lanes);
+
+  ScoringInformation sum{MatrixXd::Zero(p + n, p + n), MatrixXd::Zero(p + n, p + n)};
+  for (int lane = 0; lane < block.lanes; ++lane) {
+    const MatrixXd& gram = grams[static_cast<std::size_t>(lane)];
+    MatrixXd inner = gram.topLeftCorner(columns, columns);
+    inner.diagonal() += response.column_precision;
+    inner.diagonal() = (inner.diagonal().array() > 0).select(inner.diagonal(), 1.0);
+    const auto cross = gram.topRightCorner(columns, n + p);
+    const MatrixXd rest = gram.bottomRightCorner(n + p, n + p) - cross.transpose() * inner.llt().solve(cross);
+    MatrixXd all(p + n, p + n), to_phi(n, p + n);  // [d, -Phi], and Phi'[d, -Phi]
+    all << rest.bottomRightCorner(p, p), -rest.bottomLeftCorner(p, n), -rest.topRightCorner(n, p),
+        rest.topLeftCorner(n, n);
+    to_phi << rest.topRightCorner(n, p), -rest.topLeftCorner(n, n);
+    const Eigen::Map<const MatrixXd> P(
+        moments.covariances.col(block.index[static_cast<std::size_t>(lane)]).data(), n, n);
+    sum.complete += all / at.noise_variance;
+    sum.observed += all / at.noise_variance -
+                    to_phi.transpose() * P * to_phi / (at.noise_variance * at.noise_variance);
+  }
+  return sum;
+}
+
+}  // namespace
+
+Likelihood::Likelihood(const Model& model, const std::vector<Block>& blocks, int experiments, int threads)
+    : model_(model),
+      blocks_(blocks),
+      experiments_(experiments),
+      pool_(std::make_unique<WorkerPool>(threads)) {}
+
+Statistics Likelihood::statistics(const VectorXd& parameters, bool derivatives) const {
+  ++passes_;
+  Statistics statistics(experiments_, model_.regressors(), derivatives ? model_.parameterCount() : 0);
+  pool_->forEach(static_cast<int>(blocks_.size()), [&](int i) {
+    computeStatistics(model_, blocks_[static_cast<std::size_t>(i)], parameters, &statistics);
+  });
+  return statistics;
+}
+
+ScoringInformation Likelihood::information(const ModelParameters& at, const LatentMoments& moments) const {
+  ++passes_;
+  std::vector<ScoringInformation> parts(blocks_.size());
+  pool_->forEach(static_cast<int>(blocks_.size()), [&](int i) {
+    const auto block = static_cast<std::size_t>(i);
+    parts[block] = informationOf(model_, blocks_[block], at, moments);
+  });
+  ScoringInformation sum = parts.front();
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    sum.complete += parts[i].complete;
+    sum.observed += parts[i].observed;
+  }
+  return sum;
+}
+
+}  // namespace uncertainty_identification

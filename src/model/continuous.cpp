@@ -1,0 +1,282 @@
+#include "uncertainty_identification/model/continuous.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/model/polynomial.h"
+
+namespace uncertainty_identification {
+namespace {
+
+/// A physical parameter: how it appears in the result and which values it may take.
+struct Physical {
+  enum Kind { gain, time_constant, frequency, damping, zero, dead_time } kind;
+  std::string name, unit;
+  double value;  ///< where fixed
+  bool fixed;
+};
+
+/// Polynomial in s, ascending powers, multiplied by (1 + f1 s + f2 s^2).
+Eigen::VectorXd times(const Eigen::VectorXd& p, double f1, double f2, Eigen::Index degree) {
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(p.size() + degree);
+  out.head(p.size()) = p;
+  out.segment(1, p.size()) += f1 * p;
+  if (degree == 2) out.segment(2, p.size()) += f2 * p;
+  return out;
+}
+
+/// Integral over [0, time] of e^(A s) b ds, and e^(A time), for sample time 1.
+std::pair<Eigen::MatrixXd, Eigen::VectorXd> hold(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, double time) {
+  const Eigen::Index n = A.rows();
+  Eigen::MatrixXd augmented = Eigen::MatrixXd::Zero(n + 1, n + 1);
+  augmented.topLeftCorner(n, n) = time * A;
+  augmented.topRightCorner(n, 1) = time * b;
+  const Eigen::MatrixXd exponential = augmented.exp();
+  return {exponential.topLeftCorner(n, n), exponential.topRightCorner(n, 1)};
+}
+
+class Continuous : public NominalModel {
+ public:
+  Continuous(const NominalModelOptions& options, double sample_time)
+      : sample_time_(sample_time),
+        delay_(options.delay),
+        order_(options.time_constants + 2 * options.resonances),
+        nc_(options.nc),
+        nd_(options.nd),
+        extra_(options.dead_time ? options.max_delay + 1 : 0) {
+    if (order_ < 1 || options.zeros >= order_ || delay_ < 1) {
+      throw ConfigurationError(
+          "nominal_model: a continuous structure needs time_constants + 2 resonances >= 1, fewer zeros than that, "
+          "and delay >= 1 (the hold's own sample)");
+    }
+    list(options);
+  }
+
+  std::string structure() const override { return "continuous"; }
+
+  std::vector<std::string> names() const override {
+    std::vector<std::string> all;
+    for (const Physical& p : physical_) {
+      if (!p.fixed) all.push_back(p.name);
+    }
+    for (int k = 1; k <= nc_; ++k) all.push_back("c" + std::to_string(k));
+    for (int k = 1; k <= nd_; ++k) all.push_back("d" + std::to_string(k));
+    return all;
+  }
+
+  std::vector<std::string> units() const override {
+    std::vector<std::string> all;
+    for (const Physical& p : physical_) {
+      if (!p.fixed) all.push_back(p.unit);
+    }
+    all.resize(names().size());
+    return all;
+  }
+
+  /// Zero-order hold of G(s), exact for a dead time of any length: state space in units of the sample time, then its
+  /// characteristic polynomial and numerator by the Faddeev-LeVerrier recursion.
+  Polynomials polynomials(const Eigen::VectorXd& theta) const override {
+    const std::vector<double> value = values(theta);
+    Eigen::VectorXd numerator = Eigen::VectorXd::Ones(1), denominator = numerator;
+    double dead_samples = 0;
+    for (std::size_t k = 0; k < physical_.size(); ++k) {
+      const double scaled = value[k] / sample_time_;
+      switch (physical_[k].kind) {
+        case Physical::gain:
+          numerator *= value[k];
+          break;
+        case Physical::time_constant:
+          denominator = times(denominator, scaled, 0, 1);
+          break;
+        case Physical::frequency: {
+          const double w = value[k] * sample_time_;
+          denominator = times(denominator, 2 * value[k + 1] / w, 1 / (w * w), 2);
+          break;
+        }
+        case Physical::zero:
+          numerator = times(numerator, scaled, 0, 1);
+          break;
+        case Physical::dead_time:
+          dead_samples = scaled;
+          break;
+        case Physical::damping:
+          break;
+      }
+    }
+    Polynomials p;
+    p.delay = delay_;
+    discretise(numerator, denominator, dead_samples, &p);
+    p.c = theta.segment(theta.size() - nc_ - nd_, nc_);
+    p.d = theta.tail(nd_);
+    return p;
+  }
+
+  Eigen::VectorXd toUnbounded(const Eigen::VectorXd& theta) const override { return mapped(theta, true); }
+  Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& z) const override { return mapped(z, false); }
+
+  bool admissible(const Eigen::VectorXd& theta) const override {
+    const std::vector<double> value = values(theta);
+    for (std::size_t k = 0; k < physical_.size(); ++k) {
+      if (isPositive(physical_[k].kind) && !(value[k] > 0)) return false;
+      if (physical_[k].kind == Physical::dead_time && !(value[k] >= 0 && value[k] <= maxDeadTime())) return false;
+    }
+    return NominalModel::admissible(theta);
+  }
+
+  /// Time constants and resonances from the poles of A, the gain from Go at zero frequency.
+  Eigen::VectorXd fromPolynomials(const Polynomials& p) const override {
+    std::vector<double> real;
+    std::vector<std::complex<double>> pairs;
+    for (const std::complex<double>& root : roots(p.a)) {
+      const std::complex<double> bounded = std::abs(root) > 1e-6 ? root : std::complex<double>(1e-6, 0);
+      const std::complex<double> s = std::log(bounded) / sample_time_;
+      if (std::abs(root.imag()) < 1e-9) {
+        real.push_back(1 / std::max(-s.real(), 1e-6 / sample_time_));
+      } else if (root.imag() > 0) {
+        pairs.push_back(s);
+      }
+    }
+    std::sort(real.rbegin(), real.rend());
+    Eigen::VectorXd theta(parameterCount());
+    Eigen::Index next = 0;
+    std::size_t used_real = 0, used_pairs = 0;
+    const double longest = real.empty() ? (pairs.empty() ? sample_time_ : 1 / std::abs(pairs[0])) : real[0];
+    for (const Physical& q : physical_) {
+      double start = 0;
+      const std::complex<double> pair = used_pairs < pairs.size() ? pairs[used_pairs] : std::complex<double>(-1, 1) / longest;
+      switch (q.kind) {
+        case Physical::gain:
+          start = p.b.sum() / (1 + p.a.sum());
+          break;
+        case Physical::time_constant:
+          start = used_real < real.size() ? real[used_real] : longest / (1.0 + static_cast<double>(used_real));
+          ++used_real;
+          break;
+        case Physical::frequency:
+          start = std::abs(pair);
+          break;
+        case Physical::damping:
+          start = std::max(-pair.real() / std::abs(pair), 1e-3);
+          ++used_pairs;
+          break;
+        case Physical::zero:
+          start = 0;
+          break;
+        case Physical::dead_time:
+          start = std::min(0.5 * sample_time_, 0.5 * maxDeadTime());
+          break;
+      }
+      if (!q.fixed) theta[next++] = start;
+    }
+    theta.tail(nc_ + nd_).setZero();
+    const Eigen::Index c = std::min<Eigen::Index>(nc_, p.c.size()), d = std::min<Eigen::Index>(nd_, p.d.size());
+    theta.segment(next, c) = p.c.head(c);
+    theta.segment(next + nc_, d) = p.d.head(d);
+    return theta;
+  }
+
+ private:
+  void list(const NominalModelOptions& options) {
+    const auto add = [&](Physical::Kind kind, const std::string& name, const std::string& unit) {
+      const auto fixed = options.fixed.find(name);
+      const bool known = fixed != options.fixed.end();
+      physical_.push_back({kind, name, unit, known ? fixed->second : 0.0, known});
+    };
+    add(Physical::gain, "gain", "");
+    for (int k = 1; k <= options.time_constants; ++k) add(Physical::time_constant, "tau" + std::to_string(k), "s");
+    for (int k = 1; k <= options.resonances; ++k) {
+      add(Physical::frequency, "omega" + std::to_string(k), "rad/s");
+      add(Physical::damping, "zeta" + std::to_string(k), "1");
+    }
+    for (int k = 1; k <= options.zeros; ++k) add(Physical::zero, "zero" + std::to_string(k), "s");
+    if (options.dead_time) add(Physical::dead_time, "dead_time", "s");
+    for (const auto& [name, value] : options.fixed) {
+      const bool known = std::any_of(physical_.begin(), physical_.end(),
+                                     [name = name](const Physical& p) { return p.name == name; });
+      if (!known) {
+        std::string allowed;
+        for (const Physical& p : physical_) allowed += (allowed.empty() ? "" : ", ") + p.name;
+        throw ConfigurationError("nominal_model.fixed: no parameter '" + name + "'; this structure has " + allowed);
+      }
+    }
+  }
+
+  static bool isPositive(Physical::Kind kind) {
+    return kind == Physical::time_constant || kind == Physical::frequency || kind == Physical::damping;
+  }
+
+  double maxDeadTime() const { return sample_time_ * (extra_ - 1); }
+
+  std::vector<double> values(const Eigen::VectorXd& theta) const {
+    std::vector<double> all;
+    Eigen::Index next = 0;
+    for (const Physical& p : physical_) all.push_back(p.fixed ? p.value : theta[next++]);
+    return all;
+  }
+
+  /// Positive parameters through the logarithm, the dead time through the logistic function, C and D through their
+  /// reflection coefficients.
+  Eigen::VectorXd mapped(const Eigen::VectorXd& from, bool to_unbounded) const {
+    Eigen::VectorXd to = from;
+    Eigen::Index next = 0;
+    for (const Physical& p : physical_) {
+      if (p.fixed) continue;
+      const double x = from[next];
+      if (isPositive(p.kind)) to[next] = to_unbounded ? std::log(x) : std::exp(x);
+      if (p.kind == Physical::dead_time) {
+        to[next] = to_unbounded ? std::log(x / (maxDeadTime() - x)) : maxDeadTime() / (1 + std::exp(-x));
+      }
+      ++next;
+    }
+    const auto convert = [&](const Eigen::VectorXd& v) {
+      return to_unbounded ? uncertainty_identification::toUnbounded(v) : uncertainty_identification::fromUnbounded(v);
+    };
+    to.segment(next, nc_) = convert(from.segment(next, nc_));
+    to.tail(nd_) = convert(from.tail(nd_));
+    return to;
+  }
+
+  void discretise(const Eigen::VectorXd& numerator, const Eigen::VectorXd& denominator, double dead_samples,
+                  Polynomials* p) const {
+    const Eigen::Index n = order_;
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);  // controllable form, highest power scaled to 1
+    A.diagonal(1).setOnes();
+    A.row(n - 1) = -denominator.head(n).transpose() / denominator[n];
+    Eigen::VectorXd input = Eigen::VectorXd::Zero(n), output = Eigen::VectorXd::Zero(n);
+    input[n - 1] = 1 / denominator[n];
+    output.head(numerator.size()) = numerator;
+
+    const int whole = static_cast<int>(dead_samples);
+    const double fraction = dead_samples - whole;
+    const auto [unused, late] = hold(A, input, fraction);          // the older input acts first
+    const auto [remaining, newest] = hold(A, input, 1 - fraction);
+    const Eigen::VectorXd older = remaining * late;
+    const Eigen::MatrixXd transition = hold(A, input, 1).first;
+
+    p->a.resize(n);
+    p->b = Eigen::VectorXd::Zero(n + extra_);
+    Eigen::MatrixXd adjugate = Eigen::MatrixXd::Identity(n, n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+      p->b[k + std::min(whole, std::max(extra_ - 1, 0))] += output.dot(adjugate * newest);
+      if (extra_ > 0) p->b[k + std::min(whole, extra_ - 1) + 1] += output.dot(adjugate * older);
+      const Eigen::MatrixXd product = transition * adjugate;
+      p->a[k] = -product.trace() / static_cast<double>(k + 1);
+      adjugate = product;
+      adjugate.diagonal().array() += p->a[k];
+    }
+  }
+
+  double sample_time_;
+  int delay_, order_, nc_, nd_, extra_;
+  std::vector<Physical> physical_;
+};
+
+}  // namespace
+
+std::shared_ptr<const NominalModel> makeContinuous(const NominalModelOptions& options, double sample_time) {
+  return std::make_shared<Continuous>(options, sample_time);
+}
+
+}  // namespace uncertainty_identification
