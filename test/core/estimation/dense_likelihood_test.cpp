@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -277,6 +278,27 @@ TEST(DenseLikelihood, StateDirectionsHoldTheEffectOfEarlierInputs) {
     known.basis_denominator.resize(0);
     EXPECT_GT(quadratic(known), 100.0) << "too few directions must not suffice";
   }
+}
+
+/// With H = 1 and Go = b1 q^-2 the unknown past inputs are the first two outputs, of which one was
+/// not measured.
+TEST(DenseLikelihood, DirectionsThatWereNotSeenDropOut) {
+  test::RandomSystemOptions options;
+  options.na = options.nc = options.nd = options.taps = 0;
+  options.delay = 2;
+  options.experiments = 1;
+  auto system = test::randomSystem(options, 13);
+  Experiment& experiment = system.experiments[0];
+  experiment.valid.assign(static_cast<std::size_t>(experiment.samples()), 1);
+  experiment.valid[0] = 0;
+  Options diffuse, discard;
+  diffuse.initial_state = InitialState::estimate;
+  discard.initial_state = InitialState::discard;
+  discard.discard_samples = 2;
+  const auto evaluation = dense::evaluate(experiment, system.truth, diffuse);
+  EXPECT_EQ(evaluation.degrees_of_freedom, experiment.samples() - 2);
+  EXPECT_NEAR(evaluation.log_likelihood,
+              dense::evaluate(experiment, system.truth, discard).log_likelihood, 1e-10);
 }
 
 TEST(DenseLikelihood, PosteriorIsThatOfTheErrorParametersDrawn) {
