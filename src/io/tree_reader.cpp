@@ -39,7 +39,10 @@ std::string lineOf(const std::map<std::string, int>& lines, const std::string& p
 TreeReader::TreeReader(const json& node, const std::map<std::string, int>& lines, ReadingRule rule,
                        std::string path)
     : node_(node), lines_(lines), rule_(rule), path_(std::move(path)) {
-  if (!node_.is_object()) fail(node_, path_.empty() ? "the document" : path_, "a group of keys");
+  const bool empty =
+      node_.is_null() && rule_ == ReadingRule::configuration;  // a heading without keys
+  if (!node_.is_object() && !empty)
+    fail(node_, path_.empty() ? "the document" : path_, "a group of keys");
 }
 
 const json* TreeReader::find(const std::string& key) {

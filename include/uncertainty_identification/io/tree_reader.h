@@ -42,7 +42,7 @@ class TreeReader {
   template <class Body>
   void section(const std::string& key, Body&& body) {
     const nlohmann::json* node = find(key);
-    if (node == nullptr || node->is_null()) return;
+    if (node == nullptr) return;
     TreeReader inner(*node, lines_, rule_, pathOf(path_, key));
     body(inner);
     inner.finish();
@@ -116,6 +116,13 @@ class TreeReader {
   }
 
   template <class Value>
+  void read(const Json& node, const std::string& path, WithDefaults<Value>& value) const {
+    TreeReader inner(node, lines_, ReadingRule::configuration, path);
+    bind(inner, value.value);
+    inner.finish();
+  }
+
+  template <class Value>
   void read(const Json& node, const std::string& path, std::vector<Value>& value) const {
     requireList(node, path);
     value.assign(node.size(), Value());
@@ -135,7 +142,6 @@ class TreeReader {
       OneOf<Value> words{value, enumNames(value)};
       read(node, path, words);
     } else {
-      if (node.is_null() && rule_ == ReadingRule::configuration) return;
       TreeReader inner(node, lines_, rule_, path);
       bind(inner, value);
       inner.finish();

@@ -44,6 +44,18 @@ OneOrMany<Value> oneOrMany(std::vector<Value>& values) {
   return {values};
 }
 
+/// A struct of options inside a record: what an older version left out has its default, an unknown
+/// key is an error.
+template <class Value>
+struct WithDefaults {
+  Value& value;
+};
+
+template <class Value>
+WithDefaults<Value> withDefaults(Value& value) {
+  return {value};
+}
+
 /// A fixed word that must be there, such as a format's name.
 struct Word {
   std::string word;

@@ -74,6 +74,11 @@ class TreeWriter {
   }
 
   template <class Value>
+  static Json write(const WithDefaults<Value>& value) {
+    return write(value.value);
+  }
+
+  template <class Value>
   static Json write(const std::map<std::string, Value>& value) {
     Json object = Json::object();
     for (const auto& [key, entry] : value) object[key] = write(entry);

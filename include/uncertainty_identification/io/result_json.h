@@ -1,0 +1,26 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "uncertainty_identification/estimation/estimate.h"
+
+namespace uncertainty_identification {
+
+/// The estimate as result.json holds it ("format": "uncertainty_identification/result/1"). Numbers
+/// that are not finite are null; all others keep every bit. `bounds` is empty as long as none are
+/// computed.
+nlohmann::json toJson(const Estimate& estimate);
+
+/// The estimate that toJson() wrote; null is NaN. Throws ConfigurationError, naming the field, for
+/// another format or version, a missing field or a wrong type.
+Estimate estimateFromJson(const nlohmann::json& json);
+
+/// Writes result.json, all of it or nothing. Throws FileError.
+void saveResult(const std::string& path, const Estimate& estimate);
+
+/// Reads result.json. Throws FileError when it cannot be read, ConfigurationError when it holds no
+/// such result.
+Estimate loadResult(const std::string& path);
+
+}  // namespace uncertainty_identification

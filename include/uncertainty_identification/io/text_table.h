@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace uncertainty_identification {
+
+/// Rows of cells, the first row a heading, as lines with aligned columns, each indented by two
+/// spaces.
+std::string textTable(const std::vector<std::vector<std::string>>& rows);
+
+/// A number with six significant digits; "-" for one that is not finite.
+std::string numberText(double value);
+
+/// "(1, 2)"; a single entry without brackets.
+std::string vectorText(const Eigen::VectorXd& value);
+
+/// "[1 0.5; 0.5 2]"; a single entry without brackets.
+std::string matrixText(const Eigen::MatrixXd& value);
+
+/// "1 + 0.5 q^-1", the terms being coefficients(k) q^-(first + k).
+std::string polynomialText(const Eigen::VectorXd& coefficients, int first);
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,78 @@
+#include "uncertainty_identification/io/command_line.h"
+
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/version.h"
+
+namespace uncertainty_identification {
+namespace {
+
+namespace po = boost::program_options;
+
+po::options_description commonOptions() {
+  po::options_description common("Help");
+  common.add_options()("help,h", "print this text");
+  common.add_options()("version", "print the version");
+  return common;
+}
+
+po::variables_map parse(const Program& program, int argc, const char* const* argv) {
+  po::options_description all;
+  po::positional_options_description positional;
+  all.add(program.options).add(commonOptions());
+  if (!program.arguments.empty()) {
+    all.add_options()(program.arguments.c_str(), po::value<std::vector<std::string>>());
+    positional.add(program.arguments.c_str(), -1);
+  }
+  // Guessing would let a script's abbreviation change its meaning with the next option added.
+  const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
+  po::variables_map values;
+  po::store(
+      po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
+      values);
+  if (values.count("help") == 0 && values.count("version") == 0) po::notify(values);
+  return values;
+}
+
+int parseAndRun(const Program& program, int argc, const char* const* argv) {
+  const po::variables_map values = parse(program, argc, argv);
+  if (values.count("help") > 0) {
+    std::cout << "usage: " << program.name << ' ' << program.usage << "\n\n"
+              << program.purpose << "\n\n"
+              << program.options << '\n'
+              << commonOptions();
+    return kDone;
+  }
+  if (values.count("version") > 0) {
+    std::cout << program.name << ' ' << version() << '\n';
+    return kDone;
+  }
+  return program.run(values);
+}
+
+}  // namespace
+
+int runProgram(const Program& program, int argc, const char* const* argv) {
+  try {
+    return parseAndRun(program, argc, argv);
+  } catch (const DataError& error) {
+    printMessage(program.name, error.what());
+    return kDataCannotAnswer;
+  } catch (const po::error& error) {
+    printMessage(program.name, std::string(error.what()) + "; see " + program.name + " --help");
+  } catch (const std::exception& error) {
+    printMessage(program.name, error.what());
+  }
+  return kUsageError;
+}
+
+void printMessage(const std::string& program, const std::string& message) {
+  std::istringstream lines(message);
+  for (std::string line; std::getline(lines, line);) std::cerr << program << ": " << line << '\n';
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,180 @@
+#include "uncertainty_identification/io/result_json.h"
+
+#include <limits>
+
+#include "uncertainty_identification/data/atomic_file.h"
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/configuration_binding.h"
+#include "uncertainty_identification/io/read_file.h"
+#include "uncertainty_identification/io/tree_reader.h"
+#include "uncertainty_identification/io/tree_writer.h"
+
+namespace uncertainty_identification {
+
+const EnumNames<Termination>& enumNames(Termination) {
+  static const EnumNames<Termination> kNames = [] {
+    EnumNames<Termination> names;
+    for (const Termination termination :
+         {Termination::not_run, Termination::converged, Termination::iteration_limit,
+          Termination::stalled, Termination::cancelled}) {
+      names.emplace_back(termination, toString(termination));
+    }
+    return names;
+  }();
+  return kNames;
+}
+
+template <class Archive>
+void bind(Archive& archive, RejectedExperiment& rejected) {
+  archive("id", rejected.id);
+  archive("reason", rejected.reason);
+}
+
+template <class Archive>
+void bind(Archive& archive, ExperimentEstimate& experiment) {
+  archive("id", experiment.id);
+  archive("samples", experiment.samples);
+  archive("responsibilities", experiment.responsibilities);
+  archive("error_mean", experiment.error_mean);
+  archive("log_likelihood", experiment.log_likelihood);
+}
+
+template <class Archive>
+void bindScalar(Archive& archive, ParameterEstimate& parameter) {
+  archive("unit", parameter.unit);
+  archive("value", parameter.value);
+  archive("standard_error", parameter.standard_error);
+  archive("robust_standard_error", parameter.robust_standard_error);
+}
+
+template <class Archive>
+void bind(Archive& archive, ParameterEstimate& parameter) {
+  archive("name", parameter.name);
+  bindScalar(archive, parameter);
+}
+
+template <class Archive>
+void bind(Archive& archive, NominalModelEstimate& model) {
+  archive("structure", model.structure);
+  archive("delay", model.delay);
+  archive("sample_time", model.sample_time);
+  archive("b", model.b);
+  archive("a", model.a);
+  archive("c", model.c);
+  archive("d", model.d);
+  archive("parameters", model.parameters);
+  archive("covariance", model.covariance);
+}
+
+template <class Archive>
+void bind(Archive& archive, ErrorModelEstimate& model) {
+  bind(archive, model.options);
+  archive("T", model.T);  // in place of the options' own, which is empty unless explicit
+  bindMixture(archive, model.mixture);
+  archive("parameters", model.parameters);
+}
+
+template <class Archive>
+void bind(Archive& archive, TracePoint& point) {
+  archive("iteration", point.iteration);
+  archive("passes", point.passes);
+  archive("log_likelihood", point.log_likelihood);
+}
+
+template <class Archive>
+void bind(Archive& archive, Candidate& candidate) {
+  archive("choice", candidate.choice);
+  archive("description", candidate.description);
+  archive("parameters", candidate.parameters);
+  archive("log_likelihood", candidate.log_likelihood);
+  archive("bic", candidate.bic);
+  archive("validation_fit", candidate.validation_fit);
+  archive("chosen", candidate.chosen);
+}
+
+template <class Archive>
+void bind(Archive& archive, Validation& validation) {
+  archive("experiments", validation.experiments);
+  archive("simulation_fit_percent", validation.simulation_fit_percent);
+  archive("simulation_fit_percent_pooled", validation.simulation_fit_percent_pooled);
+  archive("log_density_per_experiment", validation.log_density_per_experiment);
+}
+
+template <class Archive>
+void bind(Archive& archive, Estimate& estimate) {
+  Word format{"uncertainty_identification/result/1"};
+  archive("format", format);
+  archive("version", estimate.version);
+  archive("configuration", withDefaults(estimate.configuration));
+  archive("seed", estimate.configuration.estimation.seed);
+  archive("data_fingerprint", estimate.data_fingerprint);
+  archive.section("experiments", [&estimate](auto& section) {
+    section("count", estimate.experiment_count);
+    section("samples", estimate.sample_count);
+    section("rejected", estimate.rejected);
+    section("estimates", estimate.experiments);
+  });
+  archive("nominal_model", estimate.nominal_model);
+  archive("error_model", estimate.error_model);
+  archive.section("noise_variance",
+                  [&estimate](auto& section) { bindScalar(section, estimate.noise_variance); });
+  archive.section("offsets", [&estimate](auto& section) {
+    section("u", estimate.offset_u);
+    section("y", estimate.offset_y);
+  });
+  archive("log_likelihood", estimate.log_likelihood);
+  archive("bic", estimate.bic);
+  archive("termination", estimate.termination);
+  archive("message", estimate.message);
+  archive("iterations", estimate.iterations);
+  archive("passes", estimate.passes);
+  archive("seconds", estimate.seconds);
+  archive("trace", estimate.trace);
+  archive("validation", estimate.validation);
+  archive("candidates", estimate.candidates);
+  archive("warnings", estimate.warnings);
+}
+
+nlohmann::json toJson(const Estimate& estimate) {
+  Estimate copy = estimate;
+  if (copy.validation.experiments.empty()) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    copy.validation = {{}, {}, kNone, kNone};
+  }
+  TreeWriter writer;
+  bind(writer, copy);
+  nlohmann::json tree = writer.tree();
+  tree["bounds"] = nlohmann::json::object();
+  return tree;
+}
+
+Estimate estimateFromJson(const nlohmann::json& json) {
+  const std::map<std::string, int> no_lines;
+  TreeReader reader(json, no_lines, ReadingRule::record);
+  Estimate estimate;
+  bind(reader, estimate);
+  estimate.configuration.validate();
+  ErrorModelOptions& options = estimate.error_model.options;
+  if (options.constraint != Constraint::explicit_matrix) options.T.resize(0, 0);
+  if (estimate.validation.experiments.empty()) estimate.validation = {};
+  return estimate;
+}
+
+void saveResult(const std::string& path, const Estimate& estimate) {
+  // Ids come from users: what is not UTF-8 in them must not cost the result.
+  writeFileAtomically(
+      path, toJson(estimate).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+Estimate loadResult(const std::string& path) {
+  const std::string content = readFile(path);
+  try {
+    return estimateFromJson(nlohmann::json::parse(content));
+  } catch (const nlohmann::json::parse_error& error) {
+    throw ConfigurationError(path + ": not JSON, or truncated: " + error.what());
+  } catch (const ConfigurationError& error) {
+    throw ConfigurationError(path + ": " + error.what());
+  }
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,110 @@
+#include "uncertainty_identification/io/result_text.h"
+
+#include <vector>
+
+#include "uncertainty_identification/enum_names.h"
+#include "uncertainty_identification/io/text_table.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+Eigen::VectorXd withLeadingOne(const Eigen::VectorXd& monic) {
+  Eigen::VectorXd full(monic.size() + 1);
+  full << 1, monic;
+  return full;
+}
+
+void addParameters(const std::vector<ParameterEstimate>& parameters, Rows* rows) {
+  for (const ParameterEstimate& parameter : parameters) {
+    rows->push_back({parameter.name, numberText(parameter.value),
+                     numberText(parameter.standard_error),
+                     numberText(parameter.robust_standard_error), parameter.unit});
+  }
+}
+
+std::string nominalModelText(const Estimate& estimate) {
+  const NominalModelEstimate& model = estimate.nominal_model;
+  return "Nominal model: " + model.structure + ", delay " + std::to_string(model.delay) +
+         (model.delay == 1 ? " sample" : " samples") + ", sample time " +
+         numberText(model.sample_time) + " s\n" +
+         textTable({{"B =", polynomialText(model.b, model.delay)},
+                    {"A =", polynomialText(withLeadingOne(model.a), 0)},
+                    {"C =", polynomialText(withLeadingOne(model.c), 0)},
+                    {"D =", polynomialText(withLeadingOne(model.d), 0)}});
+}
+
+std::string parametersText(const Estimate& estimate) {
+  Rows rows{{"parameter", "value", "standard error", "robust", "unit"}};
+  addParameters(estimate.nominal_model.parameters, &rows);
+  addParameters({estimate.noise_variance}, &rows);
+  addParameters(estimate.error_model.parameters, &rows);
+  return "Parameters\n" + textTable(rows);
+}
+
+std::string errorModelText(const ErrorModelEstimate& model) {
+  const Mixture& mixture = model.mixture;
+  if (mixture.components() == 0 || mixture.dimension() == 0) return "Error model: none\n";
+  Rows rows{{"component", "weight", "mean", "covariance"}};
+  for (std::size_t i = 0; i < mixture.weights.size(); ++i) {
+    rows.push_back({std::to_string(i + 1), numberText(mixture.weights[i]),
+                    vectorText(mixture.means[i]), matrixText(mixture.covariances[i])});
+  }
+  return "Error model: " + nameOf(model.options.basis) + ", " + std::to_string(model.T.rows()) +
+         " taps, " + nameOf(model.options.constraint) +
+         "; mixture of xi (eta = T xi, T = " + matrixText(model.T) + ")\n" + textTable(rows);
+}
+
+std::string fitText(const Estimate& estimate) {
+  std::string text = "Noise variance " + numberText(estimate.noise_variance.value) +
+                     ", offset of u " + numberText(estimate.offset_u) + ", of y " +
+                     numberText(estimate.offset_y) + "\n";
+  text += "Log-likelihood " + numberText(estimate.log_likelihood) + ", BIC " +
+          numberText(estimate.bic) + ", from " + std::to_string(estimate.experiment_count) +
+          " experiments with " + std::to_string(estimate.sample_count) + " samples\n";
+  return text + "Ended: " + toString(estimate.termination) + " after " +
+         std::to_string(estimate.iterations) + " iterations, " + std::to_string(estimate.passes) +
+         " passes, " + numberText(estimate.seconds) + " s; " + estimate.message + "\n";
+}
+
+std::string candidatesText(const std::vector<Candidate>& candidates) {
+  if (candidates.empty()) return "";
+  Rows rows{{"choice", "candidate", "parameters", "log-likelihood", "BIC", "held-out fit [%]", ""}};
+  for (const Candidate& candidate : candidates) {
+    rows.push_back({candidate.choice, candidate.description, std::to_string(candidate.parameters),
+                    numberText(candidate.log_likelihood), numberText(candidate.bic),
+                    numberText(candidate.validation_fit), candidate.chosen ? "chosen" : ""});
+  }
+  return "Candidates\n" + textTable(rows);
+}
+
+std::string validationText(const Validation& validation) {
+  if (validation.experiments.empty()) return "";
+  Rows rows{{"experiment", "simulation fit [%]"}};
+  for (std::size_t i = 0; i < validation.experiments.size(); ++i) {
+    rows.push_back({validation.experiments[i], numberText(validation.simulation_fit_percent[i])});
+  }
+  rows.push_back({"pooled", numberText(validation.simulation_fit_percent_pooled)});
+  return "Validation, log density per experiment " +
+         numberText(validation.log_density_per_experiment) + "\n" + textTable(rows);
+}
+
+std::string findingsText(const Estimate& estimate) {
+  std::string text;
+  for (const RejectedExperiment& rejected : estimate.rejected) {
+    text += "Rejected " + rejected.id + ": " + rejected.reason + "\n";
+  }
+  for (const std::string& warning : estimate.warnings) text += "Warning: " + warning + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string resultText(const Estimate& estimate) {
+  return nominalModelText(estimate) + errorModelText(estimate.error_model) +
+         parametersText(estimate) + fitText(estimate) + candidatesText(estimate.candidates) +
+         validationText(estimate.validation) + findingsText(estimate);
+}
+
+}  // namespace uncertainty_identification

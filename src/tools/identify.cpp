@@ -1,0 +1,107 @@
+// Identifies the nominal model and its uncertainty from recorded experiments; docs and --help say
+// how.
+
+#include <unistd.h>
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/identifier.h"
+#include "uncertainty_identification/io/command_line.h"
+#include "uncertainty_identification/io/configuration_yaml.h"
+#include "uncertainty_identification/io/interrupt.h"
+#include "uncertainty_identification/io/progress_bar.h"
+#include "uncertainty_identification/io/result_json.h"
+#include "uncertainty_identification/io/result_text.h"
+#include "uncertainty_identification/ros/load_data.h"
+
+namespace {
+
+namespace ui = uncertainty_identification;
+namespace po = boost::program_options;
+
+const char* const kName = "identify";
+
+void requireAvailable(const std::string& method) {
+  if (method == "se") return;
+  if (method == "mem" || method == "pem") {
+    throw ui::ConfigurationError("--method " + method +
+                                 " is not available in this version; use se");
+  }
+  throw ui::ConfigurationError("--method: found '" + method + "'; allowed: se");
+}
+
+ui::LoadedData load(const po::variables_map& arguments, const std::string& key,
+                    const ui::Configuration& configuration) {
+  if (arguments.count(key) == 0) return {};
+  return ui::loadData(arguments[key].as<std::vector<std::string>>(), configuration);
+}
+
+ui::Estimate identify(const po::variables_map& arguments, const ui::InterruptGuard& interrupt) {
+  const ui::Configuration configuration =
+      ui::loadConfiguration(arguments["config"].as<std::string>());
+  const ui::Identifier identifier(configuration);
+  const ui::LoadedData data = load(arguments, "data", configuration);
+  const ui::LoadedData validation = load(arguments, "validation", configuration);
+
+  ui::ProgressBar bar(std::cerr, isatty(STDERR_FILENO) != 0);
+  ui::Estimate estimate = identifier.identify(data.experiments, validation.experiments,
+                                              [&](const ui::Progress& progress) {
+                                                bar.show(progress);
+                                                return !interrupt.requested();
+                                              });
+  for (const ui::LoadedData* loaded : {&data, &validation}) {
+    estimate.rejected.insert(estimate.rejected.end(), loaded->rejected.begin(),
+                             loaded->rejected.end());
+    estimate.warnings.insert(estimate.warnings.end(), loaded->warnings.begin(),
+                             loaded->warnings.end());
+  }
+  return estimate;
+}
+
+int run(const po::variables_map& arguments) {
+  requireAvailable(arguments["method"].as<std::string>());
+  if (arguments.count("data") == 0)
+    throw ui::ConfigurationError("no DATA given; see identify --help");
+  const ui::InterruptGuard interrupt;
+  const ui::Estimate estimate = identify(arguments, interrupt);
+  if (interrupt.requested() || estimate.termination == ui::Termination::cancelled) {
+    ui::printMessage(kName, "cancelled; nothing was written");
+    return ui::kDataCannotAnswer;
+  }
+  if (!estimate.usable()) {
+    throw ui::DataError("no usable model was found, nothing was written: " + estimate.message);
+  }
+  ui::saveResult(arguments["output"].as<std::string>(), estimate);
+  std::cout << ui::resultText(estimate);
+  return ui::kDone;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ui::Program program;
+  program.name = kName;
+  program.usage = "--config C.yaml --output result.json [--validation DATA]... [--] DATA...";
+  program.purpose =
+      "Estimates the nominal model, the noise model and the distribution of the model's error "
+      "from\n"
+      "experiments, and writes them to a JSON file. DATA is a .bag, a .csv with the columns\n"
+      "experiment,t,u,y or t,u,y, or a folder of such files; further columns are covariates.\n"
+      "Exit status: 0 done; 1 the data cannot support an answer, or cancelled; 2 usage or "
+      "configuration.";
+  program.options.add_options()  //
+      ("config", po::value<std::string>()->required()->value_name("FILE"),
+       "configuration (YAML); config/reference.yaml explains every key")  //
+      ("output", po::value<std::string>()->required()->value_name("FILE"),
+       "where the result goes (JSON)")  //
+      ("method", po::value<std::string>()->default_value("se")->value_name("NAME"),
+       "se: stochastic embedding with a Gaussian mixture")  //
+      ("validation", po::value<std::vector<std::string>>()->composing()->value_name("DATA"),
+       "data used only to measure the fit; may be repeated");
+  program.arguments = "data";
+  program.run = run;
+  return ui::runProgram(program, argc, argv);
+}

@@ -1,0 +1,77 @@
+// Simulates experiments on a system whose truth is known; --help says how.
+
+#include "uncertainty_identification/simulation/simulate.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "uncertainty_identification/data/atomic_file.h"
+#include "uncertainty_identification/data/csv.h"
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/command_line.h"
+#include "uncertainty_identification/io/truth_yaml.h"
+#include "uncertainty_identification/ros/bag_writer.h"
+
+namespace {
+
+namespace ui = uncertainty_identification;
+namespace po = boost::program_options;
+namespace fs = std::filesystem;
+
+void writeFolder(const fs::path& folder, const std::vector<ui::Experiment>& experiments) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw ui::FileError(folder.string() + ": cannot be created: " + error.message());
+  for (const ui::Experiment& experiment : experiments) {
+    ui::writeCsv((folder / (experiment.id + ".csv")).string(), {experiment});
+  }
+}
+
+void write(const fs::path& output, const std::vector<ui::Experiment>& experiments) {
+  if (output.extension() == ".bag") {
+    ui::writeBag(output.string(), experiments);
+  } else if (output.extension() == ".csv") {
+    ui::writeCsv(output.string(), experiments);
+  } else {
+    writeFolder(output, experiments);
+  }
+}
+
+int run(const po::variables_map& arguments) {
+  const ui::Truth truth = ui::loadTruth(arguments["config"].as<std::string>());
+  const auto seed = arguments["seed"].as<std::uint64_t>();
+  write(arguments["output"].as<std::string>(), ui::simulate(truth, seed));
+  if (arguments.count("answer") > 0) {
+    ui::writeFileAtomically(arguments["answer"].as<std::string>(),
+                            ui::answerJson(truth, seed).dump(1) + "\n");
+  }
+  return ui::kDone;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ui::Program program;
+  program.name = "simulate";
+  program.usage =
+      "--config TRUTH.yaml --output FILE.bag|FILE.csv|DIR [--answer answer.json] [--seed S]";
+  program.purpose =
+      "Simulates experiments on a known system, such as the paper's examples "
+      "(config/example1_truth.yaml).\n"
+      "The same truth and seed give the same experiments, and experiment r does not depend on how "
+      "many\n"
+      "there are. Exit status: 0 done; 2 usage or configuration.";
+  program.options.add_options()  //
+      ("config", po::value<std::string>()->required()->value_name("FILE"),
+       "the truth (YAML); config/truth_reference.yaml explains every key")  //
+      ("output", po::value<std::string>()->required()->value_name("PATH"),
+       "one .bag or .csv, or else a folder of .csv files, one per experiment")  //
+      ("answer", po::value<std::string>()->value_name("FILE"),
+       "where to write the truth and what was drawn for each experiment (JSON)")  //
+      ("seed", po::value<std::uint64_t>()->default_value(1)->value_name("S"),
+       "of all random numbers");
+  program.run = run;
+  return ui::runProgram(program, argc, argv);
+}

@@ -1,0 +1,118 @@
+#include "uncertainty_identification/io/truth_yaml.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/tree.h"
+#include "uncertainty_identification/simulation/simulate.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using nlohmann::json;
+
+const std::string kConfig = std::string(PROJECT_FOLDER) + "/config/";
+
+std::string complaint(const std::string& yaml) {
+  try {
+    parseTruth(YAML::Load(yaml));
+  } catch (const ConfigurationError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// All paths of a tree's keys, one per line.
+std::string keys(const json& tree, const std::string& parent = "") {
+  std::string all;
+  if (!tree.is_object()) return parent + "\n";
+  for (const auto& [key, value] : tree.items()) all += keys(value, pathOf(parent, key));
+  return all;
+}
+
+TEST(TruthYaml, ReferenceStatesEveryKeyAndItsDefault) {
+  const std::string path = kConfig + "truth_reference.yaml";
+  EXPECT_EQ(keys(treeFromYaml(loadYaml(path)).value), keys(toJson(Truth{})));
+  EXPECT_EQ(toJson(loadTruth(path)), toJson(Truth{}));
+}
+
+TEST(TruthYaml, RoundTripKeepsEveryBit) {
+  const Truth truth = parseTruth(YAML::Load(R"(
+sample_time: 0.0123456789012345
+experiments: {count: 3, samples: [50, 60, 70]}
+input: {kind: multisine, mean: 1, variance: 2, hold: 3, tones: 4}
+plant: {structure: first_order, b: [1, 2], a: [0.5], delay: 2, gain: 3, time_constant: 0.4, time_constant_spread: 0.1}
+error_model: {basis: laguerre, taps: 2, constraint: free, pole: 0.3, weights: [1], means: [[0, 1]],
+              covariances: [[[1, 0.5], [0.5, 1]]]}
+sensor: {missing: 0.25}
+noise: {variance: 0.1, c: [0.1], d: [0.8], start: stationary}
+)"));
+  const json all = toJson(truth);
+  EXPECT_EQ(toJson(parseTruth(yamlFromTree(all))), all);
+  EXPECT_EQ(truth.samplesOf(2), 70);
+  EXPECT_EQ(all["experiments"]["samples"], json({50, 60, 70}));
+}
+
+TEST(TruthYaml, BadTruthsAreRefused) {
+  EXPECT_EQ(complaint("plant: {gian: 1}"),
+            "plant.gian (line 1): unknown key; did you mean plant.gain?");
+  EXPECT_NE(complaint("input: {kind: noise}").find("white_noise, prbs, steps, multisine"),
+            std::string::npos);
+  for (const auto& [yaml, key] : std::vector<std::pair<std::string, std::string>>{
+           {"sample_time: 0", "sample_time"},
+           {"experiments: {count: 0}", "experiments.count"},
+           {"experiments: {count: 2, samples: [1, 2, 3]}", "experiments.samples"},
+           {"experiments: {samples: 0}", "experiments.samples"},
+           {"experiments: {samples: []}", "experiments.samples"},
+           {"input: {variance: -1}", "input.variance"},
+           {"input: {hold: 0}", "input.hold"},
+           {"input: {tones: 0}", "input.tones"},
+           {"input: {kind: multisine, tones: 50}", "input.tones"},
+           {"plant: {b: []}", "plant.b"},
+           {"plant: {a: [1.2]}", "plant.a"},
+           {"plant: {delay: -1}", "plant.delay"},
+           {"plant: {time_constant: 0}", "plant.time_constant"},
+           {"plant: {time_constant_spread: 1}", "plant.time_constant_spread"},
+           {"error_model: {weights: [1], means: [[1, 2]], covariances: [[[1, 0], [0, 1]]]}",
+            "error_model.means"},
+           {"error_model: {taps: auto, weights: [1], means: [[1]], covariances: [[[1]]]}",
+            "error_model.taps"},
+           {"error_model: {weights: [0.5], means: [[1]], covariances: [[[1]]]}", "error_model"},
+           {"sensor: {missing: 1}", "sensor.missing"},
+           {"noise: {variance: -1}", "noise.variance"},
+           {"noise: {d: [1], start: stationary}", "noise.d"}}) {
+    EXPECT_EQ(complaint(yaml).rfind(key, 0), 0u) << yaml << " gave: " << complaint(yaml);
+  }
+  EXPECT_EQ(complaint("plant: {a: [-1.0]}"), "");  // an integrator
+}
+
+TEST(TruthYaml, ShippedExamplesAreThePapers) {
+  const Truth first = loadTruth(kConfig + "example1_truth.yaml");
+  EXPECT_EQ(first.input.variance, 10);
+  EXPECT_EQ(first.plant.a, Eigen::VectorXd::Constant(1, 0.5));
+  EXPECT_EQ(first.noise.d, Eigen::VectorXd::Constant(1, 0.8));
+  EXPECT_EQ(first.error_model.mixture.means.at(1), Eigen::VectorXd::Constant(1, 1));
+  const Truth second = loadTruth(kConfig + "example2_truth.yaml");
+  EXPECT_EQ(second.input.variance, 42);
+  EXPECT_EQ(second.plant.time_constant, 0.01);
+  EXPECT_EQ(second.error_model.mixture.components(), 0);
+}
+
+TEST(TruthYaml, AnswerTellsWhatWasDrawn) {
+  const Truth truth = loadTruth(kConfig + "example1_truth.yaml");
+  const json answer = answerJson(truth, 3);
+  EXPECT_EQ(answer["format"], "uncertainty_identification/answer/1");
+  EXPECT_EQ(answer["seed"], 3);
+  EXPECT_EQ(answer["truth"], toJson(truth));
+  ASSERT_EQ(answer["experiments"].size(), 100u);
+  const DrawnSystem system = drawSystem(truth, 3, 42);
+  EXPECT_EQ(answer["experiments"][42]["id"], "exp_000042");
+  EXPECT_EQ(answer["experiments"][42]["component"], system.component);
+  EXPECT_EQ(answer["experiments"][42]["xi"][0], system.xi(0));
+  EXPECT_TRUE(answer["experiments"][42]["time_constant"].is_null());
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
