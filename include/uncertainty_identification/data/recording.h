@@ -18,27 +18,55 @@ struct StampedSignal {
 /// The raw material of one experiment: what lies between two cuts, before resampling.
 struct Recording {
   std::string id;
-  double start = 0, end = 0;  ///< [s] the cuts
-  StampedSignal input, output;
+  double start = 0, end = 0;  ///< [s] the cuts: stamps of y with start <= stamp < end count; all of
+                              ///< them if end <= start
+  StampedSignal input,
+      output;  ///< the input may begin before the start: what was in force when it began
   std::map<std::string, StampedSignal> covariates;
+  int duplicate_stamps =
+      0;             ///< samples left out already because their stamp was that of the one before
+  std::string note;  ///< how it ended, if not by its own end
 };
 
 /// What resampling found about the stamps of one recording.
 struct ResamplingReport {
   std::string id;
-  double sample_time = 0;      ///< [s] used
-  double input_period = 0, output_period = 0;  ///< [s] median spacing of the stamps
-  double max_jitter = 0;       ///< [s] largest departure of output stamps from a uniform grid
-  double max_age = 0;          ///< [s] oldest sample that was held
-  int missing_outputs = 0;     ///< grid points without an output within max_age
-  int duplicate_stamps = 0, backward_stamps = 0, zero_stamps = 0;
+  double sample_time = 0;  ///< [s] used
+  double input_period = 0,
+         output_period = 0;  ///< [s] median spacing of the stamps, refined (sample_grid.h)
+  double max_jitter = 0;     ///< [s] largest departure of output stamps from a uniform grid
+  double max_age = 0;        ///< [s] oldest sample that was held
+  int missing_outputs = 0;   ///< grid points without an output within max_age
+  int duplicate_stamps = 0,
+      zero_stamps = 0;  ///< samples whose stamp is that before it (left out), or 0
+
+  /// What a user should hear about: duplicates, zero stamps, jitter above a tenth of the sample
+  /// time, missing outputs, an input held for more than three sample times. One sentence each;
+  /// empty when all is well.
+  std::vector<std::string> warnings() const;
 };
 
-/// Puts a recording on a uniform grid: zero-order hold for u; hold, linear interpolation or bin mean for y.
-/// A grid point whose newest sample is older than options.max_age is missing (y: valid = 0; u: an error unless at the
-/// edges, which are trimmed). sample_time 0: the median spacing of the output's stamps.
-/// Throws DataError, naming the experiment, for backward stamps, no samples in common, jitter above the limit.
-Experiment resample(const Recording& recording, double sample_time, const ResamplingOptions& options,
-                    ResamplingReport* report = nullptr);
+/// Puts a recording on a uniform grid: zero-order hold for u; hold, linear interpolation or bin
+/// mean for y.
+///
+/// - sample_time 0: the period of the output's stamps (fitSampleGrid).
+/// - The grid starts at the first output at or after the start at which the input is known, so that
+/// signals stamped
+///   uniformly at sample_time come back bit by bit. Stamps that jitter around a grid of about the
+///   sample time count as at the instants they were due, so that jitter shifts no sample; with
+///   `hold` the departures are kept in Experiment::stamp_offset.
+/// - An output older than options.max_age (0: three sample times) is missing (valid = 0), and so is
+/// a non-finite one.
+///   `mean` averages the bin of one sample time centred on the grid point.
+/// - The input is held until its next sample. Where options.max_age is set, an older input ends the
+/// experiment at its
+///   edges and is an error in between; with 0 its age is only reported.
+/// - Covariates are held (before their first sample: that one); constant ones become scalars.
+///
+/// Throws DataError, naming the experiment and what to record instead, for backward or non-finite
+/// stamps, an empty signal, no samples in common, an input too old in between, jitter above
+/// options.max_jitter.
+Experiment resample(const Recording& recording, double sample_time,
+                    const ResamplingOptions& options, ResamplingReport* report = nullptr);
 
 }  // namespace uncertainty_identification

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace uncertainty_identification {
+
+/// Writes a file so that a reader finds the old one or the complete new one, never a part, also
+/// after a crash: `write` gets a temporary name in the same folder and creates that file; it is
+/// then synchronised to the disk and renamed. When `write` throws, the temporary file is removed
+/// and an existing file stays as it was. Throws FileError naming the file and the system's reason.
+void writeAtomically(const std::string& path,
+                     const std::function<void(const std::string& temporary)>& write);
+
+/// The same for a content that is in memory.
+void writeFileAtomically(const std::string& path, const std::string& content);
+
+}  // namespace uncertainty_identification

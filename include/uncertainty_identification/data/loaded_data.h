@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "uncertainty_identification/configuration.h"
+#include "uncertainty_identification/data/experiment.h"
+#include "uncertainty_identification/data/recording.h"
+#include "uncertainty_identification/data/rejected_experiment.h"
+
+namespace uncertainty_identification {
+
+/// What a file gave: a bad experiment is listed and loses none of the others.
+struct LoadedData {
+  std::vector<Experiment> experiments;
+  std::vector<RejectedExperiment> rejected;
+  std::vector<std::string> warnings;
+};
+
+/// Resamples a recording and adds it to `data`: to the experiments, or to the rejected ones with
+/// the reason.
+void addResampled(const Recording& recording, double sample_time, const ResamplingOptions& options,
+                  LoadedData& data);
+
+/// Adds everything of `more` to `data`, in order.
+void append(LoadedData more, LoadedData& data);
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,127 @@
+#include "uncertainty_identification/data/check.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "text.h"
+
+// Checks that compare experiments with each other; check_experiment.cpp looks at each by itself.
+namespace uncertainty_identification {
+namespace {
+
+constexpr double kSampleTimeTolerance = 1e-3;  // relative
+
+bool sameSampleTime(double one, double other) {
+  return std::abs(one - other) <= kSampleTimeTolerance * std::max(std::abs(one), std::abs(other));
+}
+
+/// The sample time that most experiments share; of equal numbers, the one with more samples.
+double commonSampleTime(const std::vector<Experiment>& experiments,
+                        const std::vector<int>& candidates) {
+  std::vector<std::pair<double, long>> sorted;  // sample time, samples
+  for (const int i : candidates) {
+    const Experiment& experiment = experiments[static_cast<std::size_t>(i)];
+    sorted.emplace_back(experiment.sample_time, experiment.samples());
+  }
+  std::sort(sorted.begin(), sorted.end());
+  double common = 0;
+  std::pair<std::size_t, long> most{0, 0};  // experiments, samples
+  long samples = 0;
+  for (std::size_t first = 0, last = 0; first < sorted.size(); ++first) {
+    for (; last < sorted.size() && sameSampleTime(sorted[first].first, sorted[last].first);
+         ++last) {
+      samples += sorted[last].second;
+    }
+    const std::pair<std::size_t, long> found{last - first, samples};
+    if (found > most) {
+      most = found;
+      common = sorted[first + (last - first) / 2].first;
+    }
+    samples -= sorted[first].second;
+  }
+  return common;
+}
+
+class Checker {
+ public:
+  Checker(const std::vector<Experiment>& experiments) : experiments_(experiments) {}
+
+  void checkEach(const LimitOptions& limits, const std::vector<std::string>& required_covariates) {
+    for (std::size_t i = 0; i < experiments_.size(); ++i) {
+      for (Finding& finding : checkExperiment(experiments_[i], limits, required_covariates)) {
+        if (finding.rejects) {
+          reject(i, finding.message);
+        } else {
+          report_.warnings.push_back(std::move(finding.message));
+        }
+      }
+    }
+  }
+
+  void checkIds() {
+    std::set<std::string> ids;
+    for (const int i : accepted()) {
+      const std::string& id = experiments_[static_cast<std::size_t>(i)].id;
+      if (ids.insert(id).second) continue;
+      reject(static_cast<std::size_t>(i),
+             named(id) +
+                 ": a second experiment has the same id; the first one is kept, "
+                 "give every experiment an id of its own");
+    }
+  }
+
+  void checkSampleTimes(double sample_time) {
+    const bool given = sample_time > 0;
+    const double common = given ? sample_time : commonSampleTime(experiments_, accepted());
+    for (const int i : accepted()) {
+      const Experiment& experiment = experiments_[static_cast<std::size_t>(i)];
+      if (sameSampleTime(experiment.sample_time, common)) continue;
+      reject(static_cast<std::size_t>(i),
+             named(experiment.id) + ": its sample time is " + text(experiment.sample_time) +
+                 " s, but " + (given ? "sample_time is set to " : "most experiments have ") +
+                 text(common) +
+                 " s; record all experiments at one rate, or set sample_time so that they are "
+                 "resampled when read");
+    }
+  }
+
+  CheckReport report() {
+    report_.usable = accepted();
+    for (const auto& [i, reason] : reasons_)
+      report_.rejected.push_back({experiments_[i].id, reason});
+    return std::move(report_);
+  }
+
+ private:
+  void reject(std::size_t i, const std::string& message) {
+    std::string& reason = reasons_[i];
+    reason += (reason.empty() ? "" : "; ") + message;
+  }
+
+  std::vector<int> accepted() const {
+    std::vector<int> indices;
+    for (std::size_t i = 0; i < experiments_.size(); ++i) {
+      if (reasons_.count(i) == 0) indices.push_back(static_cast<int>(i));
+    }
+    return indices;
+  }
+
+  const std::vector<Experiment>& experiments_;
+  std::map<std::size_t, std::string> reasons_;  ///< by index of the experiment
+  CheckReport report_;
+};
+
+}  // namespace
+
+CheckReport checkExperiments(const std::vector<Experiment>& experiments, const LimitOptions& limits,
+                             const std::vector<std::string>& required_covariates,
+                             double sample_time) {
+  Checker checker(experiments);
+  checker.checkEach(limits, required_covariates);
+  checker.checkIds();
+  checker.checkSampleTimes(sample_time);
+  return checker.report();
+}
+
+}  // namespace uncertainty_identification

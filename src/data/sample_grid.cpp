@@ -1,0 +1,181 @@
+#include "uncertainty_identification/data/sample_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace uncertainty_identification {
+namespace {
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::vector<double> spacings(const std::vector<double>& stamps) {
+  std::vector<double> spacing(stamps.size() - 1);
+  for (std::size_t i = 0; i < spacing.size(); ++i) spacing[i] = stamps[i + 1] - stamps[i];
+  return spacing;
+}
+
+/// Mean of the spacings near their median: those without a lost sample, whose jitter averages out.
+double meanStep(const std::vector<double>& spacing, double middle) {
+  double sum = 0;
+  long count = 0;
+  for (const double each : spacing) {
+    if (each < 0.5 * middle || each > 1.5 * middle) continue;
+    sum += each;
+    ++count;
+  }
+  return sum / static_cast<double>(count);
+}
+
+/// The line stamp = origin + slot * period.
+struct Line {
+  double origin = 0, period = 0;  // [s]
+};
+
+/// Least-squares line through the first `count` stamps over their slots.
+Line fitLine(const std::vector<double>& stamps, const std::vector<long>& slots, std::size_t count) {
+  const auto number = static_cast<double>(count);
+  double mean_slot = 0, mean_stamp = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    mean_slot += static_cast<double>(slots[i]) / number;
+    mean_stamp += (stamps[i] - stamps.front()) / number;
+  }
+  double cross = 0, square = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double slot = static_cast<double>(slots[i]) - mean_slot;
+    cross += slot * (stamps[i] - stamps.front() - mean_stamp);
+    square += slot * slot;
+  }
+  const double period = square > 0 ? cross / square : 0;
+  return {stamps.front() + mean_stamp - period * mean_slot, period};
+}
+
+/// The line of the given period at the mean phase of the first `count` stamps, in the circular
+/// sense.
+Line phaseLine(const std::vector<double>& stamps, double period, std::size_t count) {
+  double sine = 0, cosine = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = 2 * M_PI * std::fmod((stamps[i] - stamps.front()) / period, 1.0);
+    sine += std::sin(angle);
+    cosine += std::cos(angle);
+  }
+  return {stamps.front() + std::atan2(sine, cosine) / (2 * M_PI) * period, period};
+}
+
+/// The slot on the line nearest to each of the first `count` stamps.
+void setNearestSlots(const std::vector<double>& stamps, const Line& line, std::size_t count,
+                     std::vector<long>& slots) {
+  constexpr double kMost = 1e15;  // keeps absurd stamps within the range of long
+  for (std::size_t i = 0; i < count; ++i) {
+    slots[i] = std::lround(std::min(kMost, (stamps[i] - line.origin) / line.period));
+  }
+}
+
+/// Finds the slots of stamps whose period is known roughly: a line through the first few stamps
+/// tells the slots of twice as many, and so on, so that the line is always good enough for the
+/// stamps it is extended to.
+std::vector<long> findSlots(const std::vector<double>& stamps, double period) {
+  constexpr std::size_t kFirstBlock = 16;
+  std::vector<long> slots(stamps.size(), 0);
+  std::size_t count = std::min(kFirstBlock, stamps.size());
+  Line line = phaseLine(stamps, period, count);
+  for (;; count = std::min(2 * count, stamps.size())) {
+    for (int pass = 0; pass < 2; ++pass) {
+      setNearestSlots(stamps, line, count, slots);
+      const Line fitted = fitLine(stamps, slots, count);
+      if (fitted.period > 0.5 * period) line = fitted;
+    }
+    if (count == stamps.size()) break;
+  }
+  setNearestSlots(stamps, line, count, slots);
+  for (std::size_t i = slots.size(); i-- > 0;) slots[i] -= slots[0];
+  return slots;
+}
+
+/// The decimal number with the fewest digits within `halfwidth` of a positive value; the value
+/// itself if none is.
+double simplestDecimal(double value, double halfwidth) {
+  const int exponent = static_cast<int>(std::floor(std::log10(value)));
+  for (int digits = 1; digits <= 17; ++digits) {
+    const int power = digits - 1 - exponent;
+    const double scale = std::pow(10.0, std::abs(power));
+    const double candidate =
+        power >= 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
+    if (candidate > 0 && std::abs(candidate - value) <= halfwidth) return candidate;
+  }
+  return value;
+}
+
+/// Whether the stamps are first + slot * period to the last bit, as a program writes them.
+bool reproduces(const std::vector<double>& stamps, const std::vector<long>& slots, double period) {
+  for (std::size_t i = 0; i < stamps.size(); ++i) {
+    if (stamps[i] != stamps.front() + static_cast<double>(slots[i]) * period) return false;
+  }
+  return true;
+}
+
+/// Sets origin and departures for the period and slots found.
+void measureDepartures(const std::vector<double>& stamps, SampleGrid& grid) {
+  std::vector<double> departures(stamps.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < stamps.size(); ++i) {
+    departures[i] = stamps[i] - stamps.front() - static_cast<double>(grid.slots[i]) * grid.period;
+    largest = std::max(largest, std::abs(departures[i]));
+  }
+  const double scale = std::max(std::abs(stamps.front()), std::abs(stamps.back()));
+  const bool exact = largest <= stampTolerance(scale, grid.period);
+  const double phase = exact ? 0 : median(departures);
+  grid.origin = stamps.front() + phase;
+  grid.max_departure = 0;
+  for (double& departure : departures) {
+    departure = std::abs(departure - phase);
+    grid.max_departure = std::max(grid.max_departure, departure);
+  }
+  grid.typical_departure = median(std::move(departures));
+}
+
+bool allDistinct(const std::vector<long>& slots) {
+  return std::adjacent_find(slots.begin(), slots.end()) == slots.end();
+}
+
+}  // namespace
+
+double stampTolerance(double stamp, double sample_time) {
+  const double resolution = std::abs(stamp) * std::numeric_limits<double>::epsilon();
+  return std::max(1e-6 * sample_time, 4 * resolution);
+}
+
+SampleGrid fitSampleGrid(const std::vector<double>& stamps) {
+  SampleGrid grid;
+  grid.slots.assign(stamps.size(), 0);
+  if (!stamps.empty()) grid.origin = stamps.front();
+  if (stamps.size() < 2) return grid;
+  const std::vector<double> spacing = spacings(stamps);
+  const double middle = median(spacing);
+  grid.slots = findSlots(stamps, meanStep(spacing, middle));
+  const double fitted = fitLine(stamps, grid.slots, stamps.size()).period;
+  grid.period = fitted > 0 ? fitted : middle;
+  measureDepartures(stamps, grid);
+  grid.one_to_one = allDistinct(grid.slots) && grid.max_departure < 0.5 * grid.period;
+  if (!grid.one_to_one) {
+    grid.period = middle;
+    return grid;
+  }
+  const auto steps = static_cast<double>(grid.slots.back());
+  const double resolution = std::abs(stamps.back()) * std::numeric_limits<double>::epsilon();
+  const double first_step = (stamps[1] - stamps[0]) / static_cast<double>(grid.slots[1]);
+  grid.period =
+      reproduces(stamps, grid.slots, first_step)
+          ? first_step
+          : simplestDecimal(grid.period, std::max(grid.max_departure, resolution) / steps);
+  measureDepartures(stamps, grid);
+  grid.one_to_one = grid.max_departure < 0.5 * grid.period;
+  return grid;
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,390 @@
+#include "uncertainty_identification/data/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "uncertainty_identification/errors.h"
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// value(i) = base + i at start + i * period.
+StampedSignal ramp(double start, double period, int count, double base) {
+  StampedSignal signal;
+  for (int i = 0; i < count; ++i) {
+    signal.stamps.push_back(start + i * period);
+    signal.values.push_back(base + i);
+  }
+  return signal;
+}
+
+Recording recordingOf(StampedSignal input, StampedSignal output) {
+  Recording recording;
+  recording.id = "run";
+  recording.input = std::move(input);
+  recording.output = std::move(output);
+  return recording;
+}
+
+StampedSignal random(double start, double period, int count, std::uint64_t seed) {
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal;
+  StampedSignal signal = ramp(start, period, count, 0);
+  for (double& value : signal.values) value = normal(engine);
+  return signal;
+}
+
+std::string messageOf(const Recording& recording, double sample_time,
+                      const ResamplingOptions& options = {}) {
+  try {
+    resample(recording, sample_time, options);
+  } catch (const DataError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool mentions(const std::string& message, const std::string& part) {
+  return message.find(part) != std::string::npos;
+}
+
+class UniformStamps
+    : public testing::TestWithParam<std::tuple<OutputResampling, double, double, bool>> {};
+
+TEST_P(UniformStamps, ComeBackBitByBit) {
+  const auto [output, start, period, automatic] = GetParam();
+  const Recording recording =
+      recordingOf(random(start, period, 5000, 1), random(start, period, 5000, 2));
+  ResamplingOptions options;
+  options.output = output;
+  ResamplingReport report;
+  const Experiment experiment = resample(recording, automatic ? 0 : period, options, &report);
+  ASSERT_EQ(experiment.samples(), 5000);
+  for (int k = 0; k < 5000; ++k) {
+    ASSERT_EQ(experiment.u(k), recording.input.values[static_cast<std::size_t>(k)]) << k;
+    ASSERT_EQ(experiment.y(k), recording.output.values[static_cast<std::size_t>(k)]) << k;
+  }
+  EXPECT_EQ(experiment.start_time, start);
+  EXPECT_NEAR(experiment.sample_time, period, 1e-8 * period);  // what stamps since 1970 resolve
+  EXPECT_TRUE(experiment.valid.empty());
+  EXPECT_EQ(experiment.stamp_offset.size(), 0);
+  EXPECT_EQ(report.missing_outputs, 0);
+  EXPECT_TRUE(report.warnings().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(AnyClock, UniformStamps,
+                         testing::Combine(testing::Values(OutputResampling::hold,
+                                                          OutputResampling::linear,
+                                                          OutputResampling::mean),
+                                          testing::Values(0.0, 0.1, 1000.0, 1.7e9),
+                                          testing::Values(0.001, 0.01, 1.0 / 30, 0.0016384, 5.0),
+                                          testing::Bool()));
+
+TEST(Resample, AutomaticSampleTimeIsExactForDecimalPeriods) {
+  for (const double period : {0.001, 0.01, 0.0016384, 0.04, 5.0}) {
+    for (const double start : {0.0, 0.3, 1.7e9}) {
+      const Recording recording =
+          recordingOf(ramp(start, period, 4000, 0), ramp(start, period, 4000, 0));
+      EXPECT_EQ(resample(recording, 0, {}).sample_time, period) << start;
+    }
+  }
+}
+
+TEST(Resample, StampsRoundedInPrintGiveThePeriodMeant) {
+  StampedSignal signal = ramp(0, 0.0016384, 40000, 0);
+  for (double& stamp : signal.stamps)
+    stamp = std::round(stamp * 1e6) / 1e6;  // spacings 0.001638 and 0.001639
+  const Experiment experiment = resample(recordingOf(signal, signal), 0, {});
+  EXPECT_EQ(experiment.sample_time, 0.0016384);
+  EXPECT_EQ(experiment.samples(), 40000);
+  EXPECT_EQ(experiment.u, experiment.y);
+}
+
+TEST(Resample, JitterShiftsNoSampleAndIsKept) {
+  std::mt19937_64 engine(3);
+  std::uniform_real_distribution<double> jitter(-0.002, 0.002);
+  StampedSignal input = ramp(100, 0.01, 2000, 0), output = ramp(100, 0.01, 2000, 0);
+  for (double& stamp : output.stamps) stamp += jitter(engine);
+  ResamplingReport report;
+  const Experiment experiment = resample(recordingOf(input, output), 0.01, {}, &report);
+  ASSERT_EQ(experiment.samples(), 2000);
+  EXPECT_EQ(experiment.u, experiment.y);  // sample i of the input goes with sample i of the output
+  ASSERT_EQ(experiment.stamp_offset.size(), 2000);
+  for (int k = 0; k < 2000; ++k) {
+    const double nominal = experiment.start_time + 0.01 * k;
+    EXPECT_NEAR(experiment.stamp_offset(k), output.stamps[static_cast<std::size_t>(k)] - nominal,
+                1e-9);
+  }
+  EXPECT_NEAR(report.max_jitter, 0.002, 2e-4);
+  EXPECT_EQ(report.warnings().size(), 1u);
+}
+
+TEST(Resample, SignalsStampedTogetherStayTogetherUnderJitterAndDrift) {
+  std::mt19937_64 engine(4);
+  std::uniform_real_distribution<double> jitter(-0.003, 0.003);
+  StampedSignal signal = ramp(1.7e9, 0.010003, 3000, 0);
+  for (double& stamp : signal.stamps) stamp += jitter(engine);
+  for (const double sample_time : {0.0, 0.01, 0.010003}) {
+    const Experiment experiment = resample(recordingOf(signal, signal), sample_time, {});
+    EXPECT_EQ(experiment.u, experiment.y) << sample_time;
+  }
+}
+
+TEST(Resample, TimersThatWanderKeepTheirPairs) {
+  std::mt19937_64 engine(5);
+  std::uniform_real_distribution<double> late(0, 0.006);
+  StampedSignal signal = ramp(0, 0.01, 2000, 0);
+  double stamp = 0;
+  for (double& each : signal.stamps)
+    each = stamp += 0.01 + late(engine);  // sleeps after each turn: no fixed phase
+  const Experiment experiment = resample(recordingOf(signal, signal), 0.013, {});
+  EXPECT_EQ(experiment.u, experiment.y);
+}
+
+TEST(Resample, InputOfAnotherRateIsHeld) {
+  // input at 0, 2.5, 5, ...; the grid follows the output
+  const Experiment experiment =
+      resample(recordingOf(ramp(0, 2.5, 10, 0), ramp(1, 1, 9, 100)), 1, {});
+  ASSERT_EQ(experiment.samples(), 9);
+  EXPECT_EQ(experiment.start_time, 1);
+  const Eigen::VectorXd expected = (Eigen::VectorXd(9) << 0, 0, 1, 1, 2, 2, 2, 3, 3).finished();
+  EXPECT_EQ(experiment.u, expected);  // at 5 s exactly, the sample of that instant counts
+}
+
+TEST(Resample, InputStampedAfterTheOutputIsTheOldOneStill) {
+  const Experiment experiment =
+      resample(recordingOf(ramp(0.3, 1, 20, 0), ramp(0, 1, 20, 0)), 1, {});
+  ASSERT_EQ(experiment.samples(), 19);  // at 0 s the input is not known
+  EXPECT_EQ(experiment.start_time, 1);
+  EXPECT_EQ(experiment.y(0), 1);
+  EXPECT_EQ(experiment.u(0), 0);
+  EXPECT_EQ(experiment.u(18), 18);
+}
+
+TEST(Resample, InputBeforeTheStartIsInForceAtTheStart) {
+  Recording recording = recordingOf({{-7, 4}, {5, 6}}, ramp(-2, 1, 12, 0));
+  recording.start = 0;
+  recording.end = 8;
+  const Experiment experiment = resample(recording, 1, {});
+  ASSERT_EQ(experiment.samples(), 8);  // start <= stamp < end
+  EXPECT_EQ(experiment.start_time, 0);
+  EXPECT_EQ(experiment.y(0), 2);
+  EXPECT_EQ(experiment.u(0), 5);
+  EXPECT_EQ(experiment.u(3), 5);
+  EXPECT_EQ(experiment.u(4), 6);
+}
+
+TEST(Resample, SlowOutputIsHeldUpToMaxAge) {
+  ResamplingOptions options;
+  options.max_age = 2;
+  const Experiment experiment =
+      resample(recordingOf(ramp(0, 1, 21, 0), ramp(0, 5, 5, 100)), 1, options);
+  ASSERT_EQ(experiment.samples(), 21);
+  for (int k = 0; k < 21; ++k) {
+    EXPECT_EQ(experiment.isValid(k), k % 5 <= 2) << k;
+    if (k % 5 <= 2) {
+      EXPECT_EQ(experiment.y(k), 100 + k / 5) << k;
+    }
+  }
+}
+
+TEST(Resample, GapsAreMissingBeyondThreeSampleTimes) {
+  StampedSignal output = ramp(0, 0.1, 60, 0);
+  output.stamps.erase(output.stamps.begin() + 20, output.stamps.begin() + 30);
+  output.values.erase(output.values.begin() + 20, output.values.begin() + 30);
+  for (const auto mode :
+       {OutputResampling::hold, OutputResampling::linear, OutputResampling::mean}) {
+    ResamplingOptions options;
+    options.output = mode;
+    ResamplingReport report;
+    const Experiment experiment =
+        resample(recordingOf(ramp(0, 0.1, 60, 0), output), 0.1, options, &report);
+    ASSERT_EQ(experiment.samples(), 60);
+    EXPECT_EQ(experiment.u(59), 59);
+    EXPECT_EQ(experiment.y(59), 59);
+    EXPECT_EQ(report.missing_outputs, mode == OutputResampling::hold ? 7 : 10);
+    EXPECT_EQ(experiment.isValid(22), mode == OutputResampling::hold);
+    EXPECT_FALSE(experiment.isValid(23));
+    EXPECT_FALSE(report.warnings().empty());
+  }
+}
+
+TEST(Resample, LinearInterpolatesBetweenStamps) {
+  ResamplingOptions options;
+  options.output = OutputResampling::linear;
+  const Experiment experiment =
+      resample(recordingOf(ramp(0, 1, 10, 0), ramp(0, 0.4, 20, 0)), 1, options);
+  for (int k = 0; k < experiment.samples(); ++k) EXPECT_NEAR(experiment.y(k), k / 0.4, 1e-12) << k;
+}
+
+TEST(Resample, MeanAveragesTheBinAroundTheGridPoint) {
+  ResamplingOptions options;
+  options.output = OutputResampling::mean;
+  const Experiment experiment =
+      resample(recordingOf(ramp(0, 1, 5, 0), ramp(0, 0.25, 17, 0)), 1, options);
+  ASSERT_EQ(experiment.samples(), 5);
+  EXPECT_EQ(experiment.y(1), (2 + 3 + 4 + 5) / 4.0);  // 0.5 <= t < 1.5
+  EXPECT_EQ(experiment.y(2), (6 + 7 + 8 + 9) / 4.0);
+}
+
+TEST(Resample, FasterOutputIsReadAtTheGridPoints) {
+  const Experiment experiment =
+      resample(recordingOf(ramp(0, 0.1, 50, 0), ramp(0, 0.01, 500, 0)), 0.1, {});
+  ASSERT_EQ(experiment.samples(), 50);
+  for (int k = 0; k < 50; ++k) EXPECT_EQ(experiment.y(k), 10 * k) << k;
+}
+
+TEST(Resample, NonFiniteOutputIsMissing) {
+  StampedSignal output = ramp(0, 1, 30, 0);
+  output.values[7] = kNaN;
+  output.values[29] = std::numeric_limits<double>::infinity();
+  const Experiment experiment = resample(recordingOf(ramp(0, 1, 30, 0), output), 1, {});
+  ASSERT_EQ(experiment.samples(), 30);
+  EXPECT_FALSE(experiment.isValid(7));
+  EXPECT_FALSE(experiment.isValid(29));
+  EXPECT_EQ(experiment.validSamples(), 28);
+}
+
+TEST(Resample, ConstantCovariatesAreScalarsOthersSignals) {
+  Recording recording = recordingOf(ramp(0, 1, 6, 0), ramp(0, 1, 6, 0));
+  recording.covariates["once"] = {{3}, {42}};
+  recording.covariates["constant"] = ramp(0, 1, 6, 0);
+  for (double& value : recording.covariates["constant"].values) value = 1.5;
+  recording.covariates["slow"] = {{1.5, 3}, {10, 11}};
+  recording.covariates["silent"] = {};
+  const Experiment experiment = resample(recording, 1, {});
+  EXPECT_EQ(experiment.scalars, (std::map<std::string, double>{{"constant", 1.5}, {"once", 42}}));
+  ASSERT_EQ(experiment.signals.size(), 1u);
+  EXPECT_EQ(experiment.signals.at("slow"),
+            (Eigen::VectorXd(6) << 10, 10, 10, 11, 11, 11).finished());
+}
+
+TEST(Resample, DuplicateStampsAreLeftOutAndCounted) {
+  StampedSignal output = ramp(0, 1, 30, 0);
+  output.stamps.insert(output.stamps.begin() + 5, 5);
+  output.values.insert(output.values.begin() + 5, 5);
+  output.stamps.insert(output.stamps.begin() + 6, 5);
+  output.values.insert(output.values.begin() + 6, -1);
+  ResamplingReport report;
+  const Experiment experiment = resample(recordingOf(ramp(0, 1, 30, 0), output), 1, {}, &report);
+  EXPECT_EQ(experiment.samples(), 30);
+  EXPECT_EQ(experiment.y(5), 5);
+  EXPECT_EQ(report.duplicate_stamps, 2);
+  ASSERT_EQ(report.warnings().size(), 1u);
+  EXPECT_TRUE(mentions(report.warnings()[0], "'run': 2 samples repeat"));
+}
+
+TEST(Resample, BackwardStampsAreRefused) {
+  StampedSignal output = ramp(0, 1, 30, 0);
+  output.stamps[12] = 3;
+  const std::string message = messageOf(recordingOf(ramp(0, 1, 30, 0), output), 1);
+  EXPECT_TRUE(
+      mentions(message, "experiment 'run': output stamps go back from 11 s to 3 s at sample 12"))
+      << message;
+}
+
+TEST(Resample, NonFiniteStampsAreRefused) {
+  StampedSignal input = ramp(0, 1, 30, 0);
+  input.stamps[2] = kNaN;
+  EXPECT_TRUE(mentions(messageOf(recordingOf(input, ramp(0, 1, 30, 0)), 1),
+                       "input has the stamp nan s at sample 2"));
+}
+
+TEST(Resample, UnequalNumbersOfStampsAndValuesAreRefused) {
+  StampedSignal input = ramp(0, 1, 30, 0);
+  input.values.pop_back();
+  EXPECT_TRUE(
+      mentions(messageOf(recordingOf(input, ramp(0, 1, 30, 0)), 1), "30 stamps for 29 values"));
+}
+
+TEST(Resample, EmptySignalsAreRefused) {
+  EXPECT_TRUE(
+      mentions(messageOf(recordingOf({}, ramp(0, 1, 9, 0)), 1), "'run': input has no samples"));
+  EXPECT_TRUE(
+      mentions(messageOf(recordingOf(ramp(0, 1, 9, 0), {}), 1), "'run': output has no samples"));
+}
+
+TEST(Resample, OneStampGivesNoSampleTime) {
+  const Recording recording = recordingOf(ramp(0, 1, 9, 0), {{0, 0, 0}, {1, 2, 3}});
+  EXPECT_TRUE(mentions(messageOf(recording, 0), "single stamp (0 s, 2 duplicates)"));
+  EXPECT_EQ(resample(recording, 1, {}).samples(), 1);
+}
+
+TEST(Resample, DisjointSignalsAreRefused) {
+  const std::string message = messageOf(recordingOf(ramp(100, 1, 9, 0), ramp(0, 1, 9, 0)), 1);
+  EXPECT_TRUE(mentions(message, "the last output (8 s) precedes the first input (100 s)"))
+      << message;
+}
+
+TEST(Resample, JitterAboveTheLimitIsRefused) {
+  StampedSignal output = ramp(0, 1, 30, 0);
+  output.stamps[10] += 0.2;
+  ResamplingOptions options;
+  options.max_jitter = 0.1;
+  const std::string message = messageOf(recordingOf(ramp(0, 1, 30, 0), output), 1, options);
+  EXPECT_TRUE(mentions(message, "depart by up to 0.2 s")) << message;
+  options.max_jitter = 0.3;
+  EXPECT_EQ(messageOf(recordingOf(ramp(0, 1, 30, 0), output), 1, options), "");
+}
+
+TEST(Resample, OldInputEndsTheExperimentAtItsEdgesAndIsRefusedInBetween) {
+  ResamplingOptions options;
+  options.max_age = 3;
+  StampedSignal input = ramp(-10, 1, 1, 0);
+  const StampedSignal later = ramp(4, 1, 17, 4);  // up to 20 s
+  input.stamps.insert(input.stamps.end(), later.stamps.begin(), later.stamps.end());
+  input.values.insert(input.values.end(), later.values.begin(), later.values.end());
+  const Experiment experiment = resample(recordingOf(input, ramp(0, 1, 30, 0)), 1, options);
+  EXPECT_EQ(experiment.start_time, 4);
+  EXPECT_EQ(experiment.samples(), 20);  // 4 s to 23 s
+  EXPECT_EQ(experiment.y(0), 4);
+
+  input.stamps.push_back(28);
+  input.values.push_back(0);
+  const std::string message = messageOf(recordingOf(input, ramp(0, 1, 30, 0)), 1, options);
+  EXPECT_TRUE(mentions(message, "the input is 4 s old at 24 s")) << message;
+
+  options.max_age = 0;  // a command published once is held for good, and its age told
+  ResamplingReport report;
+  resample(recordingOf(input, ramp(0, 1, 30, 0)), 1, options, &report);
+  EXPECT_EQ(report.max_age, 13);
+}
+
+TEST(Resample, StampsFarApartAreRefusedBeforeTheyFillTheMemory) {
+  StampedSignal output = ramp(1.7e9, 0.01, 100, 0);
+  output.stamps[0] = 0;
+  const std::string message = messageOf(recordingOf(ramp(0, 0.01, 100, 0), output), 0.01);
+  EXPECT_TRUE(mentions(message, "(1 stamped 0)")) << message;
+}
+
+TEST(Resample, LostSamplesDoNotDisturbTheGrid) {
+  std::mt19937_64 engine(6);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  StampedSignal output;
+  for (int k = 0; k < 3000; ++k) {
+    if (k > 0 && k < 2999 && uniform(engine) < 0.3) continue;
+    output.stamps.push_back(50 + 0.02 * k + 0.004 * uniform(engine));
+    output.values.push_back(k);
+  }
+  ResamplingOptions options;
+  ResamplingReport report;
+  StampedSignal input = ramp(50, 0.02, 3000, 0);
+  options.max_age = 0.01;  // half a sample time: nothing is held
+  const Experiment experiment = resample(recordingOf(input, output), 0, options, &report);
+  EXPECT_EQ(experiment.sample_time, 0.02);
+  ASSERT_EQ(experiment.samples(), 3000);
+  EXPECT_EQ(experiment.validSamples(), static_cast<int>(output.stamps.size()));
+  for (int k = 0; k < 3000; ++k) {
+    if (experiment.isValid(k)) {
+      ASSERT_EQ(experiment.y(k), k);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
