@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "uncertainty_identification/require.h"
-
 namespace uncertainty_identification {
 namespace {
 
@@ -24,8 +22,6 @@ Eigen::VectorXd held(int samples, int hold, Draw draw) {
 // Unit variance: harmonic j has amplitude sqrt(2/tones), and harmonics are orthogonal over the
 // record.
 Eigen::VectorXd multisine(int samples, int tones, std::mt19937_64& random) {
-  require(2 * tones < samples, "input.tones", tones,
-          "fewer than half the " + std::to_string(samples) + " samples of an experiment");
   std::uniform_real_distribution<double> phase(0, 2 * kPi);
   const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(samples, 0, samples - 1) / samples;
   Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(samples);

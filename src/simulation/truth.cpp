@@ -1,5 +1,6 @@
 #include "uncertainty_identification/simulation/truth.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "uncertainty_identification/model/error_basis.h"
@@ -91,6 +92,10 @@ void Truth::validate() const {
           "experiments.samples", std::to_string(samples.size()) + " numbers",
           "one for all, or one for each of the experiments");
   for (const int count : samples) requireRange("experiments.samples", count, 1, 1000000000);
+  const int shortest = *std::min_element(samples.begin(), samples.end());
+  require(
+      input.kind != InputKind::multisine || 2 * input.tones < shortest, "input.tones", input.tones,
+      "fewer than half the " + std::to_string(shortest) + " samples of the shortest experiment");
   input.validate();
   plant.validate();
   error_model.validate();

@@ -7,8 +7,7 @@
 
 namespace uncertainty_identification {
 
-/// An input of `samples` values. Throws ConfigurationError when a multisine has more tones than the
-/// record can carry.
+/// An input of `samples` values. A multisine needs more than twice as many as it has tones.
 Eigen::VectorXd makeInput(const InputTruth& input, int samples, std::mt19937_64& random);
 
 }  // namespace uncertainty_identification
