@@ -1,0 +1,221 @@
+#include "uncertainty_identification/io/result_json.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/configuration_yaml.h"
+#include "uncertainty_identification/io/read_file.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::VectorXd;
+using nlohmann::json;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+VectorXd vector(std::initializer_list<double> values) {
+  return Eigen::Map<const VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// An estimate with every field filled, with numbers that need all their digits.
+Estimate estimate() {
+  Estimate full;
+  full.configuration.sample_time = 0.1;
+  full.configuration.estimation.seed = 18446744073709551615u;
+  full.version = "0.1.0";
+  full.data_fingerprint = "abc";
+  full.experiment_count = 2;
+  full.sample_count = 5000000000;
+  full.rejected = {{"bad", "constant input; record one that changes"}};
+  full.nominal_model = {"box_jenkins", 0.1, 2, vector({1.0 / 3, 2}), vector({0.5}), vector({0.1}),
+                        vector({}),    {},  {}};
+  full.nominal_model.parameters = {{"b1", "V", 1.0 / 3, 1e-300, kNan},
+                                   {"a1", "", 0.5, 5e-324, 0.25}};
+  full.nominal_model.covariance = (Eigen::Matrix2d() << 1, 2, 2, 4.000000000000001).finished();
+  full.error_model.options = full.configuration.error_model;
+  full.error_model.options.components = 2;
+  full.error_model.T = vector({1, -1});
+  full.error_model.mixture = {{0.25, 0.75},
+                              {vector({-1}), vector({0.1 + 0.2})},
+                              {Eigen::MatrixXd::Constant(1, 1, 0.2), Eigen::MatrixXd::Zero(1, 1)}};
+  full.error_model.parameters = {{"weight1", "", 0.25, 0.1, 0.2}};
+  full.noise_variance = {"noise_variance", "V^2", 0.1, 0.01, 0.02};
+  full.offset_u = -1e-17;
+  full.offset_y = 3;
+  full.log_likelihood = -3092.5330585980146;
+  full.bic = 1e22;
+  full.termination = Termination::iteration_limit;
+  full.message = "stopped";
+  full.iterations = 7;
+  full.passes = 9;
+  full.seconds = 0.5;
+  full.trace = {{1, 2, -5.5}, {2, 4, -4.5}};
+  full.experiments = {{"exp \"1\"", 100, {0.1, 0.9}, vector({0.7}), -10.25}};
+  full.candidates = {{"orders", "output_error nb=2 na=2 delay=1", 4, kNan, 5, 93.5, true}};
+  full.validation = {{"v1", "v2"}, {90.5, -3}, 85, -12};
+  full.warnings = {"a warning"};
+  return full;
+}
+
+std::string complaint(const json& tree) {
+  try {
+    estimateFromJson(tree);
+  } catch (const ConfigurationError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ResultJson, HoldsTheFieldsOfTheFormat) {
+  const json tree = toJson(estimate());
+  for (const char* key :
+       {"format",         "version",       "configuration", "seed",           "data_fingerprint",
+        "experiments",    "nominal_model", "error_model",   "noise_variance", "offsets",
+        "log_likelihood", "bic",           "termination",   "message",        "iterations",
+        "passes",         "seconds",       "validation",    "candidates",     "bounds",
+        "warnings"}) {
+    EXPECT_TRUE(tree.contains(key)) << key;
+  }
+  EXPECT_EQ(tree["format"], "uncertainty_identification/result/1");
+  EXPECT_EQ(tree["seed"], 18446744073709551615u);
+  EXPECT_EQ(tree["experiments"]["count"], 2);
+  EXPECT_EQ(tree["experiments"]["samples"], 5000000000);
+  EXPECT_EQ(tree["experiments"]["rejected"][0]["id"], "bad");
+  EXPECT_EQ(tree["nominal_model"]["delay"], 2);
+  EXPECT_EQ(tree["nominal_model"]["b"], json({1.0 / 3, 2}));
+  EXPECT_EQ(tree["nominal_model"]["d"], json::array());
+  EXPECT_EQ(tree["nominal_model"]["parameters"][1]["name"], "a1");
+  EXPECT_EQ(tree["nominal_model"]["covariance"][1], json({2, 4.000000000000001}));
+  EXPECT_EQ(tree["error_model"]["basis"], "fir");
+  EXPECT_EQ(tree["error_model"]["taps"], 2);
+  EXPECT_EQ(tree["error_model"]["constraint"], "zero_static_gain");
+  EXPECT_EQ(tree["error_model"]["T"], json({{1}, {-1}}));
+  EXPECT_EQ(tree["error_model"]["weights"], json({0.25, 0.75}));
+  EXPECT_EQ(tree["error_model"]["means"], json({{-1}, {0.1 + 0.2}}));
+  EXPECT_EQ(tree["error_model"]["covariances"], json::parse("[[[0.2]], [[0]]]"));
+  EXPECT_EQ(tree["noise_variance"]["standard_error"], 0.01);
+  EXPECT_EQ(tree["offsets"], json({{"u", -1e-17}, {"y", 3}}));
+  EXPECT_EQ(tree["termination"], "iteration_limit");
+  EXPECT_EQ(tree["validation"]["simulation_fit_percent_pooled"], 85);
+  EXPECT_EQ(tree["candidates"][0]["chosen"], true);
+  EXPECT_EQ(tree["configuration"], toJson(estimate().configuration));
+}
+
+TEST(ResultJson, NumbersThatAreNotFiniteAreNull) {
+  const json tree = toJson(estimate());
+  EXPECT_TRUE(tree["nominal_model"]["parameters"][0]["robust_standard_error"].is_null());
+  EXPECT_TRUE(tree["candidates"][0]["log_likelihood"].is_null());
+  const Estimate back = estimateFromJson(tree);
+  EXPECT_TRUE(std::isnan(back.nominal_model.parameters[0].robust_standard_error));
+}
+
+TEST(ResultJson, RoundTripThroughTextKeepsEveryBit) {
+  const json tree = toJson(estimate());
+  const Estimate back = estimateFromJson(json::parse(tree.dump()));
+  EXPECT_EQ(toJson(back), tree);
+  EXPECT_EQ(back.nominal_model.b, estimate().nominal_model.b);
+  EXPECT_EQ(back.nominal_model.parameters[1].standard_error, 5e-324);
+  EXPECT_EQ(back.error_model.T, estimate().error_model.T);
+  EXPECT_EQ(back.error_model.options.T.size(), 0);
+  EXPECT_EQ(back.error_model.options.components, 2);
+  EXPECT_EQ(back.noise_variance.unit, "V^2");
+  EXPECT_EQ(back.termination, Termination::iteration_limit);
+  EXPECT_EQ(back.experiments[0].id, "exp \"1\"");
+}
+
+TEST(ResultJson, ExplicitMatrixSurvives) {
+  Estimate full = estimate();
+  full.error_model.options.constraint = Constraint::explicit_matrix;
+  full.error_model.options.T = full.error_model.T;
+  EXPECT_EQ(estimateFromJson(toJson(full)).error_model.options.T, full.error_model.T);
+}
+
+TEST(ResultJson, WithoutValidationThereIsNoFit) {
+  Estimate full = estimate();
+  full.validation = {};
+  const json tree = toJson(full);
+  EXPECT_TRUE(tree["validation"]["simulation_fit_percent_pooled"].is_null());
+  EXPECT_EQ(estimateFromJson(tree).validation.simulation_fit_percent_pooled, 0);
+}
+
+TEST(ResultJson, DefaultEstimateRoundTrips) {
+  const json tree = toJson(Estimate{});
+  EXPECT_EQ(tree["termination"], "not_run");
+  EXPECT_EQ(toJson(estimateFromJson(tree)), tree);
+}
+
+TEST(ResultJson, RefusesWhatIsNoSuchResult) {
+  json tree = toJson(estimate());
+  tree["format"] = "uncertainty_identification/result/2";
+  EXPECT_EQ(complaint(tree),
+            "format: found 'uncertainty_identification/result/2'; expected "
+            "'uncertainty_identification/result/1'");
+  EXPECT_EQ(complaint(json::object()), "format: missing (is the file truncated?)");
+  EXPECT_EQ(complaint(json::array()), "the document: found a list; expected a group of keys");
+  tree = toJson(estimate());
+  tree["nominal_model"]["b"][1] = "two";
+  EXPECT_EQ(complaint(tree), "nominal_model.b[1]: found 'two'; expected a number");
+  tree = toJson(estimate());
+  tree["termination"] = "done";
+  EXPECT_NE(complaint(tree).find("not_run, converged, iteration_limit, stalled, cancelled"),
+            std::string::npos);
+}
+
+TEST(ResultJson, NamesEveryMissingField) {
+  const json tree = toJson(estimate());
+  for (const auto& [key, value] : tree.items()) {
+    if (key == "bounds") continue;  // written, never read
+    json without = tree;
+    without.erase(key);
+    EXPECT_EQ(complaint(without), key + ": missing (is the file truncated?)");
+  }
+}
+
+TEST(ResultJson, IgnoresWhatALaterVersionAdds) {
+  json tree = toJson(estimate());
+  tree["later"] = 1;
+  tree["nominal_model"]["later"] = 1;
+  EXPECT_EQ(complaint(tree), "");
+}
+
+TEST(ResultJson, OlderConfigurationsTakeDefaults) {
+  json tree = toJson(estimate());
+  tree["configuration"].erase("limits");
+  EXPECT_EQ(complaint(tree), "");
+}
+
+TEST(ResultJson, SavesAndLoadsFiles) {
+  const std::string path = testing::TempDir() + "result_json_test.json";
+  saveResult(path, estimate());
+  EXPECT_EQ(toJson(loadResult(path)), toJson(estimate()));
+
+  const std::string content = readFile(path);
+  std::ofstream(path) << content.substr(0, content.size() / 2);
+  try {
+    loadResult(path);
+    FAIL();
+  } catch (const ConfigurationError& error) {
+    EXPECT_EQ(std::string(error.what()).rfind(path + ": not JSON, or truncated", 0), 0u)
+        << error.what();
+  }
+  EXPECT_THROW(loadResult("/nowhere/result.json"), FileError);
+  EXPECT_THROW(saveResult("/nowhere/result.json", estimate()), FileError);
+  EXPECT_EQ(std::remove(path.c_str()), 0);
+}
+
+TEST(ResultJson, IdsThatAreNotUtf8DoNotCostTheResult) {
+  Estimate full = estimate();
+  full.rejected = {{"caf\xe9", "reason"}};
+  const std::string path = testing::TempDir() + "result_json_test_utf8.json";
+  EXPECT_NO_THROW(saveResult(path, full));
+  EXPECT_NO_THROW(loadResult(path));
+  EXPECT_EQ(std::remove(path.c_str()), 0);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
