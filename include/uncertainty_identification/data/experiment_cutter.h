@@ -79,13 +79,14 @@ class ExperimentCutter {
   /// Hands out what was rejected since the last call, in order.
   std::vector<RejectedExperiment> takeRejected();
 
-  long duplicates() const {
-    return duplicates_;
-  }  ///< samples with the stamp of the one before, left out
-  long clockResets() const { return clock_resets_; }  ///< times the clock went back
-  long dropped() const {
-    return dropped_;
-  }  ///< samples left out: of the old clock after it went back, or stamp not finite
+  /// Samples left out because their stamp was that of the one before.
+  long duplicates() const { return duplicates_; }
+
+  /// How often the clock went back.
+  long clockResets() const { return clock_resets_; }
+
+  /// Samples left out because their stamp was not finite, or of the old clock after it went back.
+  long dropped() const { return dropped_; }
 
  private:
   static constexpr double kNever = StampedBuffer::kNever;

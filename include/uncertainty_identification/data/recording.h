@@ -18,27 +18,26 @@ struct StampedSignal {
 /// The raw material of one experiment: what lies between two cuts, before resampling.
 struct Recording {
   std::string id;
-  double start = 0, end = 0;  ///< [s] the cuts: stamps of y with start <= stamp < end count; all of
-                              ///< them if end <= start
-  StampedSignal input,
-      output;  ///< the input may begin before the start: what was in force when it began
+  /// [s] the cuts: outputs with start <= stamp < end count; all of them if end <= start
+  double start = 0, end = 0;
+  /// the input may begin before the start: what was in force when it began
+  StampedSignal input, output;
   std::map<std::string, StampedSignal> covariates;
-  int duplicate_stamps =
-      0;             ///< samples left out already because their stamp was that of the one before
-  std::string note;  ///< how it ended, if not by its own end
+  int duplicate_stamps = 0;  ///< samples left out already: stamped as the one before
+  std::string note;          ///< how it ended, if not by its own end
 };
 
 /// What resampling found about the stamps of one recording.
 struct ResamplingReport {
   std::string id;
-  double sample_time = 0;  ///< [s] used
-  double input_period = 0,
-         output_period = 0;  ///< [s] median spacing of the stamps, refined (sample_grid.h)
+  double sample_time = 0;    ///< [s] used
+  double input_period = 0;   ///< [s] median spacing of the stamps, refined (sample_grid.h)
+  double output_period = 0;  ///< [s] the same of the output
   double max_jitter = 0;     ///< [s] largest departure of output stamps from a uniform grid
   double max_age = 0;        ///< [s] oldest sample that was held
   int missing_outputs = 0;   ///< grid points without an output within max_age
-  int duplicate_stamps = 0,
-      zero_stamps = 0;  ///< samples whose stamp is that before it (left out), or 0
+  int duplicate_stamps = 0;  ///< samples left out: stamped as the one before
+  int zero_stamps = 0;       ///< samples stamped 0
 
   /// What a user should hear about: duplicates, zero stamps, jitter above a tenth of the sample
   /// time, missing outputs, an input held for more than three sample times. One sentence each;

@@ -8,14 +8,12 @@ namespace uncertainty_identification {
 /// The uniform grid that the stamps of a periodic signal scatter around: stamp i was due at origin
 /// + slots[i] period.
 struct SampleGrid {
-  double origin =
-      0;  ///< [s] instant of slot 0: the first stamp, or the median phase where stamps jitter
+  double origin = 0;             ///< [s] instant of slot 0: the first stamp, or the median phase
   double period = 0;             ///< [s] between slots; 0 for fewer than two stamps
   std::vector<long> slots;       ///< slot of each stamp; a gap skips slots
   double max_departure = 0;      ///< [s] largest distance of a stamp from its slot (its jitter)
   double typical_departure = 0;  ///< [s] median distance
-  bool one_to_one =
-      false;  ///< every stamp has a slot of its own and is nearer to it than to any other
+  bool one_to_one = false;       ///< each stamp has its own slot and is nearer to it than to others
 
   /// [s] when stamp i was due.
   double instant(std::size_t i) const { return origin + static_cast<double>(slots[i]) * period; }
