@@ -1,0 +1,241 @@
+#include "uncertainty_identification/estimation/initial_guess.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "uncertainty_identification/estimation/least_squares_start.h"
+#include "uncertainty_identification/model/polynomial.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Sizes of the polynomials a model uses, read off at an arbitrary admissible point.
+Polynomials sizesOf(const NominalModel& nominal) {
+  return nominal.polynomials(nominal.fromUnbounded(VectorXd::Constant(nominal.parameterCount(), 0.1)));
+}
+
+/// The coefficients' medians over fits of single experiments; few suffice for a start.
+bool medianOfExperiments(const std::vector<Experiment>& experiments, const Polynomials& sizes, bool with_constant,
+                         LeastSquaresModel* median) {
+  constexpr std::size_t kMost = 40;
+  const Index nb = sizes.b.size(), na = sizes.a.size();
+  std::vector<std::vector<double>> values(static_cast<std::size_t>(nb + na + 1));
+  const std::size_t stride = std::max<std::size_t>(1, experiments.size() / kMost);
+  for (std::size_t r = 0; r < experiments.size(); r += stride) {
+    if (experiments[r].samples() < 4 * (nb + na + sizes.delay) + 10) continue;
+    const LeastSquaresModel one = LeastSquaresStart({&experiments[r]}, with_constant, 2000)
+                                      .steiglitzMcBride(static_cast<int>(nb), static_cast<int>(na), sizes.delay, sizes.delay);
+    VectorXd all(nb + na + 1);
+    all << one.polynomials.b, one.polynomials.a, one.offset;
+    if (!all.allFinite()) continue;
+    for (Index k = 0; k < all.size(); ++k) values[static_cast<std::size_t>(k)].push_back(all[k]);
+  }
+  if (values.front().size() < 3) return false;
+  VectorXd all(nb + na + 1);
+  for (Index k = 0; k < all.size(); ++k) {
+    std::vector<double>& of_one = values[static_cast<std::size_t>(k)];
+    std::nth_element(of_one.begin(), of_one.begin() + static_cast<long>(of_one.size() / 2), of_one.end());
+    all[k] = of_one[of_one.size() / 2];
+  }
+  median->polynomials.delay = sizes.delay;
+  median->polynomials.b = all.head(nb);
+  median->polynomials.a = stabilised(all.segment(nb, na), 0.9995);
+  median->offset = all[nb + na];
+  return true;
+}
+
+VectorXd simulated(const Polynomials& p, double offset, const VectorXd& u) {
+  VectorXd x = VectorXd::Zero(u.size());
+  for (Index t = 0; t < u.size(); ++t) {
+    for (Index k = 0; k < p.b.size() && t - p.delay - k >= 0; ++k) x[t] += p.b[k] * u[t - p.delay - k];
+    for (Index k = 1; k <= std::min<Index>(p.a.size(), t); ++k) x[t] -= p.a[k - 1] * x[t - k];
+  }
+  return x.array() + offset;
+}
+
+/// What a start for Go leaves of each experiment after the best multiples of x, q^-1 x, q^-2 x and a constant are
+/// taken out: the noise, little disturbed by the error model.
+std::vector<VectorXd> noiseResiduals(const std::vector<Experiment>& experiments, const LeastSquaresModel& start) {
+  constexpr std::size_t kMost = 200;
+  constexpr Index kTaps = 3;
+  std::vector<VectorXd> residuals;
+  const std::size_t stride = std::max<std::size_t>(1, experiments.size() / kMost);
+  for (std::size_t r = 0; r < experiments.size(); r += stride) {
+    const Experiment& experiment = experiments[r];
+    if (experiment.validSamples() != experiment.samples() || experiment.samples() < 30) continue;
+    const VectorXd x = simulated(start.polynomials, 0, experiment.u);
+    MatrixXd regressors = MatrixXd::Ones(x.size(), kTaps + 1);
+    for (Index l = 0; l < kTaps; ++l) {
+      regressors.col(l).head(l).setZero();
+      regressors.col(l).tail(x.size() - l) = x.head(x.size() - l);
+    }
+    residuals.push_back(experiment.y - regressors * regressors.colPivHouseholderQr().solve(experiment.y));
+  }
+  return residuals;
+}
+
+void addStarts(const LinearModel& model, LeastSquaresModel go, const std::vector<Experiment>& experiments,
+               std::vector<VectorXd>* starts) {
+  const NominalModel& nominal = model.nominal();
+  const Polynomials sizes = sizesOf(nominal);
+  const int nc = static_cast<int>(sizes.c.size()), nd = static_cast<int>(sizes.d.size());
+  const auto add = [&](const VectorXd& c, const VectorXd& d) {
+    Polynomials p = go.polynomials;
+    p.c = c;
+    p.d = d;
+    VectorXd start = VectorXd::Zero(model.parameterCount());
+    const VectorXd theta = nominal.fromPolynomials(p);
+    start.head(theta.size()) = theta;
+    if (start.size() > theta.size()) {
+      const double gain = p.b.sum() / (1 + p.a.sum());
+      const bool at_input = model.names().back() == "offset_u";
+      start[theta.size()] = at_input ? (std::abs(gain) > 1e-9 ? go.offset / gain : 0.0) : go.offset;
+    }
+    if (model.admissible(start)) starts->push_back(start);
+  };
+  VectorXd c, d;
+  if (nc + nd > 0) {
+    const std::vector<VectorXd> residuals = noiseResiduals(experiments, go);
+    if (!residuals.empty()) {
+      hannanRissanen(residuals, nc, nd, &c, &d);
+      add(c, d);
+    }
+  }
+  for (double first : {0.0, -0.7, 0.5}) {
+    c = VectorXd::Zero(nc);
+    d = VectorXd::Zero(nd);
+    if (nd > 0) d[0] = first;
+    if (nd == 0 && nc > 0) c[0] = first;
+    add(c, d);
+    if (nc + nd == 0) break;
+  }
+}
+
+/// A mixture of one component; the spread of a relative error of a few tenths in each free direction.
+Mixture singleComponent(int n) {
+  Mixture mixture;
+  mixture.weights = {1.0};
+  mixture.means = {VectorXd::Zero(n)};
+  mixture.covariances = {0.05 * MatrixXd::Identity(n, n)};
+  return mixture;
+}
+
+/// kappa means between the extremes of each coordinate (paper, section 5, step 2).
+MatrixXd evenlySpread(const MatrixXd& points, int components) {
+  const VectorXd low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
+  MatrixXd means(points.rows(), components);
+  for (int i = 0; i < components; ++i) {
+    means.col(i) = low + (high - low) * (components == 1 ? 0.5 : static_cast<double>(i) / (components - 1));
+  }
+  return means;
+}
+
+/// k-means++: each further mean drawn with probability proportional to the squared distance from those drawn.
+MatrixXd drawn(const MatrixXd& points, int components, std::mt19937_64* engine) {
+  MatrixXd means(points.rows(), components);
+  VectorXd distance = VectorXd::Ones(points.cols());
+  for (int i = 0; i < components; ++i) {
+    double target = std::uniform_real_distribution<double>(0, distance.sum())(*engine);
+    Index chosen = 0;
+    while (chosen + 1 < points.cols() && target > distance[chosen]) target -= distance[chosen++];
+    means.col(i) = points.col(chosen);
+    const VectorXd away = (points.colwise() - means.col(i)).colwise().squaredNorm().transpose();
+    distance = i == 0 ? away : distance.cwiseMin(away);
+  }
+  return means;
+}
+
+}  // namespace
+
+std::vector<VectorXd> nominalStarts(const LinearModel& model, const NominalModelOptions& options,
+                                    const std::vector<Experiment>& experiments) {
+  const Polynomials sizes = sizesOf(model.nominal());
+  const int nb = static_cast<int>(sizes.b.size()), na = static_cast<int>(sizes.a.size());
+  const bool with_constant = model.parameterCount() > model.nominal().parameterCount();
+  std::vector<const Experiment*> all;
+  for (const Experiment& experiment : experiments) all.push_back(&experiment);
+  const LeastSquaresStart pooled(all, with_constant);
+  std::vector<VectorXd> starts;
+  addStarts(model, pooled.steiglitzMcBride(nb, na, sizes.delay, sizes.delay), experiments, &starts);
+  LeastSquaresModel arx = pooled.arx(nb, na, sizes.delay);
+  arx.polynomials.a = stabilised(arx.polynomials.a, 0.9995);
+  if (options.structure == Structure::arx || options.structure == Structure::armax || starts.empty()) {
+    addStarts(model, arx, experiments, &starts);
+  }
+  LeastSquaresModel median;
+  if (medianOfExperiments(experiments, sizes, with_constant, &median)) addStarts(model, median, experiments, &starts);
+  return starts;
+}
+
+ModelParameters bestSingleComponent(const Likelihood& likelihood, const std::vector<VectorXd>& starts,
+                                    ClimbOptions options) {
+  constexpr int kFirstSteps = 3, kLastSteps = 20;
+  ModelParameters best;
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const VectorXd& start : starts) {
+    ModelParameters at{start, singleComponent(likelihood.model().regressors()), 1.0};
+    const Statistics statistics = likelihood.statistics(start, false);
+    const Index n = statistics.regressors();
+    double sum = 0;
+    for (int r = 0; r < statistics.experiments(); ++r) sum += statistics.gram(r)(n, n);
+    at.noise_variance = std::max(sum / statistics.samples().sum(), 1e-300);
+    options.floor = covarianceFloor(at.mixture);
+    at = scoringSteps(likelihood, at, options, kFirstSteps, 1e-2);
+    const double reached = likelihood.expect(likelihood.statistics(at.parameters, false), at).total();
+    if (reached > highest) {
+      highest = reached;
+      best = at;
+    }
+  }
+  if (!std::isfinite(highest)) return best;
+  options.floor = covarianceFloor(best.mixture);
+  return scoringSteps(likelihood, best, options, kLastSteps, 1e-3);
+}
+
+ModelParameters spreadComponents(const Likelihood& likelihood, const Statistics& statistics,
+                                 const ModelParameters& single, int components, int restarts, std::uint64_t seed,
+                                 const ClimbOptions& options, double* log_likelihood) {
+  constexpr int kIterations = 300;
+  constexpr double kFewest = 2.0, kPenalty = 1e3;
+  const Index n = statistics.regressors();
+  const MatrixXd points = latentMoments(likelihood.expect(statistics, single)).means;
+  const MatrixXd pooled = single.mixture.covariances.front();
+  std::mt19937_64 engine(seed);
+  ModelParameters best = single;
+  double highest = -std::numeric_limits<double>::infinity();
+  for (int start = 0; start <= restarts; ++start) {
+    const MatrixXd means = start == 0 ? evenlySpread(points, components) : drawn(points, components, &engine);
+    ModelParameters at = single;
+    at.mixture = Mixture();
+    for (int i = 0; i < components; ++i) {
+      at.mixture.weights.push_back(1.0 / components);
+      at.mixture.means.push_back(means.col(i));
+      // alternately the spread of the whole and of a part of it: overlapping and separate components
+      at.mixture.covariances.push_back((start % 2 == 0 ? 1.0 : 0.2) * pooled + 1e-9 * MatrixXd::Identity(n, n));
+    }
+    if (options.constraint == Constraint::zero_mean) {
+      const VectorXd mean = at.mixture.mean();
+      for (VectorXd& of_component : at.mixture.means) of_component -= mean;
+    }
+    const double reached = fitMixture(likelihood, statistics, options, kIterations, 1e-5, &at);
+    double penalty = 0;
+    for (double weight : at.mixture.weights) {
+      if (weight * static_cast<double>(points.cols()) < kFewest) penalty += kPenalty;
+    }
+    if (reached - penalty > highest) {
+      highest = reached - penalty;
+      best = at;
+    }
+  }
+  *log_likelihood = highest;
+  return best;
+}
+
+}  // namespace uncertainty_identification

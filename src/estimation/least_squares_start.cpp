@@ -1,0 +1,205 @@
+#include "uncertainty_identification/estimation/least_squares_start.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "uncertainty_identification/model/polynomial.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+VectorXd overPolynomial(const VectorXd& in, const VectorXd& monic) {
+  VectorXd out = in;
+  for (Index t = 0; t < out.size(); ++t) {
+    for (Index k = 1; k <= std::min<Index>(monic.size(), t); ++k) out[t] -= monic[k - 1] * out[t - k];
+  }
+  return out;
+}
+
+double lagged(const VectorXd& x, Index t) { return t >= 0 ? x[t] : 0.0; }
+
+/// Upper triangular factor of a tall matrix that arrives row by row.
+class RowAccumulator {
+ public:
+  explicit RowAccumulator(Index columns)
+      : columns_(columns), buffer_(MatrixXd::Zero(columns + std::max<Index>(4 * columns, 64), columns)) {}
+
+  auto next() {
+    if (used_ == buffer_.rows()) reduce();
+    return buffer_.row(used_++);
+  }
+
+  MatrixXd factor() {
+    reduce();
+    return buffer_.topRows(columns_);
+  }
+
+ private:
+  void reduce() {
+    buffer_.bottomRows(buffer_.rows() - used_).setZero();
+    const Eigen::HouseholderQR<MatrixXd> qr(buffer_);
+    const MatrixXd R = qr.matrixQR().topRows(columns_).triangularView<Eigen::Upper>();
+    buffer_.setZero();
+    buffer_.topRows(columns_) = R;
+    used_ = columns_;
+  }
+
+  Index columns_, used_ = 0;
+  MatrixXd buffer_;
+};
+
+/// Minimises |A w - b| with columns scaled to unit length; directions below rounding are left at zero.
+VectorXd leastSquares(const MatrixXd& A, const VectorXd& b, double* residual) {
+  const VectorXd scale = A.colwise().norm().transpose().cwiseMax(1e-300).cwiseInverse();
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(A * scale.asDiagonal());
+  const VectorXd w = qr.solve(b);
+  *residual = (A * (scale.cwiseProduct(w)) - b).squaredNorm();
+  return scale.cwiseProduct(w);
+}
+
+VectorXd bridged(const Experiment& experiment) {
+  VectorXd y = experiment.y;
+  int last = -1;
+  for (int k = 0; k < experiment.samples(); ++k) {
+    if (!experiment.isValid(k)) continue;
+    for (int j = last + 1; j < k; ++j) {
+      y[j] = last < 0 ? y[k] : y[last] + (y[k] - y[last]) * (j - last) / (k - last);
+    }
+    last = k;
+  }
+  for (int j = last + 1; j < experiment.samples(); ++j) y[j] = last < 0 ? 0.0 : y[last];
+  return y;
+}
+
+}  // namespace
+
+LeastSquaresStart::LeastSquaresStart(const std::vector<const Experiment*>& experiments, bool with_constant,
+                                     int max_samples)
+    : with_constant_(with_constant) {
+  long total = 0;
+  for (const Experiment* experiment : experiments) total += experiment->samples();
+  // too much data: a leading part of each experiment, and of many short ones only every so many
+  const double share = std::min(1.0, static_cast<double>(max_samples) / static_cast<double>(std::max(total, 1L)));
+  constexpr int kEnough = 500;
+  double credit = 0;
+  for (const Experiment* experiment : experiments) {
+    credit += share * experiment->samples();
+    const int wanted = std::min(experiment->samples(), std::max(static_cast<int>(credit), kEnough));
+    if (credit < std::min(experiment->samples(), kEnough) * 0.999) continue;
+    credit -= wanted;
+    Record record{experiment->u.head(wanted), bridged(*experiment).head(wanted), {}};
+    for (int k = 0; k < wanted; ++k) record.valid.push_back(experiment->isValid(k) ? 1 : 0);
+    records_.push_back(std::move(record));
+  }
+}
+
+MatrixXd LeastSquaresStart::triangularFactor(const VectorXd& prefilter, int na, int u_lags) const {
+  const Index constant = u_lags + 1, columns = u_lags + 1 + (with_constant_ ? 1 : 0) + na + 1;
+  RowAccumulator rows(columns);
+  for (const Record& record : records_) {
+    const VectorXd u = overPolynomial(record.u, prefilter), y = overPolynomial(record.y, prefilter);
+    const VectorXd one = overPolynomial(VectorXd::Ones(u.size()), prefilter);
+    const Index first = std::min<Index>(std::max(na, u_lags), u.size() / 2);  // what came before is not known
+    for (Index t = first; t < u.size(); ++t) {
+      if (record.valid[static_cast<std::size_t>(t)] == 0) continue;
+      auto row = rows.next();
+      for (Index k = 0; k <= u_lags; ++k) row[k] = lagged(u, t - k);
+      if (with_constant_) row[constant] = one[t];
+      for (Index k = 1; k <= na; ++k) row[columns - 1 - na + k - 1] = -lagged(y, t - k);
+      row[columns - 1] = y[t];
+    }
+  }
+  return rows.factor();
+}
+
+LeastSquaresModel LeastSquaresStart::solve(const MatrixXd& factor, int nb, int na, int delay, int u_lags) const {
+  const Index columns = factor.cols(), constants = with_constant_ ? 1 : 0;
+  MatrixXd selected(factor.rows(), nb + constants + na);
+  selected.leftCols(nb) = factor.middleCols(delay, nb);
+  if (with_constant_) selected.col(nb) = factor.col(u_lags + 1);
+  selected.rightCols(na) = factor.middleCols(columns - 1 - na, na);
+  LeastSquaresModel model;
+  const VectorXd w = leastSquares(selected, factor.col(columns - 1), &model.residual_variance);
+  model.polynomials.delay = delay;
+  model.polynomials.b = w.head(nb);
+  model.polynomials.a = w.tail(na);
+  if (with_constant_) model.offset = w[nb] / (1 + model.polynomials.a.sum());
+  return model;
+}
+
+LeastSquaresModel LeastSquaresStart::arx(int nb, int na, int delay) const {
+  const int u_lags = delay + nb - 1;
+  return solve(triangularFactor(VectorXd(), na, u_lags), nb, na, delay, u_lags);
+}
+
+LeastSquaresModel LeastSquaresStart::steiglitzMcBride(int nb, int na, int first_delay, int last_delay) const {
+  constexpr int kIterations = 8;
+  const int u_lags = last_delay + nb - 1;
+  VectorXd prefilter;
+  LeastSquaresModel best;
+  best.residual_variance = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration <= kIterations; ++iteration) {
+    const MatrixXd factor = triangularFactor(prefilter, na, u_lags);
+    LeastSquaresModel least;
+    least.residual_variance = std::numeric_limits<double>::infinity();
+    for (int delay = first_delay; delay <= last_delay; ++delay) {
+      const LeastSquaresModel model = solve(factor, nb, na, delay, u_lags);
+      if (model.residual_variance < least.residual_variance) least = model;
+    }
+    if (!least.polynomials.a.allFinite() || !least.polynomials.b.allFinite()) break;
+    least.polynomials.a = stabilised(least.polynomials.a, 0.9995);
+    // the first regression minimises the equation error, which is not comparable with the later ones
+    if (iteration > 0 && least.residual_variance < best.residual_variance) best = least;
+    if (iteration == 0) best.polynomials = least.polynomials, best.offset = least.offset;
+    if (na == 0) return least;
+    prefilter = least.polynomials.a;
+  }
+  return best;
+}
+
+void hannanRissanen(const std::vector<VectorXd>& residuals, int nc, int nd, VectorXd* c, VectorXd* d) {
+  c->setZero(nc);
+  d->setZero(nd);
+  if (nc + nd == 0) return;
+  Index longest = 0;
+  for (const VectorXd& v : residuals) longest = std::max(longest, v.size());
+  const Index long_order = std::min<Index>(2 * (nc + nd) + 6, longest / 4);
+  RowAccumulator first(long_order + 1);
+  for (const VectorXd& v : residuals) {
+    for (Index t = long_order; t < v.size(); ++t) {
+      auto row = first.next();
+      for (Index k = 1; k <= long_order; ++k) row[k - 1] = v[t - k];
+      row[long_order] = v[t];
+    }
+  }
+  double residual = 0;
+  const MatrixXd R = first.factor();
+  const VectorXd autoregression = leastSquares(R.leftCols(long_order), R.col(long_order), &residual);
+  RowAccumulator second(nc + nd + 1);
+  for (const VectorXd& v : residuals) {
+    VectorXd innovation = VectorXd::Zero(v.size());
+    for (Index t = long_order; t < v.size(); ++t) {
+      innovation[t] = v[t];
+      for (Index k = 1; k <= long_order; ++k) innovation[t] -= autoregression[k - 1] * v[t - k];
+    }
+    for (Index t = long_order + std::max(nc, nd); t < v.size(); ++t) {
+      auto row = second.next();
+      for (Index k = 1; k <= nc; ++k) row[k - 1] = innovation[t - k];
+      for (Index k = 1; k <= nd; ++k) row[nc + k - 1] = -v[t - k];
+      row[nc + nd] = v[t];
+    }
+  }
+  const MatrixXd S = second.factor();
+  const VectorXd w = leastSquares(S.leftCols(nc + nd), S.col(nc + nd), &residual);
+  if (!w.allFinite()) return;
+  *c = stabilised(w.head(nc), 0.98);
+  *d = stabilised(w.tail(nd), 0.98);
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,96 @@
+#include "uncertainty_identification/estimation/standard_errors.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// An eigenvalue below this share of a typical one (the diagonal is scaled to 1) counts as zero.
+constexpr double kSingular = 1e-9;
+
+/// "b1, mean1[1] and mean2[1] cannot be told apart: ..."
+std::string sentence(const VectorXd& direction, const std::vector<std::string>& names) {
+  const double largest = direction.cwiseAbs().maxCoeff();
+  std::vector<std::string> involved;
+  for (Index k = 0; k < direction.size(); ++k) {
+    if (std::abs(direction[k]) > 0.05 * largest) involved.push_back(names[static_cast<std::size_t>(k)]);
+  }
+  std::string list;
+  for (std::size_t k = 0; k < involved.size(); ++k) {
+    list += (k == 0 ? "" : (k + 1 == involved.size() ? " and " : ", ")) + involved[k];
+  }
+  if (involved.size() == 1) {
+    return list + " cannot be determined from these data: the likelihood does not change with it; fix it, or record "
+                  "experiments that excite it";
+  }
+  return list +
+         " cannot be told apart: the data determine only a combination of them; constrain the error model "
+         "(zero_static_gain or zero_mean), lower the orders, or record experiments that separate them";
+}
+
+/// Marks the coordinates at the edge of their domain or in a singular direction: no number is better than a wrong one.
+void mark(const std::vector<bool>& unknown, MatrixXd* covariance) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t k = 0; k < unknown.size(); ++k) {
+    if (!unknown[k]) continue;
+    covariance->row(static_cast<Index>(k)).setConstant(nan);
+    covariance->col(static_cast<Index>(k)).setConstant(nan);
+  }
+}
+
+}  // namespace
+
+StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisation& parametrisation,
+                              const ModelParameters& at) {
+  const ScoredPoint point = scoredPoint(likelihood, parametrisation, parametrisation.toCoordinates(at));
+  const Index natural = parametrisation.naturalSize(), size = parametrisation.size();
+  StandardErrors errors;
+  std::vector<bool> unknown(static_cast<std::size_t>(natural), false);
+  if (!std::isfinite(point.log_likelihood)) {
+    errors.covariance = errors.robust_covariance =
+        MatrixXd::Constant(natural, natural, std::numeric_limits<double>::quiet_NaN());
+    return errors;
+  }
+  MatrixXd jacobian = parametrisation.jacobian(point.coordinates);
+  const MatrixXd information = observedInformation(likelihood, parametrisation, point, true);
+  const VectorXd scale = (information.diagonal().cwiseAbs().array() + 1e-300).rsqrt();
+  const MatrixXd unit = scale.asDiagonal() * information * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit);
+
+  MatrixXd inverse = MatrixXd::Zero(size, size);
+  const VectorXd values = parametrisation.natural(at).cwiseAbs().cwiseMax(1e-12);
+  for (Index k = 0; k < size; ++k) {
+    const VectorXd direction = scale.cwiseProduct(eigen.eigenvectors().col(k));
+    if (eigen.eigenvalues()[k] > kSingular) {
+      inverse += direction * direction.transpose() / eigen.eigenvalues()[k];
+      continue;
+    }
+    const VectorXd moved = jacobian * direction;
+    const VectorXd relative = moved.cwiseQuotient(values);
+    errors.singular.push_back(sentence(relative, parametrisation.naturalNames()));
+    for (Index i = 0; i < natural; ++i) {
+      if (std::abs(relative[i]) > 1e-3 * relative.cwiseAbs().maxCoeff()) unknown[static_cast<std::size_t>(i)] = true;
+    }
+  }
+  jacobian.row(natural - 1) *= at.noise_variance;  // from log sigma^2 to sigma^2
+  for (Index i = 0; i < natural; ++i) {
+    const bool fixed = jacobian.row(i).isZero(0);
+    const bool constant_weight = likelihood.model().regressors() == 0 || at.mixture.components() == 1;
+    if (fixed && !constant_weight) unknown[static_cast<std::size_t>(i)] = true;
+  }
+  const MatrixXd natural_scores = parametrisation.jacobian(point.coordinates).transpose() * point.natural_scores;
+  errors.covariance = jacobian * inverse * jacobian.transpose();
+  errors.robust_covariance =
+      jacobian * inverse * (natural_scores * natural_scores.transpose()) * inverse * jacobian.transpose();
+  mark(unknown, &errors.covariance);
+  mark(unknown, &errors.robust_covariance);
+  return errors;
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "uncertainty_identification/estimation/climb.h"
+#include "uncertainty_identification/estimation/parametrisation.h"
+#include "uncertainty_identification/identifier.h"
+#include "uncertainty_identification/model/linear_model.h"
+
+namespace uncertainty_identification {
+
+/// One run of Identifier: each step leaves its findings in the estimate.
+class Identification {
+ public:
+  Identification(const Configuration& configuration, const ProgressCallback& progress);
+
+  Estimate run(const std::vector<Experiment>& experiments, const std::vector<Experiment>& validation,
+               const Estimate* previous);
+
+ private:
+  void checkData(const std::vector<Experiment>& experiments);
+  void limitErrorModel();
+  void chooseOrders();
+  void chooseTaps();
+  void buildModel();
+  void checkSizes() const;
+  ModelParameters start(const Estimate* previous);
+  ModelParameters chooseComponents(const ModelParameters& single, const ClimbOptions& options);
+  void climb(const ModelParameters& start);
+  void describe();
+  void describeExperiments();
+  void describeParameters();
+  void reportFloor(const Eigen::MatrixXd& floor);
+  void validate(const std::vector<Experiment>& validation);
+
+  ClimbOptions climbOptions(const std::string& phase, double from, double to);
+  bool report(const std::string& phase, double fraction, double log_likelihood);
+  int threads() const;
+
+  ProgressCallback progress_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+  bool cancelled_ = false;
+  double sample_time_ = 0;
+  Estimate estimate_;                    ///< its configuration is the one being completed
+  std::vector<Experiment> experiments_;  ///< those that passed the checks
+  std::vector<Block> blocks_;
+  std::unique_ptr<LinearModel> model_;
+  std::unique_ptr<Likelihood> likelihood_;
+  ModelParameters at_;
+};
+
+}  // namespace uncertainty_identification
