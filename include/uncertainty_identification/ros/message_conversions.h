@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+
+#include "uncertainty_identification/data/experiment.h"
+#include "uncertainty_identification/estimation/estimate.h"
+#include "uncertainty_identification/ros/messages.h"
+
+/// Between the package's types and its messages: the only place where one becomes the other.
+namespace uncertainty_identification {
+
+/// Where a result stands among those of a node.
+struct ResultContext {
+  ros::Time stamp;
+  std::uint32_t sequence = 0;
+  bool preliminary = false;
+  double window_start = 0,
+         window_end = 0;  ///< [s] from the first sample to the last of the experiments
+};
+
+/// Throws DataError when the start time does not fit a stamp (before 1970, after 2106).
+messages::Experiment toMessage(const Experiment& experiment);
+
+/// Throws DataError, naming the experiment and the field, when sizes disagree, a covariate's kind
+/// is unknown or its name is empty or given twice.
+Experiment fromMessage(const messages::Experiment& message);
+
+/// The parts of an estimate as messages.
+messages::NominalModel toNominalModelMessage(const Estimate& estimate,
+                                             const ResultContext& context);
+messages::ErrorModel toErrorModelMessage(const Estimate& estimate, const ResultContext& context);
+
+/// The whole, with result.json and the configuration as text.
+messages::IdentificationResult toMessage(const Estimate& estimate, const ResultContext& context);
+
+/// The termination as IdentificationResult and IdentificationStatus state it.
+std::uint8_t toMessage(Termination termination);
+
+/// A stamp, rounded to its resolution of 1 ns. Throws DataError, beginning with `what`, for seconds
+/// that do not fit.
+ros::Time toStamp(double seconds, const std::string& what);
+
+}  // namespace uncertainty_identification

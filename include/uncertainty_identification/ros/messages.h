@@ -1,0 +1,36 @@
+#pragma once
+
+// Everything that the generated headers include comes first, so that only they see the macro below.
+#include <ros/message_operations.h>
+#include <ros/service_traits.h>
+#include <ros/types.h>
+#include <std_msgs/Header.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+// The generated code lives in the namespace uncertainty_identification, where the core has its own
+// Experiment and NominalModel. A translation unit that uses both includes the messages through this
+// header and finds them in uncertainty_identification::messages.
+#define uncertainty_identification uncertainty_identification_messages
+#include <uncertainty_identification/Covariate.h>
+#include <uncertainty_identification/ErrorModel.h>
+#include <uncertainty_identification/Experiment.h>
+#include <uncertainty_identification/ExperimentMarker.h>
+#include <uncertainty_identification/ExperimentSummary.h>
+#include <uncertainty_identification/GaussianComponent.h>
+#include <uncertainty_identification/GetResult.h>
+#include <uncertainty_identification/IdentificationResult.h>
+#include <uncertainty_identification/IdentificationStatus.h>
+#include <uncertainty_identification/Identify.h>
+#include <uncertainty_identification/ListExperiments.h>
+#include <uncertainty_identification/NominalModel.h>
+#include <uncertainty_identification/Parameter.h>
+#include <uncertainty_identification/Sample.h>
+#undef uncertainty_identification
+
+namespace uncertainty_identification {
+namespace messages = ::uncertainty_identification_messages;
+}

@@ -1,0 +1,112 @@
+#include "uncertainty_identification/ros/bag_reader.h"
+
+#include <set>
+
+#include "bag_file.h"
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/ros/deserialise.h"
+#include "uncertainty_identification/ros/message_conversions.h"
+#include "uncertainty_identification/ros/topic_router.h"
+
+namespace uncertainty_identification {
+namespace {
+
+std::string inRootNamespace(const std::string& topic) {
+  return topic.empty() || topic.front() == '/' ? topic : "/" + topic;
+}
+
+bool has(const BagFile& bag, const std::string& topic) {
+  for (const auto& [id, connection] : bag.connections())
+    if (connection.topic == topic) return true;
+  return false;
+}
+
+void requireTopic(const BagFile& bag, const std::string& topic, const std::string& key) {
+  if (has(bag, topic)) return;
+  std::string message = "bag '" + bag.path() + "' has no topic '" + topic + "' (" + key + ")";
+  if (key == "experiment.topic")
+    message += "; name the topic that marks experiments, or cut by experiment.mode duration or gap";
+  std::set<std::string> topics;
+  for (const auto& [id, connection] : bag.connections())
+    topics.insert(connection.topic + " [" + connection.type + "]");
+  message += topics.empty() ? "; the bag is empty" : "; it holds ";
+  for (const auto& each : topics) message += (each == *topics.begin() ? "" : ", ") + each;
+  throw ConfigurationError(message);
+}
+
+/// Topics that hold complete experiments.
+std::set<std::string> experimentTopics(const BagFile& bag) {
+  std::set<std::string> topics;
+  for (const auto& [id, connection] : bag.connections())
+    if (connection.type == ros::message_traits::datatype<messages::Experiment>())
+      topics.insert(connection.topic);
+  return topics;
+}
+
+template <typename Receive>
+void readTopics(BagFile& bag, const std::set<std::string>& topics, const Receive& receive) {
+  bag.read([&](const BagConnection& connection) { return topics.count(connection.topic) > 0; },
+           [&](const BagMessage& message) {
+             const BagConnection& from = message.connection;
+             receive(from.topic, RawMessage{from.type, from.md5sum, from.definition, message.bytes,
+                                            message.time});
+           });
+}
+
+LoadedData readSignals(BagFile& bag, const Configuration& configuration) {
+  TopicRouter router(configuration, inRootNamespace);
+  std::set<std::string> topics;
+  for (const auto& use : router.uses()) {
+    requireTopic(bag, use.topic, use.key);
+    topics.insert(use.topic);
+  }
+  readTopics(bag, topics, [&](const std::string& topic, const RawMessage& message) {
+    router.add(topic, message);
+  });
+  router.cutter().flush();
+
+  LoadedData data;
+  data.warnings = router.warnings();
+  for (const auto& recording : router.cutter().takeFinished())
+    addResampled(recording, configuration.sample_time, configuration.resampling, data);
+  for (auto& rejected : router.cutter().takeRejected()) data.rejected.push_back(rejected);
+  return data;
+}
+
+LoadedData readExperiments(BagFile& bag, const std::set<std::string>& topics) {
+  LoadedData data;
+  readTopics(bag, topics, [&](const std::string& topic, const RawMessage& message) {
+    try {
+      data.experiments.push_back(fromMessage(deserialise<messages::Experiment>(message)));
+    } catch (const DataError& error) {
+      data.rejected.push_back({"a message on " + topic, error.what()});
+    }
+  });
+  return data;
+}
+
+LoadedData readFrom(BagFile& bag, const Configuration& configuration) {
+  const auto& experiment = configuration.experiment;
+  if (experiment.mode == ExperimentMode::message) {
+    const std::string topic = inRootNamespace(experiment.topic);
+    requireTopic(bag, topic, "experiment.topic");
+    return readExperiments(bag, {topic});
+  }
+  const auto complete = experimentTopics(bag);
+  if (!complete.empty() && !has(bag, inRootNamespace(configuration.input.topic)))
+    return readExperiments(bag, complete);
+  if (experiment.mode == ExperimentMode::service)
+    throw ConfigurationError(
+        "experiment.mode: service: a bag does not tell when the services were called; cut it by "
+        "mode topic, duration or gap");
+  return readSignals(bag, configuration);
+}
+
+}  // namespace
+
+LoadedData readBag(const std::string& path, const Configuration& configuration) {
+  BagFile bag(path);
+  return readFrom(bag, configuration);
+}
+
+}  // namespace uncertainty_identification

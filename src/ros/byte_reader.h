@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/ros/message_decoder.h"
+
+namespace uncertainty_identification {
+
+/// Walks through serialised bytes; throws DataError instead of leaving them.
+class ByteReader {
+ public:
+  explicit ByteReader(SerialisedMessage bytes) : bytes_(bytes) {}
+
+  bool atEnd() const { return position_ == bytes_.size; }
+  std::size_t position() const { return position_; }
+
+  /// The next bytes, which are passed over.
+  SerialisedMessage take(std::uint64_t count) {
+    if (count > bytes_.size - position_)
+      throw DataError(std::to_string(bytes_.size) +
+                      " bytes are fewer than the lengths in them say");
+    const SerialisedMessage taken{bytes_.data + position_, static_cast<std::size_t>(count)};
+    position_ += taken.size;
+    return taken;
+  }
+
+  void skip(std::uint64_t count) { take(count); }
+
+  template <typename T>
+  T read() {
+    T value;
+    std::memcpy(&value, take(sizeof(T)).data, sizeof(T));
+    return value;
+  }
+
+ private:
+  SerialisedMessage bytes_;
+  std::size_t position_ = 0;
+};
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,95 @@
+#include <map>
+
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/ros/message_conversions.h"
+
+namespace uncertainty_identification {
+namespace {
+
+[[noreturn]] void fail(const messages::Experiment& message, const std::string& finding) {
+  throw DataError("experiment '" + message.id + "': " + finding);
+}
+
+Eigen::VectorXd toVector(const std::vector<double>& list) {
+  return Eigen::Map<const Eigen::VectorXd>(list.data(), static_cast<Eigen::Index>(list.size()));
+}
+
+void requireLength(const messages::Experiment& message, const std::string& field,
+                   std::size_t length, bool may_be_empty) {
+  if (length == message.u.size() || (may_be_empty && length == 0)) return;
+  fail(message, field + " has " + std::to_string(length) + " values, but u has " +
+                    std::to_string(message.u.size()) + "; give one for each sample");
+}
+
+void addCovariate(const messages::Experiment& message, const messages::Covariate& covariate,
+                  Experiment& experiment) {
+  const std::string name = "covariate '" + covariate.name + "'";
+  if (covariate.name.empty()) fail(message, "a covariate has no name; give each a name of its own");
+  if (experiment.scalars.count(covariate.name) + experiment.signals.count(covariate.name) > 0)
+    fail(message, name + " is given twice");
+  if (covariate.kind == messages::Covariate::CONSTANT) {
+    if (covariate.values.size() != 1)
+      fail(message, name + " is constant but has " + std::to_string(covariate.values.size()) +
+                        " values; give one");
+    experiment.scalars[covariate.name] = covariate.values.front();
+  } else if (covariate.kind == messages::Covariate::SIGNAL) {
+    requireLength(message, name, covariate.values.size(), false);
+    experiment.signals[covariate.name] = toVector(covariate.values);
+  } else {
+    fail(message, name + " is of kind " + std::to_string(covariate.kind) +
+                      "; allowed: 0 (CONSTANT), 1 (SIGNAL)");
+  }
+}
+
+std::vector<double> toList(const Eigen::VectorXd& vector) {
+  return {vector.data(), vector.data() + vector.size()};
+}
+
+messages::Covariate covariateMessage(const std::string& name, std::uint8_t kind,
+                                     std::vector<double> values) {
+  messages::Covariate message;
+  message.name = name;
+  message.kind = kind;
+  message.values = std::move(values);
+  return message;
+}
+
+}  // namespace
+
+messages::Experiment toMessage(const Experiment& experiment) {
+  using messages::Covariate;
+  messages::Experiment message;
+  message.header.stamp =
+      toStamp(experiment.start_time, "experiment '" + experiment.id + "', start time");
+  message.id = experiment.id;
+  message.sample_time = experiment.sample_time;
+  message.u = toList(experiment.u);
+  message.y = toList(experiment.y);
+  message.valid = experiment.valid;
+  message.stamp_offset = toList(experiment.stamp_offset);
+  std::map<std::string, Covariate> covariates;  // both kinds, in order of their names
+  for (const auto& [name, value] : experiment.scalars)
+    covariates[name] = covariateMessage(name, Covariate::CONSTANT, {value});
+  for (const auto& [name, signal] : experiment.signals)
+    covariates[name] = covariateMessage(name, Covariate::SIGNAL, toList(signal));
+  for (auto& [name, covariate] : covariates) message.covariates.push_back(std::move(covariate));
+  return message;
+}
+
+Experiment fromMessage(const messages::Experiment& message) {
+  requireLength(message, "y", message.y.size(), false);
+  requireLength(message, "valid", message.valid.size(), true);
+  requireLength(message, "stamp_offset", message.stamp_offset.size(), true);
+  Experiment experiment;
+  experiment.id = message.id;
+  experiment.sample_time = message.sample_time;
+  experiment.start_time = message.header.stamp.toSec();
+  experiment.u = toVector(message.u);
+  experiment.y = toVector(message.y);
+  experiment.valid = message.valid;
+  experiment.stamp_offset = toVector(message.stamp_offset);
+  for (const auto& covariate : message.covariates) addCovariate(message, covariate, experiment);
+  return experiment;
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,128 @@
+#include "uncertainty_identification/ros/field_path.h"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <sstream>
+
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/tree.h"
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr std::size_t kListed = 15;  // fields that a message lists
+
+struct Component {
+  std::string name;
+  std::optional<std::uint32_t> index;
+};
+
+// "effort[0]" -> {"effort", 0}; nothing where the text is not of that form.
+std::optional<Component> parseComponent(const std::string& text) {
+  const auto bracket = text.find('[');
+  Component component{text.substr(0, bracket), {}};
+  if (component.name.empty()) return std::nullopt;
+  if (bracket == std::string::npos) return component;
+  if (text.back() != ']') return std::nullopt;
+  const std::string index = text.substr(bracket + 1, text.size() - bracket - 2);
+  if (index.empty() || index.size() > 9 ||
+      index.find_first_not_of("0123456789") != std::string::npos)
+    return std::nullopt;
+  component.index = static_cast<std::uint32_t>(std::stoul(index));
+  return component;
+}
+
+std::optional<std::vector<Component>> parsePath(const std::string& path) {
+  std::vector<Component> components;
+  std::istringstream stream(path);
+  for (std::string text; std::getline(stream, text, '.');) {
+    const auto component = parseComponent(text);
+    if (!component) return std::nullopt;
+    components.push_back(*component);
+  }
+  return components;
+}
+
+// "JointState" -> "joint_state"
+std::string snakeCase(const std::string& name) {
+  std::string result;
+  for (const char c : name) {
+    if (std::isupper(static_cast<unsigned char>(c)) && !result.empty()) result += '_';
+    result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return result;
+}
+
+std::string lastPart(const std::string& name) { return name.substr(name.find_last_of('/') + 1); }
+
+// Paths that end as the wanted one first, then by the edits between them.
+std::string listFields(const MessageDefinition& definition, const std::string& wanted) {
+  auto fields = definition.numericFields(false);
+  if (fields.empty()) return "it has no numeric field";
+  const auto distance = [&wanted](const std::string& field) {
+    const bool same_end = field.size() > wanted.size() && !wanted.empty() &&
+                          field.compare(field.size() - wanted.size(), wanted.size(), wanted) == 0;
+    return same_end ? 0 : 1 + editDistance(field, wanted);
+  };
+  if (!wanted.empty())
+    std::stable_sort(fields.begin(), fields.end(),
+                     [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+  std::string list = "its numeric fields are ";
+  for (std::size_t i = 0; i < std::min(kListed, fields.size()); ++i)
+    list += (i == 0 ? "'" : ", '") + fields[i] + "'";
+  if (fields.size() > kListed) list += " and " + std::to_string(fields.size() - kListed) + " more";
+  return list;
+}
+
+// Follows the components from the root; nothing where they do not lead to a number.
+std::optional<FieldPath> follow(const MessageDefinition& definition,
+                                const std::vector<Component>& components, std::size_t first) {
+  FieldPath path;
+  const MessageType* type = &definition.root();
+  for (std::size_t i = first; i < components.size(); ++i) {
+    const auto& component = components[i];
+    if (type == nullptr) return std::nullopt;
+    const auto field = std::find_if(type->fields.begin(), type->fields.end(),
+                                    [&](const auto& f) { return f.name == component.name; });
+    if (field == type->fields.end()) return std::nullopt;
+    if ((field->array != ArrayKind::none) != component.index.has_value()) return std::nullopt;
+    if (field->array == ArrayKind::fixed && *component.index >= field->length) return std::nullopt;
+    const bool last = i + 1 == components.size();
+    if (last != field->numeric()) return std::nullopt;
+    path.steps.push_back(
+        {static_cast<std::size_t>(field - type->fields.begin()), component.index.value_or(0)});
+    path.text += (path.text.empty() ? "" : ".") + component.name;
+    if (component.index) path.text += "[" + std::to_string(*component.index) + "]";
+    type = field->type == FieldType::message ? &definition.contained(*field) : nullptr;
+  }
+  return path.steps.empty() ? std::nullopt : std::optional(path);
+}
+
+FieldPath resolveAutomatic(const MessageDefinition& definition, const std::string& topic) {
+  const auto fields = definition.numericFields(false);
+  if (fields.size() == 1) {
+    const auto path = follow(definition, *parsePath(fields.front()), 0);
+    if (path && fields.front().find('[') == std::string::npos) return *path;
+  }
+  throw ConfigurationError("topic '" + topic + "' of type " + definition.root().name +
+                           ": field: auto needs exactly one numeric field that is no array, but " +
+                           listFields(definition, "") + "; name one of them under 'field'");
+}
+
+}  // namespace
+
+FieldPath resolveFieldPath(const MessageDefinition& definition, const std::string& path,
+                           const std::string& topic) {
+  if (path == "auto") return resolveAutomatic(definition, topic);
+  if (const auto components = parsePath(path)) {
+    if (const auto found = follow(definition, *components, 0)) return *found;
+    const std::string alias = components->empty() ? "" : components->front().name;
+    if (alias == lastPart(topic) || alias == snakeCase(lastPart(definition.root().name)))
+      if (const auto found = follow(definition, *components, 1)) return *found;
+  }
+  throw ConfigurationError("topic '" + topic + "' of type " + definition.root().name +
+                           " has no numeric field '" + path + "'; " + listFields(definition, path));
+}
+
+}  // namespace uncertainty_identification

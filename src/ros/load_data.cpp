@@ -1,0 +1,78 @@
+#include "uncertainty_identification/ros/load_data.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "uncertainty_identification/data/csv.h"
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/ros/bag_reader.h"
+
+namespace uncertainty_identification {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isDataFile(const fs::path& path) {
+  return path.extension() == ".bag" || path.extension() == ".csv";
+}
+
+std::vector<fs::path> filesOf(const std::string& path) {
+  std::error_code error;
+  if (!fs::is_directory(path, error)) {
+    if (!fs::exists(path, error)) throw FileError("'" + path + "' does not exist");
+    if (!isDataFile(path))
+      throw FileError("'" + path + "' is neither a .bag nor a .csv file nor a folder of such");
+    return {path};
+  }
+  std::vector<fs::path> files;
+  for (auto entry = fs::directory_iterator(path, error);
+       !error && entry != fs::directory_iterator(); entry.increment(error))
+    if (isDataFile(entry->path())) files.push_back(entry->path());
+  if (error) throw FileError("cannot read folder '" + path + "': " + error.message());
+  if (files.empty()) throw FileError("folder '" + path + "' holds no .bag or .csv file");
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+LoadedData readFile(const fs::path& file, const Configuration& configuration) {
+  if (file.extension() == ".bag") return readBag(file, configuration);
+  return readCsv(file, {configuration.sample_time, configuration.resampling, configuration.limits});
+}
+
+/// Puts the file's name before ids that several files use.
+void nameApart(std::vector<std::pair<fs::path, LoadedData>>& parts) {
+  std::map<std::string, int> files_with;
+  for (const auto& [file, data] : parts) {
+    std::set<std::string> ids;
+    for (const auto& experiment : data.experiments) ids.insert(experiment.id);
+    for (const auto& id : ids) ++files_with[id];
+  }
+  for (auto& [file, data] : parts)
+    for (auto& experiment : data.experiments)
+      if (files_with[experiment.id] > 1) experiment.id = file.stem().string() + "/" + experiment.id;
+}
+
+void requireExperiments(const LoadedData& data) {
+  if (!data.experiments.empty()) return;
+  std::string message = "no experiment was found in the data";
+  for (const auto& rejected : data.rejected) message += "\n" + rejected.id + ": " + rejected.reason;
+  for (const auto& warning : data.warnings) message += "\n" + warning;
+  throw DataError(message);
+}
+
+}  // namespace
+
+LoadedData loadData(const std::vector<std::string>& paths, const Configuration& configuration) {
+  std::vector<std::pair<fs::path, LoadedData>> parts;
+  for (const auto& path : paths)
+    for (const auto& file : filesOf(path)) parts.emplace_back(file, readFile(file, configuration));
+  nameApart(parts);
+  LoadedData data;
+  for (auto& part : parts) append(std::move(part.second), data);
+  requireExperiments(data);
+  return data;
+}
+
+}  // namespace uncertainty_identification

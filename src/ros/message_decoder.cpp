@@ -1,0 +1,119 @@
+#include "uncertainty_identification/ros/message_decoder.h"
+
+#include "byte_reader.h"
+#include "uncertainty_identification/errors.h"
+
+namespace uncertainty_identification {
+namespace {
+
+double readSeconds(ByteReader& reader, bool is_signed) {
+  if (is_signed) {
+    const auto seconds = reader.read<std::int32_t>();
+    return seconds + 1e-9 * reader.read<std::int32_t>();
+  }
+  const auto seconds = reader.read<std::uint32_t>();
+  return seconds + 1e-9 * reader.read<std::uint32_t>();
+}
+
+double readNumber(ByteReader& reader, FieldType type) {
+  switch (type) {
+    case FieldType::boolean:
+      return reader.read<std::uint8_t>() != 0 ? 1 : 0;
+    case FieldType::int8:
+      return reader.read<std::int8_t>();
+    case FieldType::uint8:
+      return reader.read<std::uint8_t>();
+    case FieldType::int16:
+      return reader.read<std::int16_t>();
+    case FieldType::uint16:
+      return reader.read<std::uint16_t>();
+    case FieldType::int32:
+      return reader.read<std::int32_t>();
+    case FieldType::uint32:
+      return reader.read<std::uint32_t>();
+    case FieldType::int64:
+      return static_cast<double>(reader.read<std::int64_t>());
+    case FieldType::uint64:
+      return static_cast<double>(reader.read<std::uint64_t>());
+    case FieldType::float32:
+      return reader.read<float>();
+    case FieldType::float64:
+      return reader.read<double>();
+    case FieldType::time:
+      return readSeconds(reader, false);
+    case FieldType::duration:
+      return readSeconds(reader, true);
+    case FieldType::string:
+    case FieldType::message:
+      break;
+  }
+  throw DataError("a field that is not numeric was read");
+}
+
+void skipField(ByteReader& reader, const MessageDefinition& definition, const MessageField& field);
+
+// Skips `count` elements. Elements of varying size hold at least one length of four bytes each, so
+// that a count beyond the message ends at its end.
+void skipElements(ByteReader& reader, const MessageDefinition& definition,
+                  const MessageField& field, std::uint32_t count) {
+  if (const auto size = definition.elementSize(field)) return reader.skip(*size * count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (field.type == FieldType::string) {
+      reader.skip(reader.read<std::uint32_t>());
+    } else {
+      for (const auto& part : definition.contained(field).fields)
+        skipField(reader, definition, part);
+    }
+  }
+}
+
+void skipField(ByteReader& reader, const MessageDefinition& definition, const MessageField& field) {
+  if (const auto size = definition.serialisedSize(field)) return reader.skip(*size);
+  switch (field.array) {
+    case ArrayKind::none:
+      return skipElements(reader, definition, field, 1);
+    case ArrayKind::fixed:
+      return skipElements(reader, definition, field, field.length);
+    case ArrayKind::variable:
+      return skipElements(reader, definition, field, reader.read<std::uint32_t>());
+  }
+}
+
+}  // namespace
+
+void requireComplete(const MessageDefinition& definition, SerialisedMessage message) {
+  ByteReader reader(message);
+  for (const auto& field : definition.root().fields) skipField(reader, definition, field);
+}
+
+MessageDecoder::MessageDecoder(std::shared_ptr<const MessageDefinition> definition,
+                               const std::string& path, const std::string& topic)
+    : definition_(std::move(definition)), path_(resolveFieldPath(*definition_, path, topic)) {}
+
+double MessageDecoder::value(SerialisedMessage message) const {
+  ByteReader reader(message);
+  const MessageType* type = &definition_->root();
+  for (const auto& step : path_.steps) {
+    for (std::size_t i = 0; i < step.field; ++i) skipField(reader, *definition_, type->fields[i]);
+    const MessageField& field = type->fields[step.field];
+    if (field.array != ArrayKind::none) {
+      const auto length =
+          field.array == ArrayKind::fixed ? field.length : reader.read<std::uint32_t>();
+      if (step.index >= length)
+        throw DataError("field '" + path_.text + "': the message has only " +
+                        std::to_string(length) + " elements of '" + field.name + "'");
+      skipElements(reader, *definition_, field, step.index);
+    }
+    if (field.type != FieldType::message) return readNumber(reader, field.type);
+    type = &definition_->contained(field);
+  }
+  throw DataError("field '" + path_.text + "' is not a number");
+}
+
+double MessageDecoder::stamp(SerialisedMessage message) const {
+  ByteReader reader(message);
+  reader.skip(4);  // seq
+  return readSeconds(reader, false);
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,40 @@
+#include "uncertainty_identification/ros/signal_decoder.h"
+
+#include <utility>
+
+#include "uncertainty_identification/errors.h"
+
+namespace uncertainty_identification {
+
+SignalDecoder::SignalDecoder(std::string topic, std::string field)
+    : topic_(std::move(topic)), field_(std::move(field)) {}
+
+StampedValue SignalDecoder::decode(const RawMessage& message) {
+  const MessageDecoder& decoder = decoderFor(message);
+  const Clock clock = decoder.hasStamp() ? Clock::header : Clock::receipt;
+  if (clock_ != Clock::unknown && clock != clock_) {
+    throw DataError("topic '" + topic_ + "' changed to type " + message.type +
+                    ", whose stamps come from another clock; keep one type per topic");
+  }
+  const double stamp = decoder.hasStamp() ? decoder.stamp(message.bytes) : message.receipt;
+  const StampedValue sample{stamp, decoder.value(message.bytes)};
+  clock_ = clock;
+  return sample;
+}
+
+const MessageDecoder& SignalDecoder::decoderFor(const RawMessage& message) {
+  const auto known = decoders_.find(message.md5sum);
+  if (known != decoders_.end()) return *known->second;
+  const auto refused = refused_.find(message.md5sum);
+  if (refused != refused_.end()) throw ConfigurationError(refused->second);
+  try {
+    auto definition = std::make_shared<MessageDefinition>(message.type, message.definition);
+    auto decoder = std::make_unique<MessageDecoder>(std::move(definition), field_, topic_);
+    return *(decoders_[message.md5sum] = std::move(decoder));
+  } catch (const ConfigurationError& error) {
+    refused_[message.md5sum] = error.what();
+    throw;
+  }
+}
+
+}  // namespace uncertainty_identification
