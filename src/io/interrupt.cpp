@@ -7,15 +7,21 @@ volatile std::sig_atomic_t stop_requested = 0;
 
 void requestStop(int) { stop_requested = 1; }
 
+// What the parent told this program to ignore stays ignored (nohup, background jobs).
+void listen(int signal, struct sigaction* before) {
+  struct sigaction action {};
+  action.sa_handler = requestStop;
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  sigaction(signal, nullptr, before);
+  if (before->sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+}
+
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
   stop_requested = 0;
-  struct sigaction action {};
-  action.sa_handler = requestStop;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-  sigaction(SIGINT, &action, &interrupt_before_);
-  sigaction(SIGTERM, &action, &terminate_before_);
+  listen(SIGINT, &interrupt_before_);
+  listen(SIGTERM, &terminate_before_);
 }
 
 InterruptGuard::~InterruptGuard() {

@@ -12,6 +12,7 @@
 #include "uncertainty_identification/io/command_line.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
 #include "uncertainty_identification/io/interrupt.h"
+#include "uncertainty_identification/io/output_file.h"
 #include "uncertainty_identification/io/progress_bar.h"
 #include "uncertainty_identification/io/result_json.h"
 #include "uncertainty_identification/io/result_text.h"
@@ -65,6 +66,8 @@ int run(const po::variables_map& arguments) {
   requireAvailable(arguments["method"].as<std::string>());
   if (arguments.count("data") == 0)
     throw ui::ConfigurationError("no DATA given; see identify --help");
+  const std::string output = arguments["output"].as<std::string>();
+  ui::requireWritable(output);
   const ui::InterruptGuard interrupt;
   const ui::Estimate estimate = identify(arguments, interrupt);
   if (interrupt.requested() || estimate.termination == ui::Termination::cancelled) {
@@ -74,7 +77,7 @@ int run(const po::variables_map& arguments) {
   if (!estimate.usable()) {
     throw ui::DataError("no usable model was found, nothing was written: " + estimate.message);
   }
-  ui::saveResult(arguments["output"].as<std::string>(), estimate);
+  ui::saveResult(output, estimate);
   std::cout << ui::resultText(estimate);
   return ui::kDone;
 }

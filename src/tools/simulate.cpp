@@ -9,8 +9,8 @@
 
 #include "uncertainty_identification/data/atomic_file.h"
 #include "uncertainty_identification/data/csv.h"
-#include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/command_line.h"
+#include "uncertainty_identification/io/output_file.h"
 #include "uncertainty_identification/io/truth_yaml.h"
 #include "uncertainty_identification/ros/bag_writer.h"
 
@@ -21,9 +21,7 @@ namespace po = boost::program_options;
 namespace fs = std::filesystem;
 
 void writeFolder(const fs::path& folder, const std::vector<ui::Experiment>& experiments) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw ui::FileError(folder.string() + ": cannot be created: " + error.message());
+  ui::makeEmptyFolder(folder.string());
   for (const ui::Experiment& experiment : experiments) {
     ui::writeCsv((folder / (experiment.id + ".csv")).string(), {experiment});
   }
@@ -40,13 +38,12 @@ void write(const fs::path& output, const std::vector<ui::Experiment>& experiment
 }
 
 int run(const po::variables_map& arguments) {
+  const std::string answer = arguments["answer"].as<std::string>();
   const ui::Truth truth = ui::loadTruth(arguments["config"].as<std::string>());
   const auto seed = arguments["seed"].as<std::uint64_t>();
+  if (!answer.empty()) ui::requireWritable(answer);
   write(arguments["output"].as<std::string>(), ui::simulate(truth, seed));
-  if (arguments.count("answer") > 0) {
-    ui::writeFileAtomically(arguments["answer"].as<std::string>(),
-                            ui::answerJson(truth, seed).dump(1) + "\n");
-  }
+  if (!answer.empty()) ui::writeFileAtomically(answer, ui::answerJson(truth, seed).dump(1) + "\n");
   return ui::kDone;
 }
 
@@ -67,8 +64,8 @@ int main(int argc, char** argv) {
       ("config", po::value<std::string>()->required()->value_name("FILE"),
        "the truth (YAML); config/truth_reference.yaml explains every key")  //
       ("output", po::value<std::string>()->required()->value_name("PATH"),
-       "one .bag or .csv, or else a folder of .csv files, one per experiment")  //
-      ("answer", po::value<std::string>()->value_name("FILE"),
+       "one .bag or .csv, or else a new folder of .csv files, one per experiment")  //
+      ("answer", po::value<std::string>()->default_value("", "none")->value_name("FILE"),
        "where to write the truth and what was drawn for each experiment (JSON)")  //
       ("seed", po::value<std::uint64_t>()->default_value(1)->value_name("S"),
        "of all random numbers");

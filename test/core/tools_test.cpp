@@ -1,0 +1,236 @@
+// The tools as a shell or a script meets them: exit status, messages, files.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "support/process.h"
+#include "support/temporary_folder.h"
+#include "uncertainty_identification/data/csv.h"
+#include "uncertainty_identification/io/read_file.h"
+#include "uncertainty_identification/io/result_json.h"
+#include "uncertainty_identification/io/truth_yaml.h"
+#include "uncertainty_identification/simulation/simulate.h"
+
+namespace uncertainty_identification {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kConfig = std::string(PROJECT_FOLDER) + "/config/";
+
+ProcessResult tool(const std::string& name, const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{std::string(TOOLS_FOLDER) + "/" + name};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return runProcess(command);
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Status 1 or 2, nothing on standard output, every message line with the program's name and one of
+/// them with `part`.
+void expectFailure(const ProcessResult& result, int status, const std::string& name,
+                   const std::string& part) {
+  EXPECT_EQ(result.status, status) << result.errors;
+  EXPECT_EQ(result.output, "");
+  EXPECT_TRUE(contains(result.errors, part)) << result.errors;
+  std::istringstream lines(result.errors);
+  for (std::string line; std::getline(lines, line);)
+    EXPECT_EQ(line.rfind(name + ": ", 0), 0u) << line;
+}
+
+class Tools : public testing::Test {
+ protected:
+  std::string write(const std::string& name, const std::string& content) {
+    std::ofstream(folder_ / name) << content;
+    return folder_ / name;
+  }
+
+  /// Simulated experiments of Example 1, fewer and written without the tool.
+  std::string data(int experiments, std::uint64_t seed) {
+    Truth truth = loadTruth(kConfig + "example1_truth.yaml");
+    truth.experiments = experiments;
+    const std::string path = folder_ / ("data" + std::to_string(seed) + ".csv");
+    writeCsv(path, simulate(truth, seed));
+    return path;
+  }
+
+  ProcessResult identify(std::vector<std::string> more) {
+    more.insert(more.begin(), {"--config", kConfig + "example1.yaml", "--output", result_});
+    return tool("identify", more);
+  }
+
+  ProcessResult simulateExample(const std::string& output, std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"--config", kConfig + "example1_truth.yaml", "--output", output});
+    return tool("simulate", more);
+  }
+
+  TemporaryFolder folder_;
+  const std::string result_ = folder_ / "result.json";
+};
+
+TEST_F(Tools, HelpAndVersion) {
+  for (const std::string name : {"identify", "simulate"}) {
+    const ProcessResult help = tool(name, {"--help"});
+    EXPECT_EQ(help.status, 0);
+    EXPECT_EQ(help.errors, "");
+    EXPECT_TRUE(contains(help.output, "usage: " + name + " --config")) << help.output;
+    EXPECT_TRUE(contains(help.output, "--output")) << help.output;
+    EXPECT_FALSE(contains(help.output, "mem")) << "not available yet";
+    const ProcessResult version = tool(name, {"--version"});
+    EXPECT_EQ(version.status, 0);
+    EXPECT_EQ(version.output.rfind(name + " 0.", 0), 0u) << version.output;
+  }
+}
+
+TEST_F(Tools, WrongUsage) {
+  expectFailure(tool("identify", {}), 2, "identify", "'--config' is required");
+  expectFailure(tool("simulate", {}), 2, "simulate", "'--config' is required");
+  expectFailure(identify({}), 2, "identify", "no DATA given");
+  expectFailure(identify({"--colour", "x"}), 2, "identify", "unrecognised option '--colour'");
+  expectFailure(identify({"--valid", "x", "y"}), 2, "identify", "unrecognised option '--valid'");
+  expectFailure(tool("simulate", {"--config", "a", "--output", "b", "c"}), 2, "simulate",
+                "positional");
+  expectFailure(simulateExample("x.csv", {"--seed", "many"}), 2, "simulate", "--seed");
+  EXPECT_FALSE(fs::exists(result_));
+}
+
+TEST_F(Tools, MethodsThatAreNotThere) {
+  expectFailure(identify({"--method", "mem", "d.csv"}), 2, "identify",
+                "--method mem is not available");
+  expectFailure(identify({"--method", "pem", "d.csv"}), 2, "identify",
+                "--method pem is not available");
+  expectFailure(identify({"--method", "ols", "d.csv"}), 2, "identify", "found 'ols'; allowed: se");
+}
+
+TEST_F(Tools, IdentifyWritesTheResultAndASummary) {
+  const ProcessResult run =
+      identify({"--method", "se", "--validation", data(3, 2), "--", data(60, 1)});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(run.errors, "");  // no progress bar: standard error is no terminal
+  const Estimate estimate = loadResult(result_);
+  EXPECT_EQ(estimate.experiment_count, 60);
+  EXPECT_EQ(estimate.sample_count, 6000);
+  EXPECT_EQ(estimate.validation.experiments.size(), 3u);
+  EXPECT_EQ(estimate.termination, Termination::converged);
+  EXPECT_EQ(estimate.configuration.estimation.noise_start, NoiseStart::zero);
+  ASSERT_EQ(estimate.nominal_model.a.size(), 1);
+  EXPECT_NEAR(estimate.nominal_model.a(0), 0.5, 0.01);  // four of its standard errors at M = 60
+  EXPECT_NEAR(estimate.noise_variance.value, 0.1, 0.01);
+  for (const char* part : {"Nominal model: box_jenkins", "Error model: fir", "noise_variance",
+                           "Ended: converged", "Validation"}) {
+    EXPECT_TRUE(contains(run.output, part)) << part << "\n" << run.output;
+  }
+}
+
+TEST_F(Tools, FilesThatCannotBeRead) {
+  const std::string good = data(2, 1);
+  expectFailure(identify({folder_ / "missing.csv"}), 2, "identify", "missing.csv");
+  expectFailure(identify({write("notes.txt", "hello\n")}), 2, "identify", "notes.txt");
+  expectFailure(identify({write("prose.csv", "once upon a time\nthere was\n")}), 2, "identify",
+                "prose.csv");
+  expectFailure(identify({write("not.bag", "not a bag at all\n")}), 2, "identify", "not.bag");
+  expectFailure(identify({good, "--validation", folder_ / "none.csv"}), 2, "identify", "none.csv");
+  expectFailure(tool("identify", {"--config", folder_ / "none.yaml", "--output", result_, good}), 2,
+                "identify", "none.yaml: cannot be opened");
+  expectFailure(tool("simulate", {"--config", folder_ / "none.yaml", "--output", "x.csv"}), 2,
+                "simulate", "none.yaml");
+  EXPECT_FALSE(fs::exists(result_));
+}
+
+TEST_F(Tools, ConfigurationsThatAreWrong) {
+  const std::string good = data(2, 1);
+  const auto with = [&](const std::string& yaml) {
+    return tool("identify", {"--config", write("c.yaml", yaml), "--output", result_, good});
+  };
+  expectFailure(with("error_model: {tap: 2}"), 2, "identify",
+                "c.yaml: error_model.tap (line 1): unknown key; did you mean error_model.taps?");
+  expectFailure(with("nominal_model: {nb: 0}"), 2, "identify",
+                "c.yaml: nominal_model.nb: found 0; allowed: 1 to 50");
+  expectFailure(with("nominal_model: ["), 2, "identify", "c.yaml, line 1: not YAML");
+  expectFailure(
+      tool("simulate", {"--config", write("t.yaml", "noise: {varaince: 1}"), "--output", "x.csv"}),
+      2, "simulate", "t.yaml: noise.varaince (line 1): unknown key; did you mean noise.variance?");
+}
+
+TEST_F(Tools, OutputsThatCannotBeWritten) {
+  const std::string good = data(2, 1), nowhere = folder_ / "nowhere/file";
+  const auto to = [&](const std::string& output) {
+    return tool("identify", {"--config", kConfig + "example1.yaml", "--output", output, good});
+  };
+  expectFailure(to(nowhere), 2, "identify", "there is no folder");
+  expectFailure(to(folder_.path()), 2, "identify", "is a folder");
+  expectFailure(to(""), 2, "identify", "the name of the output file is empty");
+  expectFailure(simulateExample(nowhere + ".csv"), 2, "simulate", "nowhere/file.csv");
+  expectFailure(simulateExample(nowhere + ".bag"), 2, "simulate", "nowhere/file.bag");
+  expectFailure(simulateExample(good + "/below"), 2, "simulate", "cannot be created");
+  expectFailure(simulateExample(folder_.path()), 2, "simulate", "holds something already");
+  expectFailure(simulateExample(folder_ / "new.csv", {"--answer", nowhere}), 2, "simulate",
+                "there is no folder");
+  EXPECT_FALSE(fs::exists(folder_ / "new.csv"));
+}
+
+TEST_F(Tools, DataThatCannotAnswer) {
+  std::string constant = "experiment,t,u,y\n";
+  for (int k = 0; k < 100; ++k) constant += "still," + std::to_string(k) + ",1,0.5\n";
+  expectFailure(identify({write("constant.csv", constant)}), 1, "identify", "still");
+  expectFailure(identify({write("empty.csv", "t,u,y\n")}), 1, "identify", "empty");
+  EXPECT_FALSE(fs::exists(result_));
+}
+
+TEST_F(Tools, InterruptEndsWithoutAResult) {
+  Truth truth = loadTruth(kConfig + "example1_truth.yaml");
+  truth.samples = {2000};
+  writeCsv(folder_ / "long.csv", simulate(truth, 1));
+  const std::string automatic = write("auto.yaml", "nominal_model: {orders: auto}");
+  Process process({std::string(TOOLS_FOLDER) + "/identify", "--config", automatic, "--output",
+                   result_, folder_ / "long.csv"});
+  ASSERT_TRUE(process.waitUntilItHandles(SIGINT));
+  ASSERT_EQ(kill(process.id(), SIGINT), 0);
+  expectFailure(process.wait(), 1, "identify", "cancelled; nothing was written");
+  EXPECT_FALSE(fs::exists(result_));
+}
+
+TEST_F(Tools, SimulateWritesTheSameExperimentsInEveryForm) {
+  const Truth truth = loadTruth(kConfig + "example1_truth.yaml");
+  const std::vector<Experiment> expected = simulate(truth, 7);
+  const std::string answer = folder_ / "answer.json";
+  ASSERT_EQ(simulateExample(folder_ / "a.csv", {"--seed", "7", "--answer", answer}).status, 0);
+  const ProcessResult folder = simulateExample(folder_ / "a", {"--seed", "7"});
+  ASSERT_EQ(folder.status, 0) << folder.errors;
+  EXPECT_EQ(folder.output + folder.errors, "");
+  const std::vector<Experiment> read = readCsv(folder_ / "a.csv").experiments;
+  ASSERT_EQ(read.size(), expected.size());
+  for (std::size_t r = 0; r < read.size(); ++r) {
+    EXPECT_EQ(read[r].id, expected[r].id);
+    EXPECT_EQ(read[r].u, expected[r].u);
+    EXPECT_EQ(read[r].y, expected[r].y);
+    const LoadedData single = readCsv(folder_ / ("a/" + expected[r].id + ".csv"));
+    ASSERT_EQ(single.experiments.size(), 1u);
+    EXPECT_EQ(single.experiments[0].y, expected[r].y);
+  }
+  EXPECT_EQ(nlohmann::json::parse(readFile(answer)), answerJson(truth, 7));
+}
+
+TEST_F(Tools, EveryFormGivesTheSameEstimate) {
+  std::vector<Estimate> estimates;
+  for (const std::string name : {"e.csv", "e.bag", "e"}) {
+    ASSERT_EQ(simulateExample(folder_ / name).status, 0);
+    const ProcessResult run = identify({folder_ / name});
+    ASSERT_EQ(run.status, 0) << run.errors;
+    estimates.push_back(loadResult(result_));
+  }
+  for (const Estimate& estimate : estimates) {
+    EXPECT_EQ(estimate.experiment_count, 100);
+    EXPECT_NEAR(estimate.log_likelihood, estimates[0].log_likelihood, 1e-6);
+    EXPECT_NEAR(estimate.nominal_model.b(0), estimates[0].nominal_model.b(0), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
