@@ -1,0 +1,81 @@
+#include "uncertainty_identification/io/result_text.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+Estimate example() {
+  Estimate estimate;
+  estimate.experiment_count = 100;
+  estimate.sample_count = 10000;
+  NominalModelEstimate& nominal = estimate.nominal_model;
+  nominal.structure = "box_jenkins";
+  nominal.sample_time = 0.01;
+  nominal.delay = 2;
+  nominal.b = Eigen::Vector2d(1.25, -0.5);
+  nominal.a = nominal.c = Eigen::VectorXd::Constant(1, -0.5);
+  nominal.parameters = {{"b1", "V", 1.25, 0.01, kNan}};
+  estimate.error_model.T = Eigen::Vector2d(1, -1);
+  estimate.error_model.mixture = {{0.25, 0.75},
+                                  {Eigen::Vector2d(-1, 2), Eigen::Vector2d(1, 3)},
+                                  {Eigen::Matrix2d::Identity(), Eigen::Matrix2d::Zero()}};
+  estimate.noise_variance.value = 0.125;
+  estimate.termination = Termination::converged;
+  estimate.message = "the gain left is small";
+  return estimate;
+}
+
+void expectPart(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << "no " << part << " in\n" << text;
+}
+
+TEST(ResultText, ShowsModelMixtureAndHowItEnded) {
+  const std::string text = resultText(example());
+  expectPart(text, "Nominal model: box_jenkins, delay 2 samples, sample time 0.01 s\n");
+  expectPart(text, "B =  1.25 q^-2 - 0.5 q^-3\n");
+  expectPart(text, "A =  1 - 0.5 q^-1\n");
+  expectPart(text, "D =  1\n");
+  expectPart(text, "b1              1.25   0.01            -       V\n");
+  expectPart(text, "1          0.25    (-1, 2)  [1 0; 0 1]\n");
+  expectPart(text, "Noise variance 0.125");
+  expectPart(text, "from 100 experiments with 10000 samples\n");
+  expectPart(text, "Ended: converged after");
+  expectPart(text, "the gain left is small\n");
+}
+
+TEST(ResultText, ShowsFindingsOnlyWhereThereAreAny) {
+  Estimate estimate = example();
+  for (const char* heading : {"Candidates", "Validation", "Rejected", "Warning"}) {
+    EXPECT_EQ(resultText(estimate).find(heading), std::string::npos) << heading;
+  }
+  estimate.rejected = {{"run7", "the input is constant; let it change"}};
+  estimate.warnings = {"three experiments only"};
+  estimate.candidates = {{"orders", "arx nb=1 na=1 delay=1", 3, -5, 20, 87.5, true}};
+  estimate.validation = {{"v1"}, {91.5}, 90.5, -12};
+  const std::string text = resultText(estimate);
+  expectPart(text, "Rejected run7: the input is constant; let it change\n");
+  expectPart(text, "Warning: three experiments only\n");
+  expectPart(text,
+             "arx nb=1 na=1 delay=1  3           -5              20   87.5              chosen\n");
+  expectPart(text, "Validation, log density per experiment -12\n");
+  expectPart(text, "v1          91.5\n");
+  expectPart(text, "pooled      90.5\n");
+}
+
+TEST(ResultText, PlainModelHasNoMixture) {
+  Estimate estimate = example();
+  estimate.error_model = {};
+  expectPart(resultText(estimate), "Error model: none\n");
+}
+
+TEST(ResultText, AnEstimateThatWasNeverRunSaysSo) {
+  expectPart(resultText(Estimate{}), "Ended: not_run after 0 iterations");
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
