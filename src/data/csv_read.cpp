@@ -41,7 +41,7 @@ bool fitsGrid(const SampleGrid& grid, const CsvOptions& options) {
   const double samples = static_cast<double>(grid.slots.back()) + 1;
   return grid.one_to_one && std::abs(grid.period - wanted) <= kSameRate * wanted &&
          !(jitter_limit > 0 && grid.max_departure > jitter_limit) &&
-         samples <= options.limits.max_samples && 1 - rows / samples <= options.limits.max_missing;
+         1 - rows / samples <= options.limits.max_missing;
 }
 
 /// The last finite value so far at each sample; before the first one, that one. NaN if there is

@@ -252,6 +252,42 @@ TEST(Cutter, DurationCutsConsecutiveWindows) {
   EXPECT_EQ(finished[2].id, "experiment_002");
 }
 
+TEST(Cutter, DurationStartsWithTheSignalThatComesLast) {
+  ExperimentCutter cutter(mode(ExperimentMode::duration, 2), {});
+  for (double stamp = 0; stamp < 1; stamp += kStep) cutter.addOutput(stamp, 0);
+  feed(cutter, 1, 4);
+  cutter.flush();
+  const auto finished = cutter.takeFinished();
+  ASSERT_EQ(finished.size(), 2u);
+  expectSpan(finished[0].output, 1, 3 - kStep);
+}
+
+TEST(Cutter, SamplesOfAReleasedWindowAreTooLate) {
+  ExperimentCutter cutter(mode(ExperimentMode::duration, 1), {});
+  feed(cutter, 0, 0.75);
+  cutter.addInput(1.5, 0);
+  cutter.releaseClosed();
+  ASSERT_EQ(cutter.takeFinished().size(), 1u);
+  cutter.addOutput(0.875, 0);
+  feed(cutter, 1.5, 1.75);
+  cutter.flush();
+  const auto finished = cutter.takeFinished();
+  ASSERT_EQ(finished.size(), 1u);
+  expectSpan(finished[0].output, 1.5, 1.75 - kStep);
+}
+
+TEST(Cutter, AHeldInputGoesWithEveryWindow) {
+  ExperimentCutter cutter(mode(ExperimentMode::duration, 1), {});
+  cutter.addInput(0, 7);  // published once
+  for (double stamp = 0; stamp < 3; stamp += kStep) cutter.addOutput(stamp, 0);
+  cutter.flush();
+  const auto finished = cutter.takeFinished();
+  ASSERT_EQ(finished.size(), 3u);
+  for (const Recording& recording : finished) {
+    EXPECT_EQ(recording.input.values, (std::vector<double>{7}));
+  }
+}
+
 TEST(Cutter, DurationPassesOverEmptyWindows) {
   ExperimentCutter cutter(mode(ExperimentMode::duration, 2), {});
   feed(cutter, 0, 2);

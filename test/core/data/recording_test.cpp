@@ -122,6 +122,21 @@ TEST(Resample, JitterShiftsNoSampleAndIsKept) {
   }
   EXPECT_NEAR(report.max_jitter, 0.002, 2e-4);
   EXPECT_EQ(report.warnings().size(), 1u);
+  ResamplingOptions options;
+  options.output = OutputResampling::linear;  // moves the values to the grid points instead
+  EXPECT_EQ(resample(recordingOf(input, output), 0.01, options).stamp_offset.size(), 0);
+}
+
+TEST(Resample, IndependentJitterDoesNotShiftTheInput) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    std::mt19937_64 engine(seed);
+    std::uniform_real_distribution<double> jitter(-0.001, 0.001);
+    StampedSignal input = ramp(100, 0.01, 500, 0), output = input;
+    for (double& stamp : input.stamps) stamp += jitter(engine);
+    for (double& stamp : output.stamps) stamp += jitter(engine);
+    const Experiment experiment = resample(recordingOf(input, output), 0.01, {});
+    EXPECT_EQ(experiment.u, experiment.y) << seed;
+  }
 }
 
 TEST(Resample, SignalsStampedTogetherStayTogetherUnderJitterAndDrift) {
@@ -154,6 +169,13 @@ TEST(Resample, InputOfAnotherRateIsHeld) {
   EXPECT_EQ(experiment.start_time, 1);
   const Eigen::VectorXd expected = (Eigen::VectorXd(9) << 0, 0, 1, 1, 2, 2, 2, 3, 3).finished();
   EXPECT_EQ(experiment.u, expected);  // at 5 s exactly, the sample of that instant counts
+}
+
+TEST(Resample, RareCommandsCountFromTheirStamps) {
+  const StampedSignal steps{{0, 5.004, 10, 15, 20}, {0, 1, 2, 3, 4}};  // nearly periodic, by chance
+  const Experiment experiment = resample(recordingOf(steps, ramp(0, 0.01, 2000, 0)), 0.01, {});
+  EXPECT_EQ(experiment.u(500), 0);
+  EXPECT_EQ(experiment.u(501), 1);
 }
 
 TEST(Resample, InputStampedAfterTheOutputIsTheOldOneStill) {

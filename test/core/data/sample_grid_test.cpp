@@ -48,6 +48,13 @@ TEST(SampleGrid, EventsFollowNoGrid) {
   EXPECT_NEAR(grid.period, std::log(2.0), 0.15);  // the median spacing
 }
 
+TEST(SampleGrid, ToleranceCoversWhatADoubleResolves) {
+  EXPECT_DOUBLE_EQ(stampTolerance(0, 0.01), 1e-8);
+  EXPECT_DOUBLE_EQ(stampTolerance(-5, 100), 1e-4);
+  EXPECT_GT(stampTolerance(1.7e9, 0.01), 2.4e-7);  // the spacing of doubles there
+  EXPECT_LT(stampTolerance(1.7e9, 0.01), 2e-6);
+}
+
 TEST(SampleGrid, SurvivesAbsurdStamps) {
   EXPECT_EQ(fitSampleGrid({}).period, 0);
   EXPECT_EQ(fitSampleGrid({5}).period, 0);
