@@ -43,9 +43,19 @@ double commonSampleTime(const std::vector<Experiment>& experiments,
   return common;
 }
 
+/// Whether the input changes at most once. Such a step excites slow dynamics only, and what follows
+/// is the same at any later time.
+bool isSingleStep(const Experiment& experiment) {
+  int changes = 0;
+  for (Eigen::Index k = 1; k < experiment.u.size() && changes < 2; ++k) {
+    if (experiment.u(k) != experiment.u(k - 1)) ++changes;
+  }
+  return changes < 2;
+}
+
 class Checker {
  public:
-  Checker(const std::vector<Experiment>& experiments) : experiments_(experiments) {}
+  explicit Checker(const std::vector<Experiment>& experiments) : experiments_(experiments) {}
 
   void checkEach(const LimitOptions& limits, const std::vector<std::string>& required_covariates) {
     for (std::size_t i = 0; i < experiments_.size(); ++i) {
@@ -86,6 +96,20 @@ class Checker {
     }
   }
 
+  void checkExcitation() {
+    const std::vector<int> usable = accepted();
+    const auto single = [&](int i) {
+      return isSingleStep(experiments_[static_cast<std::size_t>(i)]);
+    };
+    if (usable.empty() || !std::all_of(usable.begin(), usable.end(), single)) return;
+    std::string which = named(experiments_[static_cast<std::size_t>(usable.front())].id);
+    if (usable.size() > 1) which += " and the other " + std::to_string(usable.size() - 1);
+    report_.warnings.push_back(
+        which +
+        ": the input changes only once; a single step excites little beyond low "
+        "frequencies, record several steps or a random binary sequence");
+  }
+
   CheckReport report() {
     report_.usable = accepted();
     for (const auto& [i, reason] : reasons_)
@@ -121,6 +145,7 @@ CheckReport checkExperiments(const std::vector<Experiment>& experiments, const L
   checker.checkEach(limits, required_covariates);
   checker.checkIds();
   checker.checkSampleTimes(sample_time);
+  checker.checkExcitation();
   return checker.report();
 }
 

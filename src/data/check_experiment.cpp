@@ -111,27 +111,12 @@ void checkCounts(const Experiment& experiment, const LimitOptions& limits, Findi
   }
 }
 
-/// An input step tells gain and slow dynamics only: the response decays while the input stands
-/// still.
 void checkExcitation(const Experiment& experiment, Findings& findings) {
   const Eigen::VectorXd& u = experiment.u;
-  if ((u.array() == u(0)).all()) {
-    findings.reject("the input is constant (" + text(u(0)) +
-                    "), so nothing is excited; record it while the input "
-                    "changes, e.g. a random binary sequence");
-    return;
-  }
-  Eigen::Index changes = 0, last = 0;
-  for (Eigen::Index k = 1; k < u.size(); ++k) {
-    if (u(k) == u(k - 1)) continue;
-    ++changes;
-    last = k;
-  }
-  if (changes == 1) {
-    findings.warn("the input changes only once, at " + place(experiment, last) +
-                  "; a single step excites little beyond low frequencies, record several or a "
-                  "random binary sequence");
-  }
+  if ((u.array() != u(0)).any()) return;
+  findings.reject(
+      "the input is constant (" + text(u(0)) +
+      "), so nothing is excited; record it while the input changes, e.g. a random binary sequence");
 }
 
 void checkResponse(const Experiment& experiment, Findings& findings) {

@@ -139,6 +139,15 @@ void measureDepartures(const std::vector<double>& stamps, SampleGrid& grid) {
   grid.typical_departure = median(std::move(departures));
 }
 
+/// [s] by how much the period may be off without moving a slot by more than the jitter, or by more
+/// than rounding where there is none.
+double periodUncertainty(const std::vector<double>& stamps, const SampleGrid& grid) {
+  constexpr double kRounding = 1e-14;  // of the line through the stamps, relative
+  const double resolution = std::abs(stamps.back()) * std::numeric_limits<double>::epsilon();
+  const double jitter = std::max(grid.max_departure, resolution);
+  return std::max(jitter / static_cast<double>(grid.slots.back()), kRounding * grid.period);
+}
+
 bool allDistinct(const std::vector<long>& slots) {
   return std::adjacent_find(slots.begin(), slots.end()) == slots.end();
 }
@@ -166,13 +175,10 @@ SampleGrid fitSampleGrid(const std::vector<double>& stamps) {
     grid.period = middle;
     return grid;
   }
-  const auto steps = static_cast<double>(grid.slots.back());
-  const double resolution = std::abs(stamps.back()) * std::numeric_limits<double>::epsilon();
   const double first_step = (stamps[1] - stamps[0]) / static_cast<double>(grid.slots[1]);
-  grid.period =
-      reproduces(stamps, grid.slots, first_step)
-          ? first_step
-          : simplestDecimal(grid.period, std::max(grid.max_departure, resolution) / steps);
+  grid.period = reproduces(stamps, grid.slots, first_step)
+                    ? first_step
+                    : simplestDecimal(grid.period, periodUncertainty(stamps, grid));
   measureDepartures(stamps, grid);
   grid.one_to_one = grid.max_departure < 0.5 * grid.period;
   return grid;

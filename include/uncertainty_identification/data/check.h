@@ -27,14 +27,15 @@ struct CheckReport {
 /// Findings about one experiment by itself: no samples or one; fewer than min_samples measured; u,
 /// y, valid, covariates or stamp_offset of unequal length; sample time not positive; a non-finite
 /// u, measured y or covariate; constant input or output; more than max_missing of the output
-/// missing; a required covariate absent. A warning where the input takes one step only. A covariate
-/// that is not required but not finite is a warning too.
+/// missing; a required covariate absent. A covariate that is not required but not finite is a
+/// warning.
 std::vector<Finding> checkExperiment(const Experiment& experiment, const LimitOptions& limits,
                                      const std::vector<std::string>& required_covariates);
 
 /// Checks all experiments before a fit. Beyond checkExperiment: a second experiment of the same id
 /// is rejected, and one whose sample time departs by more than a thousandth from `sample_time` [s]
-/// (0: from that of most experiments).
+/// (0: from that of most experiments). A warning where no usable input does more than a single
+/// step.
 CheckReport checkExperiments(const std::vector<Experiment>& experiments, const LimitOptions& limits,
                              const std::vector<std::string>& required_covariates,
                              double sample_time);

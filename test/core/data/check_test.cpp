@@ -197,15 +197,19 @@ TEST(Check, NonFiniteCovariatesRejectOnlyWhereRequired) {
   EXPECT_EQ(report.warnings.size(), 1u);
 }
 
-TEST(Check, ASingleStepIsWarnedOf) {
-  Experiment step = good("step");
-  step.u.head(20).setZero();
-  step.u.tail(30).setOnes();
-  const CheckReport report = check({step});
-  EXPECT_EQ(report.usable.size(), 1u);
+TEST(Check, SingleStepsAreWarnedOfWhenThereIsNothingElse) {
+  std::vector<Experiment> steps{good("up"), good("down")};
+  for (int i = 0; i < 2; ++i) {
+    steps[static_cast<std::size_t>(i)].u.head(20).setConstant(i);
+    steps[static_cast<std::size_t>(i)].u.tail(30).setConstant(1 - i);
+  }
+  const CheckReport report = check(steps);
+  EXPECT_EQ(report.usable.size(), 2u);
   ASSERT_EQ(report.warnings.size(), 1u);
-  EXPECT_NE(report.warnings[0].find("'step': the input changes only once, at sample 20 (12 s)"),
+  EXPECT_NE(report.warnings[0].find("'up' and the other 1: the input changes only once"),
             std::string::npos);
+  steps[1].u(49) = 5;
+  EXPECT_TRUE(check(steps).warnings.empty());
 }
 
 TEST(Check, SeveralFindingsAreAllTold) {
