@@ -100,7 +100,16 @@ TEST(ResultJson, HoldsTheFieldsOfTheFormat) {
   EXPECT_EQ(tree["error_model"]["covariances"], json::parse("[[[0.2]], [[0]]]"));
   EXPECT_EQ(tree["noise_variance"]["standard_error"], 0.01);
   EXPECT_EQ(tree["offsets"], json({{"u", -1e-17}, {"y", 3}}));
+  EXPECT_EQ(tree["log_likelihood"], -3092.5330585980146);
+  EXPECT_EQ(tree["bic"], 1e22);
   EXPECT_EQ(tree["termination"], "iteration_limit");
+  EXPECT_EQ(tree["message"], "stopped");
+  EXPECT_EQ(tree["iterations"], 7);
+  EXPECT_EQ(tree["passes"], 9);
+  EXPECT_EQ(tree["seconds"], 0.5);
+  EXPECT_EQ(tree["data_fingerprint"], "abc");
+  EXPECT_EQ(tree["trace"][1], json({{"iteration", 2}, {"passes", 4}, {"log_likelihood", -4.5}}));
+  EXPECT_EQ(tree["experiments"]["estimates"][0]["responsibilities"], json({0.1, 0.9}));
   EXPECT_EQ(tree["validation"]["simulation_fit_percent_pooled"], 85);
   EXPECT_EQ(tree["candidates"][0]["chosen"], true);
   EXPECT_EQ(tree["configuration"], toJson(estimate().configuration));

@@ -86,7 +86,8 @@ TEST(Input, MultisineHasItsTonesOnly) {
 
 TEST(RandomStream, DiffersByPurposeExperimentAndTheWholeSeed) {
   std::set<std::uint64_t> first;
-  for (const std::uint64_t seed : {std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{1} << 32}) {
+  for (const std::uint64_t seed :
+       {std::uint64_t{1}, std::uint64_t{2}, (std::uint64_t{1} << 32) + 1}) {
     for (const int r : {0, 1}) {
       for (const RandomPurpose purpose : {RandomPurpose::input, RandomPurpose::noise}) {
         first.insert(randomStream(seed, r, purpose)());

@@ -238,6 +238,16 @@ TEST(Simulate, NoiseStartsAtRestOrStationary) {
   }
 }
 
+TEST(Simulate, NoiseDoesNotDependOnTheInput) {
+  Truth truth;
+  truth.samples = {40000};
+  truth.plant.b = VectorXd::Zero(1);
+  truth.noise.variance = 1;
+  const Experiment experiment = simulateExperiment(truth, 1, 0);
+  // The correlation of so many independent pairs has a standard error of 0.005.
+  EXPECT_NEAR(experiment.u.dot(experiment.y) / 40000, 0, 0.02);
+}
+
 TEST(Simulate, MissingShare) {
   Truth truth = plainTruth();
   truth.samples = {20000};
