@@ -44,7 +44,7 @@ void CleanSignal::removeJitter(double sample_time) {
 }
 
 CleanSignal cleanSignal(const StampedSignal& signal, const std::string& experiment,
-                        const std::string& role, double start, double end) {
+                        const std::string& role, Duplicates keep, double start, double end) {
   if (signal.stamps.size() != signal.values.size()) {
     refuse(experiment, role,
            "has " + std::to_string(signal.stamps.size()) + " stamps for " +
@@ -58,6 +58,7 @@ CleanSignal cleanSignal(const StampedSignal& signal, const std::string& experime
     if (stamp == 0) ++clean.zero_stamps;
     if (!clean.stamps.empty() && stamp == clean.stamps.back()) {
       ++clean.duplicate_stamps;
+      if (keep == Duplicates::keep_last) clean.values.back() = signal.values[i];
       continue;
     }
     clean.stamps.push_back(stamp);

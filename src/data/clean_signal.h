@@ -31,6 +31,6 @@ struct CleanSignal {
 /// grid. `role` names the signal in messages. Throws DataError for backward or non-finite stamps
 /// and for a signal without samples.
 CleanSignal cleanSignal(const StampedSignal& signal, const std::string& experiment,
-                        const std::string& role, double start = 0, double end = 0);
+                        const std::string& role, Duplicates keep, double start = 0, double end = 0);
 
 }  // namespace uncertainty_identification

@@ -35,7 +35,8 @@ void addCovariates(const Recording& recording, const std::vector<double>& instan
   for (const auto& [name, signal] : recording.covariates) {
     const StampedSignal finite = finitePart(signal);
     if (finite.stamps.empty()) continue;
-    const CleanSignal clean = cleanSignal(finite, recording.id, "covariate '" + name + "'");
+    const CleanSignal clean =
+        cleanSignal(finite, recording.id, "covariate '" + name + "'", Duplicates::keep_last);
     Eigen::VectorXd values(experiment.samples());
     for (Eigen::Index k = 0; k < values.size(); ++k) {
       const double instant = instants[static_cast<std::size_t>(k)];

@@ -32,21 +32,21 @@ bool ExperimentCutter::cutsByCall() const {
 }
 
 void ExperimentCutter::addInput(double stamp, double value) {
-  addSample("input", input_, stamp, value);
+  addSample("input", input_, stamp, value, Duplicates::keep_last);
 }
 
 void ExperimentCutter::addOutput(double stamp, double value) {
-  addSample("output", output_, stamp, value);
+  addSample("output", output_, stamp, value, Duplicates::keep_first);
 }
 
 void ExperimentCutter::addCovariate(const std::string& name, double stamp, double value) {
-  addSample("covariate '" + name + "'", covariates_[name], stamp, value);
+  addSample("covariate '" + name + "'", covariates_[name], stamp, value, Duplicates::keep_last);
 }
 
 void ExperimentCutter::addSample(const std::string& signal, StampedBuffer& buffer, double stamp,
-                                 double value) {
+                                 double value, Duplicates keep) {
   if (!acceptStamp(signal, buffer.newest(), stamp)) return;
-  if (!buffer.push(stamp, value)) ++duplicates_;
+  if (!buffer.push(stamp, value, keep)) ++duplicates_;
   advance();
 }
 

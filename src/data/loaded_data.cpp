@@ -1,5 +1,6 @@
 #include "uncertainty_identification/data/loaded_data.h"
 
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -7,6 +8,19 @@
 
 namespace uncertainty_identification {
 namespace {
+
+/// Relative difference below which two fitted sample times are the same one, but for jitter.
+constexpr double kSameRate = 0.02;
+
+/// Resamples at the sample time of the first experiment if the recording has the same rate.
+Experiment resampleAlike(const Recording& recording, const std::vector<Experiment>& others,
+                         const ResamplingOptions& options, ResamplingReport& report) {
+  Experiment experiment = resample(recording, 0, options, &report);
+  if (others.empty()) return experiment;
+  const double common = others.front().sample_time, own = experiment.sample_time;
+  if (own == common || std::abs(own - common) > kSameRate * common) return experiment;
+  return resample(recording, common, options, &report);
+}
 
 template <typename T>
 void moveInto(std::vector<T>& from, std::vector<T>& to) {
@@ -19,7 +33,9 @@ void addResampled(const Recording& recording, double sample_time, const Resampli
                   LoadedData& data) {
   try {
     ResamplingReport report;
-    data.experiments.push_back(resample(recording, sample_time, options, &report));
+    data.experiments.push_back(sample_time > 0
+                                   ? resample(recording, sample_time, options, &report)
+                                   : resampleAlike(recording, data.experiments, options, report));
     for (std::string& warning : report.warnings()) data.warnings.push_back(std::move(warning));
     if (!recording.note.empty()) {
       data.warnings.push_back("experiment '" + recording.id + "': " + recording.note);

@@ -179,9 +179,9 @@ ResamplingReport makeReport(const Recording& recording, const CleanSignal& input
 
 Experiment resample(const Recording& recording, double sample_time,
                     const ResamplingOptions& options, ResamplingReport* report) {
-  CleanSignal input = cleanSignal(recording.input, recording.id, "input");
-  CleanSignal output =
-      cleanSignal(recording.output, recording.id, "output", recording.start, recording.end);
+  CleanSignal input = cleanSignal(recording.input, recording.id, "input", Duplicates::keep_last);
+  CleanSignal output = cleanSignal(recording.output, recording.id, "output", Duplicates::keep_first,
+                                   recording.start, recording.end);
   if (!(sample_time > 0)) sample_time = output.grid.period;
   checkOutputStamps(recording, output, sample_time, options);
   input.removeJitter(sample_time);
@@ -209,7 +209,8 @@ std::vector<std::string> ResamplingReport::warnings() const {
   const auto warn = [&](const std::string& what) { found.push_back(named(id) + ": " + what); };
   if (duplicate_stamps > 0) {
     warn(std::to_string(duplicate_stamps) +
-         " samples repeat the stamp before them and were left out; stamp each sample when it is "
+         " samples repeat the stamp before them, so that only one of each counts; stamp each "
+         "sample when it is "
          "taken");
   }
   if (zero_stamps > 2) {  // input and output may both begin at 0

@@ -9,9 +9,11 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-bool StampedBuffer::push(double stamp, double value) {
+bool StampedBuffer::push(double stamp, double value, Duplicates keep) {
   if (stamp == newest_) {
-    if (!samples_.empty()) ++samples_.back().duplicates;
+    if (samples_.empty()) return false;
+    ++samples_.back().duplicates;
+    if (keep == Duplicates::keep_last) samples_.back().value = value;
     return false;
   }
   samples_.push_back({stamp, value, 0});

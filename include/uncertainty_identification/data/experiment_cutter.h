@@ -79,7 +79,7 @@ class ExperimentCutter {
   /// Hands out what was rejected since the last call, in order.
   std::vector<RejectedExperiment> takeRejected();
 
-  /// Samples left out because their stamp was that of the one before.
+  /// Samples with the stamp of the one before, of which only one counts (see Duplicates).
   long duplicates() const { return duplicates_; }
 
   /// How often the clock went back.
@@ -103,7 +103,8 @@ class ExperimentCutter {
   bool cutsByCall() const;
   bool ended(const Window& window) const { return window.end <= now_; }
 
-  void addSample(const std::string& signal, StampedBuffer& buffer, double stamp, double value);
+  void addSample(const std::string& signal, StampedBuffer& buffer, double stamp, double value,
+                 Duplicates keep);
   bool acceptStamp(const std::string& signal, double newest, double stamp);
   void resetClock(const std::string& signal, double from, double to);
 

@@ -18,7 +18,8 @@ struct LoadedData {
 };
 
 /// Resamples a recording and adds it to `data`: to the experiments, or to the rejected ones with
-/// the reason.
+/// the reason. With sample_time 0, a recording of the same rate as the first experiment (within two
+/// per cent, which jitter leaves open) gets its sample time, another one keeps its own.
 void addResampled(const Recording& recording, double sample_time, const ResamplingOptions& options,
                   LoadedData& data);
 

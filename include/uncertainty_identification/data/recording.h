@@ -15,6 +15,10 @@ struct StampedSignal {
   std::vector<double> values;
 };
 
+/// Which of several samples with one stamp counts: of the output the first; of what is held (input,
+/// covariates) the last, because it is in force from then on.
+enum class Duplicates { keep_first, keep_last };
+
 /// The raw material of one experiment: what lies between two cuts, before resampling.
 struct Recording {
   std::string id;

@@ -14,8 +14,8 @@ class StampedBuffer {
   static constexpr double kNever = -std::numeric_limits<double>::infinity();
 
   /// Appends a sample; its stamp must not be smaller than the newest. False for a duplicate (equal
-  /// to the newest), which is counted with the sample it repeats and left out.
-  bool push(double stamp, double value);
+  /// to the newest), of which one is kept, and which is counted with it.
+  bool push(double stamp, double value, Duplicates keep = Duplicates::keep_first);
 
   /// Newest stamp shown since the last clear() [s], also of samples that are forgotten; kNever if
   /// none.

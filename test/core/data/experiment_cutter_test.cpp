@@ -333,13 +333,15 @@ TEST(Cutter, DuplicateStampsAreLeftOutAndCounted) {
     cutter.addInput(stamp, 1);
     cutter.addOutput(stamp, 1);
     cutter.addOutput(stamp, 2);
+    cutter.addInput(stamp, 3);  // in force from then on
   }
   cutter.flush();
-  EXPECT_EQ(cutter.duplicates(), 3);
+  EXPECT_EQ(cutter.duplicates(), 6);
   const auto finished = cutter.takeFinished();
   ASSERT_EQ(finished.size(), 1u);
   EXPECT_EQ(finished[0].output.values, (std::vector<double>{1, 1, 1}));
-  EXPECT_EQ(finished[0].duplicate_stamps, 3);
+  EXPECT_EQ(finished[0].input.values, (std::vector<double>{3, 3, 3}));
+  EXPECT_EQ(finished[0].duplicate_stamps, 6);
 }
 
 TEST(Cutter, BackwardClockRejectsTheRunningExperimentAndGoesOn) {

@@ -301,6 +301,12 @@ TEST(Resample, DuplicateStampsAreLeftOutAndCounted) {
   EXPECT_TRUE(mentions(report.warnings()[0], "'run': 2 samples repeat"));
 }
 
+TEST(Resample, OfInputsWithOneStampTheLastIsInForce) {
+  const StampedSignal input{{0, 2, 2, 4}, {0, 1, 9, 5}};
+  const Experiment experiment = resample(recordingOf(input, ramp(0, 1, 5, 0)), 1, {});
+  EXPECT_EQ(experiment.u, (Eigen::VectorXd(5) << 0, 0, 9, 9, 5).finished());
+}
+
 TEST(Resample, BackwardStampsAreRefused) {
   StampedSignal output = ramp(0, 1, 30, 0);
   output.stamps[12] = 3;
