@@ -64,8 +64,9 @@ ui::Estimate identify(const po::variables_map& arguments, const ui::InterruptGua
 
 int run(const po::variables_map& arguments) {
   requireAvailable(arguments["method"].as<std::string>());
-  if (arguments.count("data") == 0)
+  if (arguments.count("data") == 0) {
     throw ui::ConfigurationError("no DATA given; see identify --help");
+  }
   const std::string output = arguments["output"].as<std::string>();
   ui::requireWritable(output);
   const ui::InterruptGuard interrupt;
@@ -89,12 +90,10 @@ int main(int argc, char** argv) {
   program.name = kName;
   program.usage = "--config C.yaml --output result.json [--validation DATA]... [--] DATA...";
   program.purpose =
-      "Estimates the nominal model, the noise model and the distribution of the model's error "
-      "from\n"
-      "experiments, and writes them to a JSON file. DATA is a .bag, a .csv with the columns\n"
-      "experiment,t,u,y or t,u,y, or a folder of such files; further columns are covariates.\n"
-      "Exit status: 0 done; 1 the data cannot support an answer, or cancelled; 2 usage or "
-      "configuration.";
+      R"(Estimates the nominal model, the noise model and the distribution of the model's error from
+experiments, and writes them to a JSON file. DATA is a .bag, a .csv with the columns experiment,t,u,y
+or t,u,y, or a folder of such files; further columns are covariates.
+Exit status: 0 done; 1 the data cannot support an answer, or cancelled; 2 usage or configuration.)";
   program.options.add_options()  //
       ("config", po::value<std::string>()->required()->value_name("FILE"),
        "configuration (YAML); config/reference.yaml explains every key")  //

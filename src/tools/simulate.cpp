@@ -55,11 +55,9 @@ int main(int argc, char** argv) {
   program.usage =
       "--config TRUTH.yaml --output FILE.bag|FILE.csv|DIR [--answer answer.json] [--seed S]";
   program.purpose =
-      "Simulates experiments on a known system, such as the paper's examples "
-      "(config/example1_truth.yaml).\n"
-      "The same truth and seed give the same experiments, and experiment r does not depend on how "
-      "many\n"
-      "there are. Exit status: 0 done; 2 usage or configuration.";
+      R"(Simulates experiments on a known system, such as the paper's (config/example1_truth.yaml). The same
+truth and seed give the same experiments, and an experiment does not depend on how many there are.
+Exit status: 0 done; 2 usage or configuration.)";
   program.options.add_options()  //
       ("config", po::value<std::string>()->required()->value_name("FILE"),
        "the truth (YAML); config/truth_reference.yaml explains every key")  //
