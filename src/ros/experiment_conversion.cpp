@@ -92,4 +92,14 @@ Experiment fromMessage(const messages::Experiment& message) {
   return experiment;
 }
 
+messages::ExperimentSummary toMessage(const ExperimentDigest& digest) {
+  messages::ExperimentSummary message;
+  message.id = digest.id;
+  message.start = toStamp(digest.start, "experiment '" + digest.id + "', start time");
+  message.samples = static_cast<std::uint32_t>(digest.samples);
+  message.sample_time = digest.sample_time;
+  message.rejected = digest.rejected;
+  return message;
+}
+
 }  // namespace uncertainty_identification

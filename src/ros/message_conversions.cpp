@@ -1,7 +1,5 @@
 #include "uncertainty_identification/ros/message_conversions.h"
 
-#include <cmath>
-
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
 #include "uncertainty_identification/io/result_json.h"
@@ -152,8 +150,8 @@ messages::IdentificationResult toMessage(const Estimate& estimate, const ResultC
   message.nominal_model = toNominalModelMessage(estimate, context);
   message.error_model = toErrorModelMessage(estimate, context);
   message.experiment_count = static_cast<std::uint32_t>(estimate.experiment_count);
-  message.window_start = toStamp(context.window_start, "the first experiment's start");
-  message.window_end = toStamp(context.window_end, "the last experiment's end");
+  message.window_start = toStamp(context.window.start, "the first experiment's start");
+  message.window_end = toStamp(context.window.end, "the last experiment's end");
   message.fingerprint = estimate.data_fingerprint;
   message.warnings = estimate.warnings;
   message.configuration = toJson(estimate.configuration).dump();

@@ -6,6 +6,13 @@
 
 namespace uncertainty_identification {
 
+void requireReceipt(const RawMessage& message) {
+  if (message.receipt > 0) return;
+  throw DataError("type " + message.type +
+                  " has no header, and the clock that stamps it on receipt has not started; with "
+                  "use_sim_time something must publish /clock");
+}
+
 SignalDecoder::SignalDecoder(std::string topic, std::string field)
     : topic_(std::move(topic)), field_(std::move(field)) {}
 
@@ -16,6 +23,7 @@ StampedValue SignalDecoder::decode(const RawMessage& message) {
     throw DataError("topic '" + topic_ + "' changed to type " + message.type +
                     ", whose stamps come from another clock; keep one type per topic");
   }
+  if (clock == Clock::receipt) requireReceipt(message);
   const double stamp = decoder.hasStamp() ? decoder.stamp(message.bytes) : message.receipt;
   const StampedValue sample{stamp, decoder.value(message.bytes)};
   clock_ = clock;

@@ -24,18 +24,19 @@ TopicRouter::TopicRouter(const Configuration& configuration, const TopicResolver
   }
   if (configuration.experiment.mode == ExperimentMode::topic)
     marker_topic_ = resolve(configuration.experiment.topic);
+  marker_count_ = {"experiment.topic", marker_topic_, 0, ""};
 }
 
 void TopicRouter::addRoute(const std::string& key, const SignalOptions& signal,
                            const TopicResolver& resolve,
                            std::function<void(StampedValue)> deliver) {
-  routes_.push_back(
-      {key, SignalDecoder(resolve(signal.topic), signal.field), std::move(deliver), 0, ""});
+  const std::string topic = resolve(signal.topic);
+  routes_.push_back({SignalDecoder(topic, signal.field), std::move(deliver), {key, topic, 0, ""}});
 }
 
 std::vector<TopicRouter::Use> TopicRouter::uses() const {
   std::vector<Use> uses;
-  for (const auto& route : routes_) uses.push_back({route.decoder.topic(), route.key});
+  for (const auto& route : routes_) uses.push_back({route.count.topic, route.count.key});
   if (!marker_topic_.empty()) uses.push_back({marker_topic_, "experiment.topic"});
   return uses;
 }
@@ -46,7 +47,7 @@ void TopicRouter::add(const std::string& topic, const RawMessage& message) {
     try {
       route.deliver(route.decoder.decode(message));
     } catch (const DataError& error) {
-      if (route.left_out++ == 0) route.reason = error.what();
+      countLeftOut(route.count, error.what());
     }
   }
   if (!marker_topic_.empty() && topic == marker_topic_) addMarker(message);
@@ -55,6 +56,7 @@ void TopicRouter::add(const std::string& topic, const RawMessage& message) {
 void TopicRouter::addMarker(const RawMessage& message) {
   try {
     if (message.type == ros::message_traits::datatype<std_msgs::Bool>()) {
+      requireReceipt(message);
       cutter_.addMarker(message.receipt, deserialise<std_msgs::Bool>(message).data != 0);
     } else if (message.type == ros::message_traits::datatype<messages::ExperimentMarker>()) {
       const auto marker = deserialise<messages::ExperimentMarker>(message);
@@ -64,10 +66,19 @@ void TopicRouter::addMarker(const RawMessage& message) {
                                " cannot mark experiments (experiment.topic); it must be "
                                "std_msgs/Bool or uncertainty_identification/ExperimentMarker");
     }
-  } catch (const DataError&) {
-    ++broken_markers_;
+  } catch (const DataError& error) {
+    countLeftOut(marker_count_, error.what());
   }
 }
+
+void TopicRouter::countLeftOut(Count& count, const std::string& reason) {
+  if (count.left_out++ > 0) return;
+  count.reason = reason;
+  problems_.push_back(count.key + ": a message of topic '" + count.topic +
+                      "' was left out because " + reason);
+}
+
+std::vector<std::string> TopicRouter::takeProblems() { return std::exchange(problems_, {}); }
 
 std::vector<std::string> TopicRouter::stampedOnReceipt() const {
   std::vector<std::string> topics;
@@ -78,15 +89,13 @@ std::vector<std::string> TopicRouter::stampedOnReceipt() const {
 
 std::vector<std::string> TopicRouter::warnings() const {
   std::vector<std::string> warnings;
-  for (const auto& route : routes_) {
-    if (route.left_out == 0) continue;
-    warnings.push_back(route.key + ": " + std::to_string(route.left_out) + " messages of topic '" +
-                       route.decoder.topic() + "' were left out; the first because " +
-                       route.reason);
-  }
-  if (broken_markers_ > 0)
-    warnings.push_back(std::to_string(broken_markers_) + " broken markers on topic '" +
-                       marker_topic_ + "' were left out");
+  const auto add = [&warnings](const Count& count) {
+    if (count.left_out == 0) return;
+    warnings.push_back(count.key + ": " + std::to_string(count.left_out) + " messages of topic '" +
+                       count.topic + "' were left out; the first because " + count.reason);
+  };
+  for (const auto& route : routes_) add(route.count);
+  add(marker_count_);
   return warnings;
 }
 

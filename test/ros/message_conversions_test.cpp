@@ -99,7 +99,7 @@ TEST(MessageConversions, StartOutsideWhatStampsExpressIsRefused) {
 }
 
 TEST(MessageConversions, ModelsCarryEveryNumberRowMajor) {
-  const ResultContext context{ros::Time(5, 0), 9, true, 1, 3.5};
+  const ResultContext context{ros::Time(5, 0), 9, true, {1, 3.5}};
   const auto message = toMessage(makeEstimate(), context);
   EXPECT_EQ(message.header.stamp, ros::Time(5, 0));
   EXPECT_EQ(message.sequence, 9U);

@@ -4,6 +4,7 @@
 
 #include "uncertainty_identification/data/experiment.h"
 #include "uncertainty_identification/estimation/estimate.h"
+#include "uncertainty_identification/ros/experiment_set.h"
 #include "uncertainty_identification/ros/messages.h"
 
 /// Between the package's types and its messages: the only place where one becomes the other.
@@ -14,8 +15,7 @@ struct ResultContext {
   ros::Time stamp;
   std::uint32_t sequence = 0;
   bool preliminary = false;
-  double window_start = 0,
-         window_end = 0;  ///< [s] from the first sample to the last of the experiments
+  TimeWindow window;  ///< of the experiments given
 };
 
 /// Throws DataError when the start time does not fit a stamp (before 1970, after 2106).
@@ -24,6 +24,9 @@ messages::Experiment toMessage(const Experiment& experiment);
 /// Throws DataError, naming the experiment and the field, when sizes disagree, a covariate's kind
 /// is unknown or its name is empty or given twice.
 Experiment fromMessage(const messages::Experiment& message);
+
+/// The start is 0 for what was rejected before it had samples.
+messages::ExperimentSummary toMessage(const ExperimentDigest& digest);
 
 /// The parts of an estimate as messages.
 messages::NominalModel toNominalModelMessage(const Estimate& estimate,

@@ -24,6 +24,9 @@ struct StampedValue {
   double value = 0;
 };
 
+/// Throws DataError when the message has to be stamped on receipt, but the clock had not started.
+void requireReceipt(const RawMessage& message);
+
 /// Reads one numeric field out of the messages of a topic, whatever their type.
 class SignalDecoder {
  public:

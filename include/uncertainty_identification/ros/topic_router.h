@@ -43,26 +43,34 @@ class TopicRouter {
   /// Topics whose stamps are times of receipt, in order.
   std::vector<std::string> stampedOnReceipt() const;
 
+  /// Why messages of a topic were left out, once for each signal, since the last call.
+  std::vector<std::string> takeProblems();
+
   /// How many messages were left out on which topic, and why the first was. One sentence each.
   std::vector<std::string> warnings() const;
 
  private:
+  struct Count {
+    std::string key, topic;
+    long left_out = 0;
+    std::string reason;  // of the first
+  };
   struct Route {
-    std::string key;
     SignalDecoder decoder;
     std::function<void(StampedValue)> deliver;
-    long left_out = 0;
-    std::string reason;
+    Count count;
   };
 
   void addRoute(const std::string& key, const SignalOptions& signal, const TopicResolver& resolve,
                 std::function<void(StampedValue)> deliver);
   void addMarker(const RawMessage& message);
+  void countLeftOut(Count& count, const std::string& reason);
 
   ExperimentCutter cutter_;
   std::vector<Route> routes_;
   std::string marker_topic_;  // empty: experiments are not cut by a topic
-  long broken_markers_ = 0;
+  Count marker_count_;
+  std::vector<std::string> problems_;
 };
 
 }  // namespace uncertainty_identification

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "uncertainty_identification/errors.h"
+
+namespace uncertainty_identification {
+
+/// A request that is not allowed, as against one that fails.
+class RefusedError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// The bag that a name in a request means: a .bag file below `directory`. Throws RefusedError when
+/// the directory is empty (bag names are not allowed), the name is absolute, contains "..", or
+/// leads out of the directory through a link; FileError when there is no such bag.
+std::string resolveBagName(const std::string& directory, const std::string& name);
+
+}  // namespace uncertainty_identification

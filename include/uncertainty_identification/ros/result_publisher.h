@@ -1,0 +1,36 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <mutex>
+#include <optional>
+
+#include "uncertainty_identification/ros/identification_worker.h"
+#include "uncertainty_identification/ros/messages.h"
+
+namespace uncertainty_identification {
+
+/// Publishes results, latched: ~result, and its parts ~nominal_model and ~error_model with the same
+/// sequence number. May be used from any thread.
+class ResultPublisher {
+ public:
+  explicit ResultPublisher(ros::NodeHandle private_node);
+
+  void publish(const WorkerResult& result);
+
+  /// What was published last; nothing before the first result, or after forget().
+  std::optional<messages::IdentificationResult> last() const;
+
+  /// Number of the last result, 0 where last() is nothing.
+  std::uint32_t sequence() const;
+
+  void forget();
+
+ private:
+  ros::Publisher result_, nominal_model_, error_model_;
+  mutable std::mutex mutex_;  // guards what follows
+  std::uint32_t count_ = 0;
+  std::optional<messages::IdentificationResult> last_;
+};
+
+}  // namespace uncertainty_identification

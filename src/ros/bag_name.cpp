@@ -1,0 +1,38 @@
+#include "uncertainty_identification/ros/bag_name.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace uncertainty_identification {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isBelow(const fs::path& path, const fs::path& folder) {
+  const auto [end, unused] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  return end == folder.end();
+}
+
+}  // namespace
+
+std::string resolveBagName(const std::string& directory, const std::string& name) {
+  if (directory.empty())
+    throw RefusedError("bag '" + name +
+                       "': bag names are refused until bag_directory is configured");
+  const fs::path relative(name);
+  if (name.empty() || relative.is_absolute() ||
+      std::find(relative.begin(), relative.end(), "..") != relative.end())
+    throw RefusedError("bag '" + name + "': give a name below bag_directory, without '..'");
+  std::error_code error;
+  const fs::path folder = fs::canonical(directory, error);
+  if (error) throw FileError("bag_directory '" + directory + "': " + error.message());
+  const fs::path bag = fs::canonical(folder / relative, error);
+  if (error) throw FileError("bag '" + name + "' in bag_directory: " + error.message());
+  if (!isBelow(bag, folder))
+    throw RefusedError("bag '" + name + "' is a link that leads out of bag_directory");
+  if (!fs::is_regular_file(bag) || bag.extension() != ".bag")
+    throw FileError("bag '" + name + "' in bag_directory is no .bag file");
+  return bag.string();
+}
+
+}  // namespace uncertainty_identification

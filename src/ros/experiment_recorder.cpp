@@ -1,0 +1,138 @@
+#include "uncertainty_identification/ros/experiment_recorder.h"
+
+#include <utility>
+
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/ros/deserialise.h"
+#include "uncertainty_identification/ros/message_conversions.h"
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr std::uint32_t kQueueLength =
+    100000;  // messages; a burst is kept while the thread is busy
+constexpr std::chrono::milliseconds kSilence(
+    1000);                                 // after which nothing late is expected any more
+constexpr std::size_t kMaxReported = 100;  // different problems
+
+std::string experimentTopic(const Configuration& configuration,
+                            const ros::NodeHandle& private_node) {
+  const std::string& topic = configuration.experiment.topic;
+  return topic == ExperimentOptions().topic ? private_node.resolveName("experiment") : topic;
+}
+
+}  // namespace
+
+ExperimentRecorder::ExperimentRecorder(const ros::NodeHandle& node,
+                                       const ros::NodeHandle& private_node,
+                                       const Configuration& configuration, Listener listener)
+    : node_(node), configuration_(configuration), listener_(std::move(listener)) {
+  reset();
+  std::set<std::string> topics;
+  try {
+    if (router_) {
+      for (const auto& use : router_->uses()) topics.insert(use.topic);
+    } else {
+      topics.insert(node_.resolveName(experimentTopic(configuration, private_node)));
+    }
+  } catch (const ros::InvalidNameException& error) {
+    throw ConfigurationError(std::string("a topic of the configuration: ") + error.what());
+  }
+  for (const auto& topic : topics) subscribe(topic);
+  silence_timer_ = node_.createWallTimer(
+      ros::WallDuration(0.25), [this](const ros::WallTimerEvent&) { releaseAfterSilence(); });
+}
+
+void ExperimentRecorder::reset() {
+  reported_.clear();
+  if (configuration_.experiment.mode != ExperimentMode::message)
+    router_ = std::make_unique<TopicRouter>(
+        configuration_, [this](const std::string& topic) { return node_.resolveName(topic); });
+  last_arrival_ = std::chrono::steady_clock::now();
+  if (std::exchange(running_, false)) listener_.running(false);
+}
+
+void ExperimentRecorder::subscribe(const std::string& topic) {
+  ros::SubscribeOptions options;
+  options.initByFullCallbackType<const Event&>(
+      topic, kQueueLength, [this, topic](const Event& event) { receive(topic, event); });
+  options.transport_hints = ros::TransportHints().tcpNoDelay();
+  subscribers_.push_back(node_.subscribe(options));
+}
+
+void ExperimentRecorder::receive(const std::string& topic, const Event& event) {
+  const auto& message = *event.getConstMessage();
+  buffer_.resize(message.size());
+  ros::serialization::OStream stream(buffer_.data(), static_cast<std::uint32_t>(buffer_.size()));
+  message.write(stream);
+  last_arrival_ = std::chrono::steady_clock::now();
+  try {
+    record(topic, {message.getDataType(),
+                   message.getMD5Sum(),
+                   message.getMessageDefinition(),
+                   {buffer_.data(), buffer_.size()},
+                   event.getReceiptTime().toSec()});
+  } catch (const Error& error) {
+    report(error.what());
+  }
+}
+
+void ExperimentRecorder::record(const std::string& topic, const RawMessage& message) {
+  if (!router_) {
+    listener_.finished(fromMessage(deserialise<messages::Experiment>(message)));
+    return;
+  }
+  router_->add(topic, message);
+  for (const auto& problem : router_->takeProblems()) report(problem);
+  reportStamps();
+  handOn();
+}
+
+bool ExperimentRecorder::start() {
+  const bool done = router_ && router_->cutter().begin(ros::Time::now().toSec());
+  handOn();
+  return done;
+}
+
+bool ExperimentRecorder::finish() {
+  const bool done = router_ && router_->cutter().finish(ros::Time::now().toSec());
+  handOn();
+  return done;
+}
+
+bool ExperimentRecorder::discard() {
+  const bool done = router_ && router_->cutter().discard();
+  handOn();
+  return done;
+}
+
+// An experiment waits until both signals have passed its end; when the topics fall silent, they
+// never will.
+void ExperimentRecorder::releaseAfterSilence() {
+  if (!router_ || !router_->cutter().waiting()) return;
+  if (std::chrono::steady_clock::now() - last_arrival_ < kSilence) return;
+  router_->cutter().releaseClosed();
+  handOn();
+}
+
+void ExperimentRecorder::handOn() {
+  if (!router_) return;
+  ExperimentCutter& cutter = router_->cutter();
+  for (auto& recording : cutter.takeFinished()) listener_.finished(std::move(recording));
+  for (auto& rejected : cutter.takeRejected()) listener_.finished(std::move(rejected));
+  if (std::exchange(running_, cutter.running()) != running_) listener_.running(running_);
+}
+
+void ExperimentRecorder::report(const std::string& problem) {
+  if (reported_.size() < kMaxReported && reported_.insert(problem).second)
+    listener_.problem(problem);
+}
+
+void ExperimentRecorder::reportStamps() {
+  for (const auto& topic : router_->stampedOnReceipt())
+    report("topic '" + topic +
+           "' has no header, so that its samples are stamped on receipt; a replay can shift "
+           "them by a sample: only reading the bag offline is exact");
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,137 @@
+#include "uncertainty_identification/ros/identification_server.h"
+
+#include <utility>
+
+#include "uncertainty_identification/ros/identify_request.h"
+#include "uncertainty_identification/ros/message_conversions.h"
+
+namespace uncertainty_identification {
+namespace {
+
+std_srvs::Trigger::Response answer(bool success, const std::string& message) {
+  std_srvs::Trigger::Response response;
+  response.success = success;
+  response.message = message;
+  return response;
+}
+
+void warn(const std::string& message) { ROS_WARN_STREAM(message); }
+
+}  // namespace
+
+IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
+                                           const ros::NodeHandle& private_node,
+                                           const Configuration& configuration)
+    : configuration_(configuration),
+      results_(private_node),
+      status_(
+          private_node, [this] { return worker_.status(); },
+          [this] { return results_.sequence(); }),
+      worker_(configuration, {[this](const WorkerResult& result) { results_.publish(result); },
+                              [this] { status_.publish(); }, warn}),
+      recorder_(node, private_node, configuration,
+                {[this](FinishedExperiment experiment) { worker_.add(std::move(experiment)); },
+                 [this](const std::string& problem) {
+                   warn(problem);
+                   status_.addProblem(problem);
+                 },
+                 [this](bool running) { status_.setRunning(running); }}),
+      identify_thread_(private_node),
+      query_thread_(private_node) {
+  advertiseTriggers(private_node);
+  advertiseRequests();
+  identify_thread_.start();
+  query_thread_.start();
+  status_.publish();
+}
+
+IdentificationServer::~IdentificationServer() {
+  stopping_ = true;
+  for (auto& service : services_) service.shutdown();
+  identify_thread_.stop();
+  query_thread_.stop();
+}
+
+void IdentificationServer::advertiseTrigger(ros::NodeHandle& node, const std::string& name,
+                                            const std::function<Trigger::Response()>& answer) {
+  const boost::function<bool(Trigger::Request&, Trigger::Response&)> callback =
+      [answer](Trigger::Request&, Trigger::Response& response) {
+        response = answer();
+        return true;
+      };
+  services_.push_back(node.advertiseService(name, callback));
+}
+
+void IdentificationServer::advertiseTriggers(ros::NodeHandle node) {
+  advertiseTrigger(node, "start_experiment", [this] {
+    return recorder_.start() ? answer(true, "the experiment has begun")
+                             : answer(false,
+                                      "an experiment runs already, or experiment.mode is "
+                                      "neither topic nor service");
+  });
+  advertiseTrigger(node, "finish_experiment", [this] {
+    return recorder_.finish() ? answer(true, "the experiment has ended")
+                              : answer(false, "no experiment that was started is running");
+  });
+  advertiseTrigger(node, "discard_experiment", [this] {
+    return recorder_.discard() ? answer(true, "the experiment was dropped")
+                               : answer(false, "no experiment that was started is running");
+  });
+  advertiseTrigger(node, "reset", [this] { return reset(); });
+}
+
+std_srvs::Trigger::Response IdentificationServer::reset() {
+  status_.forgetProblems();
+  recorder_.reset();
+  worker_.reset();
+  results_.forget();
+  status_.publish();
+  return answer(true, "all experiments and the result were dropped");
+}
+
+void IdentificationServer::advertiseRequests() {
+  using messages::GetResult;
+  using messages::Identify;
+  using messages::ListExperiments;
+  const boost::function<bool(Identify::Request&, Identify::Response&)> identify =
+      [this](Identify::Request& request, Identify::Response& response) {
+        response =
+            answerIdentify(request, configuration_, [this] { return !stopping_ && ros::ok(); });
+        return true;
+      };
+  const boost::function<bool(GetResult::Request&, GetResult::Response&)> get_result =
+      [this](GetResult::Request&, GetResult::Response& response) {
+        response = getResult();
+        return true;
+      };
+  const boost::function<bool(ListExperiments::Request&, ListExperiments::Response&)> list =
+      [this](ListExperiments::Request&, ListExperiments::Response& response) {
+        response = listExperiments();
+        return true;
+      };
+  services_.push_back(identify_thread_.node().advertiseService("identify", identify));
+  services_.push_back(query_thread_.node().advertiseService("get_result", get_result));
+  services_.push_back(query_thread_.node().advertiseService("list_experiments", list));
+}
+
+messages::GetResult::Response IdentificationServer::getResult() const {
+  messages::GetResult::Response response;
+  const auto last = results_.last();
+  if (last) {
+    response.result = *last;
+    response.message = last->message;
+  } else {
+    response.code = messages::GetResult::Response::NONE_YET;
+    response.message = "there is no result yet: " + worker_.status().message;
+  }
+  return response;
+}
+
+messages::ListExperiments::Response IdentificationServer::listExperiments() const {
+  messages::ListExperiments::Response response;
+  for (const auto& digest : worker_.experiments())
+    response.experiments.push_back(toMessage(digest));
+  return response;
+}
+
+}  // namespace uncertainty_identification

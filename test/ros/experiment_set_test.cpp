@@ -1,0 +1,58 @@
+#include "uncertainty_identification/ros/experiment_set.h"
+
+#include <gtest/gtest.h>
+
+namespace uncertainty_identification {
+namespace {
+
+Experiment makeExperiment(const std::string& id, double start, int samples = 11) {
+  Experiment experiment;
+  experiment.id = id;
+  experiment.start_time = start;
+  experiment.sample_time = 0.1;
+  experiment.u = experiment.y = Eigen::VectorXd::Zero(samples);
+  return experiment;
+}
+
+std::vector<std::string> idsOf(const ExperimentSet& set) {
+  std::vector<std::string> ids;
+  for (const auto& digest : set.digests()) ids.push_back(digest.id);
+  return ids;
+}
+
+using Ids = std::vector<std::string>;
+
+TEST(ExperimentSet, KeepsTheNewest) {
+  LimitOptions limits;
+  limits.max_experiments = 2;
+  ExperimentSet set(limits);
+  set.add({{makeExperiment("a", 0), makeExperiment("b", 2)}, {}, {}});
+  set.add({{makeExperiment("c", 4)}, {}, {}});
+  EXPECT_EQ(idsOf(set), (Ids{"b", "c"}));
+}
+
+TEST(ExperimentSet, IdsDiffer) {
+  ExperimentSet set{LimitOptions()};
+  set.add({{makeExperiment("a", 0), makeExperiment("a", 2), makeExperiment("a", 4)}, {}, {}});
+  EXPECT_EQ(idsOf(set), (Ids{"a", "a_2", "a_3"}));
+}
+
+TEST(ExperimentSet, ListsTheRejectedOnesWithTheirReasons) {
+  ExperimentSet set{LimitOptions()};
+  set.add({{makeExperiment("a", 3)}, {{"b", "too short"}}, {}});
+  const auto digests = set.digests();
+  ASSERT_EQ(digests.size(), 2U);
+  EXPECT_EQ(digests[0].start, 3);
+  EXPECT_EQ(digests[0].samples, 11);
+  EXPECT_EQ(digests[1].rejected, "too short");
+}
+
+TEST(TimeWindow, SpansAllExperiments) {
+  const auto window = timeWindow({makeExperiment("a", 5), makeExperiment("b", 2, 101)});
+  EXPECT_EQ(window.start, 2);
+  EXPECT_DOUBLE_EQ(window.end, 12);
+  EXPECT_EQ(timeWindow({}).end, 0);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification

@@ -1,0 +1,120 @@
+#include "uncertainty_identification/ros/identify_request.h"
+
+#include <gtest/gtest.h>
+#include <ros/time.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "support/example1.h"
+#include "support/temporary_folder.h"
+#include "uncertainty_identification/identifier.h"
+#include "uncertainty_identification/ros/bag_writer.h"
+#include "uncertainty_identification/ros/message_conversions.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Request = messages::Identify::Request;
+using Response = messages::Identify::Response;
+
+class IdentifyRequestTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    ros::Time::init();
+    own_.bag_directory = folder_.path();
+  }
+
+  Response answer(const Request& request) {
+    return answerIdentify(request, own_, [] { return true; });
+  }
+
+  Request requestWith(const std::vector<Experiment>& experiments) {
+    Request request;
+    for (const auto& experiment : experiments) request.experiments.push_back(toMessage(experiment));
+    return request;
+  }
+
+  TemporaryFolder folder_;
+  Configuration own_ = example1Configuration();
+};
+
+TEST_F(IdentifyRequestTest, ExperimentsGiveWhatTheIdentifierGives) {
+  const auto experiments = example1Experiments(10);
+  const auto response = answer(requestWith(experiments));
+  ASSERT_EQ(response.code, Response::OK) << response.message;
+  const Estimate expected = Identifier(own_).identify(experiments);
+  EXPECT_EQ(response.result.log_likelihood, expected.log_likelihood);
+  EXPECT_EQ(response.result.nominal_model.b[0], expected.nominal_model.b[0]);
+  EXPECT_EQ(response.result.experiment_count, 10U);
+  EXPECT_EQ(response.result.window_start.toSec(), 1);
+  EXPECT_EQ(nlohmann::json::parse(response.result.result_json)["experiments"]["count"], 10);
+}
+
+TEST_F(IdentifyRequestTest, BagsAreReadBelowTheDirectory) {
+  writeBag(folder_ / "data.bag", example1Experiments(10));
+  Request request;
+  request.bags = {"data.bag"};
+  const auto response = answer(request);
+  ASSERT_EQ(response.code, Response::OK) << response.message;
+  EXPECT_EQ(response.result.experiment_count, 10U);
+}
+
+TEST_F(IdentifyRequestTest, ConfigurationOfTheRequestCounts) {
+  auto request = requestWith(example1Experiments(5));
+  request.configuration =
+      "{nominal_model: {structure: arx, nb: 1, na: 1, delay: 1}, error_model: {taps: 0}}";
+  const auto response = answer(request);
+  ASSERT_EQ(response.code, Response::OK) << response.message;
+  EXPECT_EQ(response.result.nominal_model.structure, "arx");
+  EXPECT_EQ(response.result.error_model.taps, 0U);
+}
+
+TEST_F(IdentifyRequestTest, EachFailureHasItsCode) {
+  Request request;
+  EXPECT_EQ(answer(request).code, Response::DATA_ERROR);
+  request.configuration = "{nominal_modell: {}}";
+  EXPECT_EQ(answer(request).code, Response::CONFIGURATION_ERROR);
+  request.configuration = "{unclosed";
+  EXPECT_EQ(answer(request).code, Response::CONFIGURATION_ERROR);
+  request.configuration.clear();
+  request.bags = {"../data.bag"};
+  EXPECT_EQ(answer(request).code, Response::REFUSED);
+  request.bags = {"absent.bag"};
+  EXPECT_EQ(answer(request).code, Response::FILE_ERROR);
+  std::ofstream(folder_ / "no.bag") << "no bag";
+  request.bags = {"no.bag"};
+  const auto response = answer(request);
+  EXPECT_EQ(response.code, Response::FILE_ERROR);
+  EXPECT_NE(response.message.find("is no ROS bag"), std::string::npos) << response.message;
+}
+
+TEST_F(IdentifyRequestTest, RequestCannotOpenAnotherFolder) {
+  own_.bag_directory.clear();
+  Request request;
+  request.bags = {"data.bag"};
+  request.configuration = "{nominal_model: {orders: auto}, bag_directory: " + folder_.path() + "}";
+  EXPECT_EQ(answer(request).code, Response::REFUSED);
+}
+
+TEST_F(IdentifyRequestTest, BadExperimentsAreListed) {
+  auto request = requestWith(example1Experiments(6));
+  request.experiments[2].y.pop_back();
+  const auto response = answer(request);
+  ASSERT_EQ(response.code, Response::OK) << response.message;
+  EXPECT_EQ(response.result.experiment_count, 5U);
+  const auto rejected =
+      nlohmann::json::parse(response.result.result_json)["experiments"]["rejected"];
+  ASSERT_EQ(rejected.size(), 1U);
+  EXPECT_EQ(rejected[0]["id"], request.experiments[2].id);
+}
+
+TEST_F(IdentifyRequestTest, CancelledIsNotUsable) {
+  const auto response =
+      answerIdentify(requestWith(example1Experiments(10)), own_, [] { return false; });
+  EXPECT_EQ(response.code, Response::NOT_USABLE) << response.message;
+  EXPECT_EQ(response.result.termination, messages::IdentificationResult::CANCELLED);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "uncertainty_identification/configuration.h"
+#include "uncertainty_identification/data/experiment.h"
+#include "uncertainty_identification/io/configuration_yaml.h"
+#include "uncertainty_identification/io/truth_yaml.h"
+#include "uncertainty_identification/simulation/simulate.h"
+
+namespace uncertainty_identification {
+
+/// The paper's Example 1 in small: as many experiments of 100 samples as asked for.
+inline std::vector<Experiment> example1Experiments(int count) {
+  Truth truth = loadTruth(std::string(PROJECT_FOLDER) + "/config/example1_truth.yaml");
+  truth.experiments = count;
+  return simulate(truth, 1);
+}
+
+/// How it is identified.
+inline Configuration example1Configuration() {
+  return loadConfiguration(std::string(PROJECT_FOLDER) + "/config/example1.yaml");
+}
+
+}  // namespace uncertainty_identification
