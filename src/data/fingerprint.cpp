@@ -32,7 +32,7 @@ class Fnv1a {
 
   void add(const Eigen::VectorXd& values) {
     add(static_cast<std::uint64_t>(values.size()));
-    for (const double value : values) add(value);
+    for (Eigen::Index k = 0; k < values.size(); ++k) add(values(k));
   }
 
   std::uint64_t hash() const { return hash_; }
