@@ -74,4 +74,24 @@ Eigen::MatrixXd laguerreBasis(double pole, int taps, int samples) {
   return basis;
 }
 
+Eigen::MatrixXd kautzBasis(double pole_real, double pole_imag, int taps, int samples) {
+  const double c = -(pole_real * pole_real + pole_imag * pole_imag);
+  const double b = 2 * pole_real / (1 - c);
+  const Eigen::VectorXd denominator = Eigen::Vector3d(1.0, b * (c - 1), -c);
+  const Eigen::VectorXd all_pass_numerator = denominator.reverse();
+  const double gain = std::sqrt(1 - c * c);
+  const Eigen::VectorXd odd = gain * Eigen::Vector2d(1.0, -b);
+  const Eigen::VectorXd even = gain * std::sqrt(1 - b * b) * Eigen::Vector2d(0.0, 1.0);
+  Eigen::VectorXd chain_numerator = Eigen::VectorXd::Ones(1), chain_denominator = denominator;
+  Eigen::MatrixXd basis(samples, taps);
+  for (int k = 0; k < taps; ++k) {
+    const Eigen::VectorXd numerator = product(chain_numerator, k % 2 == 0 ? odd : even);
+    basis.col(k) = impulseResponse(numerator, chain_denominator, 0, samples).cast<double>();
+    if (k % 2 == 0) continue;
+    chain_numerator = product(chain_numerator, all_pass_numerator);
+    chain_denominator = product(chain_denominator, denominator);
+  }
+  return basis;
+}
+
 }  // namespace uncertainty_identification::dense

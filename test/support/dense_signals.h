@@ -39,4 +39,10 @@ Eigen::MatrixXd firBasis(int taps, int samples);
 /// sqrt(1-p^2)/(1-p q^-1) ((q^-1-p)/(1-p q^-1))^k for k = 0..taps-1; p = 0 gives firBasis.
 Eigen::MatrixXd laguerreBasis(double pole, int taps, int samples);
 
+/// Impulse responses (samples x taps) of the two-parameter Kautz filters of a pole pair r, conj(r),
+/// that begin at q^0. With c = -|r|^2, b = 2 Re r / (1 - c), D = 1 + b (c - 1) q^-1 - c q^-2 and
+/// the all-pass A = (-c + b (c - 1) q^-1 + q^-2)/D they are, in pairs k = 0, 1, ...,
+/// sqrt(1-c^2) (1 - b q^-1)/D A^k and sqrt((1-c^2)(1-b^2)) q^-1/D A^k (Wahlberg 1994, times q).
+Eigen::MatrixXd kautzBasis(double pole_real, double pole_imag, int taps, int samples);
+
 }  // namespace uncertainty_identification::dense
