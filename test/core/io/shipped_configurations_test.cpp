@@ -1,0 +1,34 @@
+// Every file of config/ is a configuration or a truth that its reader accepts.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "uncertainty_identification/io/configuration_yaml.h"
+#include "uncertainty_identification/io/truth_yaml.h"
+
+namespace uncertainty_identification {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(ShippedConfigurations, AllAreAccepted) {
+  int loaded = 0;
+  for (const auto& entry :
+       fs::recursive_directory_iterator(std::string(PROJECT_FOLDER) + "/config")) {
+    if (!entry.is_regular_file()) continue;
+    const std::string path = entry.path().string();
+    ASSERT_EQ(entry.path().extension(), ".yaml") << path;
+    const bool truth = entry.path().stem().string().find("truth") != std::string::npos;
+    if (truth) {
+      EXPECT_NO_THROW(loadTruth(path).validate()) << path;
+    } else {
+      EXPECT_NO_THROW(loadConfiguration(path).validate()) << path;
+    }
+    ++loaded;
+  }
+  EXPECT_GE(loaded, 6);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
