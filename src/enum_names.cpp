@@ -17,6 +17,12 @@ const EnumNames<Focus>& enumNames(Focus) {
   return kNames;
 }
 
+const EnumNames<PlantFit>& enumNames(PlantFit) {
+  static const EnumNames<PlantFit> kNames{{PlantFit::likelihood, "likelihood"},
+                                          {PlantFit::simulation, "simulation"}};
+  return kNames;
+}
+
 const EnumNames<BasisKind>& enumNames(BasisKind) {
   static const EnumNames<BasisKind> kNames{
       {BasisKind::fir, "fir"}, {BasisKind::laguerre, "laguerre"}, {BasisKind::kautz, "kautz"}};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <thread>
 
 #include "uncertainty_identification/data/check.h"
@@ -11,6 +12,7 @@
 #include "uncertainty_identification/estimation/initial_guess.h"
 #include "uncertainty_identification/estimation/selection.h"
 #include "uncertainty_identification/estimation/simulation_fit.h"
+#include "uncertainty_identification/model/held_plant.h"
 #include "uncertainty_identification/version.h"
 
 namespace uncertainty_identification {
@@ -34,6 +36,7 @@ Estimate Identification::run(const std::vector<Experiment>& experiments, const s
   checkData(experiments);
   limitErrorModel();
   chooseOrders();
+  fitPlant(previous);
   chooseTaps();
   buildModel();
   checkSizes();
@@ -90,6 +93,7 @@ void Identification::chooseOrders() {
   options = selectOrders(estimate_.configuration, sample_time_, experiments_, threads(), &estimate_.candidates,
                          [this](double share) { return report("choosing orders", 0.05 + 0.5 * share, kUnknown); });
   options.orders_auto = false;
+  choose_noise_ = options.fit == PlantFit::simulation;
 }
 
 void Identification::chooseTaps() {
@@ -102,8 +106,8 @@ void Identification::chooseTaps() {
   for (options.taps = fewest; options.taps <= std::max(options.max_taps, fewest); ++options.taps) {
     buildModel();
     const ModelParameters single = bestSingleComponent(
-        *likelihood_, nominalStarts(*model_, estimate_.configuration.nominal_model, experiments_), climbOptions("choosing taps", 0.55, 0.6));
-    if (single.parameters.size() == 0) continue;
+        *likelihood_, starts(), climbOptions("choosing taps", 0.55, 0.6));
+    if (single.mixture.components() == 0) continue;
     const Statistics statistics = likelihood_->statistics(single.parameters, false);
     Candidate candidate{"taps", "taps=" + std::to_string(options.taps), 0, 0, 0, kUnknown, false};
     const int mixture = mixtureParameters(options.constraint, model_->regressors(), 1);
@@ -124,8 +128,11 @@ void Identification::chooseTaps() {
 
 void Identification::buildModel() {
   const Configuration& configuration = estimate_.configuration;
-  model_ = std::make_unique<LinearModel>(makeNominalModel(configuration.nominal_model, sample_time_),
-                                         ErrorBasis(configuration.error_model), configuration.estimation);
+  const NominalModelOptions& options = configuration.nominal_model;
+  const bool white = options.structure == Structure::output_error;
+  auto nominal = plant_.has_value() ? holdPlant(*plant_, white ? 0 : options.nc, white ? 0 : options.nd)
+                                    : makeNominalModel(options, sample_time_);
+  model_ = std::make_unique<LinearModel>(nominal, ErrorBasis(configuration.error_model), configuration.estimation);
   if (blocks_.empty()) blocks_ = makeBlocks(experiments_);
   likelihood_ = std::make_unique<Likelihood>(*model_, blocks_, estimate_.experiment_count, threads());
 }
@@ -145,63 +152,79 @@ void Identification::checkSizes() const {
   }
 }
 
+std::vector<VectorXd> Identification::starts() const {
+  return plant_.has_value() ? noiseStarts(*model_, *plant_, plant_offset_, experiments_)
+                            : nominalStarts(*model_, estimate_.configuration.nominal_model, experiments_);
+}
+
+bool Identification::isGiven(const Estimate* previous) const {
+  return previous != nullptr || estimate_.configuration.initial.theta.size() > 0;
+}
+
+/// The start that a previous estimate or the configuration's `initial` gives, for the parameters of `model`.
+VectorXd Identification::given(const LinearModel& model, const Estimate* previous) const {
+  const Configuration& configuration = estimate_.configuration;
+  std::map<std::string, double> values;
+  if (previous != nullptr) {
+    for (const ParameterEstimate& parameter : previous->nominal_model.parameters) values[parameter.name] = parameter.value;
+    values["offset_u"] = previous->offset_u;
+    values["offset_y"] = previous->offset_y;
+  } else {
+    const std::vector<std::string> names = makeNominalModel(configuration.nominal_model, sample_time_)->names();
+    const VectorXd& theta = configuration.initial.theta;
+    if (theta.size() != static_cast<Eigen::Index>(names.size())) {
+      std::string all;
+      for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+      throw ConfigurationError("initial.theta: the model has " + std::to_string(names.size()) + " parameters (" + all +
+                               "), found " + std::to_string(theta.size()));
+    }
+    for (std::size_t k = 0; k < names.size(); ++k) values[names[k]] = theta[static_cast<Eigen::Index>(k)];
+  }
+  VectorXd at = VectorXd::Zero(model.parameterCount());
+  const std::vector<std::string> names = model.names();
+  for (std::size_t k = 0; k < names.size(); ++k) at[static_cast<Eigen::Index>(k)] = values[names[k]];
+  if (!model.admissible(at)) {
+    throw ConfigurationError("initial.theta: A, C and D must have their roots inside the unit circle");
+  }
+  return at;
+}
+
+/// A given mixture to start from, with the noise variance that is given or fits it.
+ModelParameters Identification::givenMixture(const Mixture& mixture, const VectorXd& at, const Estimate* previous) const {
+  const InitialOptions& initial = estimate_.configuration.initial;
+  if (mixture.dimension() != model_->regressors()) {
+    throw ConfigurationError("initial.means: the error model has " + std::to_string(model_->regressors()) +
+                             " free parameters, found " + std::to_string(mixture.dimension()));
+  }
+  ModelParameters start{at, mixture, 1.0};
+  if (previous != nullptr) {
+    start.noise_variance = previous->noise_variance.value;
+  } else if (initial.noise_variance.has_value()) {
+    start.noise_variance = *initial.noise_variance;
+  } else {
+    const Statistics statistics = likelihood_->statistics(at, false);
+    updateMixture(statistics, likelihood_->expect(statistics, start), ClimbOptions(), &start);
+    start.mixture = mixture;
+  }
+  return start;
+}
+
 ModelParameters Identification::start(const Estimate* previous) {
   const Configuration& configuration = estimate_.configuration;
-  const InitialOptions& initial = configuration.initial;
-  const bool automatic_components = configuration.error_model.components == kAutomatic;
-  std::vector<VectorXd> starts;
-  if (previous != nullptr || initial.theta.size() > 0) {
-    VectorXd at = VectorXd::Zero(model_->parameterCount());
-    const int own = model_->nominal().parameterCount();
-    if (previous != nullptr) {
-      for (int k = 0; k < own; ++k) at[k] = previous->nominal_model.parameters[static_cast<std::size_t>(k)].value;
-      if (at.size() > own) at[own] = model_->names().back() == "offset_u" ? previous->offset_u : previous->offset_y;
-    } else if (initial.theta.size() != own) {
-      throw ConfigurationError("initial.theta: the model has " + std::to_string(own) + " parameters (" +
-                               [this] {
-                                 std::string all;
-                                 for (const std::string& name : model_->nominal().names()) all += (all.empty() ? "" : ", ") + name;
-                                 return all;
-                               }() +
-                               "), found " + std::to_string(initial.theta.size()));
-    } else {
-      at.head(own) = initial.theta;
-    }
-    if (!model_->admissible(at)) {
-      throw ConfigurationError("initial.theta: A, C and D must have their roots inside the unit circle");
-    }
-    starts.push_back(at);
-  } else {
-    starts = nominalStarts(*model_, configuration.nominal_model, experiments_);
-  }
-  if (starts.empty()) throw DataError("no start could be found for these orders; give `initial: {theta: [...]}`");
+  const std::vector<VectorXd> from =
+      isGiven(previous) ? std::vector<VectorXd>{given(*model_, previous)} : starts();
+  if (from.empty()) throw DataError("no start could be found for these orders; give `initial: {theta: [...]}`");
+  const Mixture& mixture = previous != nullptr ? previous->error_model.mixture : configuration.initial.mixture;
+  if (mixture.components() > 0) return givenMixture(mixture, from.front(), previous);
 
-  const Mixture& given = previous != nullptr ? previous->error_model.mixture : initial.mixture;
-  if (given.components() > 0) {
-    if (given.dimension() != model_->regressors()) {
-      throw ConfigurationError("initial.means: the error model has " + std::to_string(model_->regressors()) +
-                               " free parameters, found " + std::to_string(given.dimension()));
-    }
-    ModelParameters at{starts.front(), given, 1.0};
-    if (previous != nullptr) {
-      at.noise_variance = previous->noise_variance.value;
-    } else if (initial.noise_variance.has_value()) {
-      at.noise_variance = *initial.noise_variance;
-    } else {
-      ClimbOptions options;
-      fitMixture(*likelihood_, likelihood_->statistics(at.parameters, false), options, 1, 0, &at);
-      at.mixture = given;
-    }
-    return at;
-  }
-  const ModelParameters single = bestSingleComponent(*likelihood_, starts, climbOptions("starting values", 0.6, 0.7));
-  if (single.parameters.size() == 0 || !model_->admissible(single.parameters)) {
+  const ModelParameters single = bestSingleComponent(*likelihood_, from, climbOptions("starting values", 0.6, 0.7));
+  if (single.mixture.components() == 0 || !model_->admissible(single.parameters)) {
     throw DataError("the likelihood is not finite at any start; check the units and the scale of the data");
   }
+  if (configuration.error_model.components == 1) return single;
   ClimbOptions options = climbOptions("starting values", 0.7, 0.75);
   options.floor = covarianceFloor(single.mixture);
-  if (automatic_components || configuration.error_model.components > 1) return chooseComponents(single, options);
-  return single;
+  return chooseComponents(single, options);
 }
 
 ModelParameters Identification::chooseComponents(const ModelParameters& single, const ClimbOptions& options) {

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "uncertainty_identification/estimation/climb.h"
@@ -23,10 +24,16 @@ class Identification {
   void checkData(const std::vector<Experiment>& experiments);
   void limitErrorModel();
   void chooseOrders();
+  void fitPlant(const Estimate* previous);
+  void chooseNoiseOrders();
   void chooseTaps();
   void buildModel();
   void checkSizes() const;
+  std::vector<Eigen::VectorXd> starts() const;
+  Eigen::VectorXd given(const LinearModel& model, const Estimate* previous) const;
+  bool isGiven(const Estimate* previous) const;
   ModelParameters start(const Estimate* previous);
+  ModelParameters givenMixture(const Mixture& mixture, const Eigen::VectorXd& at, const Estimate* previous) const;
   ModelParameters chooseComponents(const ModelParameters& single, const ClimbOptions& options);
   void climb(const ModelParameters& start);
   void describe();
@@ -42,6 +49,7 @@ class Identification {
   ProgressCallback progress_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   bool cancelled_ = false;
+  bool choose_noise_ = false;            ///< the orders of C and D are still to be chosen
   double sample_time_ = 0;
   Estimate estimate_;                    ///< its configuration is the one being completed
   std::vector<Experiment> experiments_;  ///< those that passed the checks
@@ -49,6 +57,10 @@ class Identification {
   std::unique_ptr<LinearModel> model_;
   std::unique_ptr<Likelihood> likelihood_;
   ModelParameters at_;
+  std::optional<Polynomials> plant_;     ///< Go where it is fitted to its simulation
+  double plant_offset_ = 0;
+  std::vector<ParameterEstimate> plant_parameters_;
+  Eigen::MatrixXd plant_covariance_;
 };
 
 }  // namespace uncertainty_identification

@@ -29,9 +29,10 @@ void Identification::describe() {
   describeParameters();
   const int mixture = mixtureParameters(configuration.error_model.constraint, model_->regressors(),
                                         at_.mixture.components());
-  estimate_.bic = bic(estimate_.log_likelihood, model_->parameterCount() + 1, mixture,
+  const int parameters = model_->parameterCount() + static_cast<int>(plant_parameters_.size()) + 1;
+  estimate_.bic = bic(estimate_.log_likelihood, parameters, mixture,
                       static_cast<double>(estimate_.sample_count), estimate_.experiment_count);
-  estimate_.passes = likelihood_->passes();
+  estimate_.passes += likelihood_->passes();
   const bool wanting = estimate_.termination == Termination::stalled || estimate_.termination == Termination::iteration_limit;
   if (wanting) estimate_.warnings.push_back("the estimation did not converge: " + estimate_.message);
 }
@@ -71,8 +72,13 @@ void Identification::describeParameters() {
     return ParameterEstimate{names[at], k < own ? units[at] : "", values[k], std::sqrt(errors.covariance(k, k)),
                              std::sqrt(errors.robust_covariance(k, k))};
   };
-  for (Index k = 0; k < own; ++k) estimate_.nominal_model.parameters.push_back(describe(k));
-  estimate_.nominal_model.covariance = errors.covariance.topLeftCorner(own, own);
+  NominalModelEstimate& go = estimate_.nominal_model;
+  go.parameters = plant_parameters_;  // none, unless Go was fitted before the rest
+  for (Index k = 0; k < own; ++k) go.parameters.push_back(describe(k));
+  const Index before = plant_covariance_.rows();
+  go.covariance = Eigen::MatrixXd::Zero(before + own, before + own);
+  go.covariance.topLeftCorner(before, before) = plant_covariance_;
+  go.covariance.bottomRightCorner(own, own) = errors.covariance.topLeftCorner(own, own);
   for (Index k = own; k < model_->parameterCount(); ++k) {
     (names[static_cast<std::size_t>(k)] == "offset_u" ? estimate_.offset_u : estimate_.offset_y) = values[k];
   }

@@ -15,6 +15,7 @@ namespace uncertainty_identification {
 
 enum class Structure { output_error, arx, armax, box_jenkins, continuous };
 enum class Focus { simulation, prediction };
+enum class PlantFit { likelihood, simulation };
 enum class BasisKind { fir, laguerre, kautz };
 enum class Constraint { zero_static_gain, zero_mean, free, explicit_matrix };
 enum class Algorithm { em, maximum_likelihood };
@@ -31,6 +32,10 @@ struct NominalModelOptions {
   Structure structure = Structure::box_jenkins;
   bool orders_auto = false;            ///< choose nb, na, nc, nd and delay from the data (YAML: `orders: auto`)
   Focus focus = Focus::simulation;     ///< what the choice is judged by
+  /// What Go is fitted to. likelihood: jointly with H and the error model (the paper). simulation: Go minimises the error
+  /// of its free simulation, and H and the error model are estimated around it: where no linear model is true, the joint
+  /// likelihood trades simulation for prediction. `orders: auto` with focus simulation uses the latter.
+  PlantFit fit = PlantFit::likelihood;
   int max_order = 8;                   ///< of A in the choice, 1 to 20
   int max_delay = 20;                  ///< [samples] in the choice
   int nb = 1, na = 1, nc = 1, nd = 1;  ///< numbers of coefficients (B = b1 q^-delay + ...); those a structure fixes are ignored

@@ -16,6 +16,7 @@ using EnumNames = std::vector<std::pair<Enum, std::string>>;
 
 const EnumNames<Structure>& enumNames(Structure);
 const EnumNames<Focus>& enumNames(Focus);
+const EnumNames<PlantFit>& enumNames(PlantFit);
 const EnumNames<BasisKind>& enumNames(BasisKind);
 const EnumNames<Constraint>& enumNames(Constraint);
 const EnumNames<Algorithm>& enumNames(Algorithm);

@@ -174,12 +174,23 @@ std::vector<VectorXd> nominalStarts(const LinearModel& model, const NominalModel
   return starts;
 }
 
+std::vector<VectorXd> noiseStarts(const LinearModel& model, const Polynomials& plant, double offset,
+                                  const std::vector<Experiment>& experiments) {
+  LeastSquaresModel go;
+  go.polynomials = plant;
+  go.offset = offset;
+  std::vector<VectorXd> starts;
+  addStarts(model, go, experiments, &starts);
+  return starts;
+}
+
 ModelParameters bestSingleComponent(const Likelihood& likelihood, const std::vector<VectorXd>& starts,
                                     ClimbOptions options) {
-  constexpr int kFirstSteps = 3, kLastSteps = 20;
-  ModelParameters best;
-  double highest = -std::numeric_limits<double>::infinity();
-  for (const VectorXd& start : starts) {
+  constexpr std::size_t kFinalists = 3;
+  constexpr int kRankingSteps = 20, kFirstSteps = 3, kLastSteps = 20;
+  using Ranked = std::pair<double, ModelParameters>;
+  std::vector<Ranked> ranked;
+  for (const VectorXd& start : starts) {  // one sweep each
     ModelParameters at{start, singleComponent(likelihood.model().regressors()), 1.0};
     const Statistics statistics = likelihood.statistics(start, false);
     const Index n = statistics.regressors();
@@ -187,7 +198,17 @@ ModelParameters bestSingleComponent(const Likelihood& likelihood, const std::vec
     for (int r = 0; r < statistics.experiments(); ++r) sum += statistics.gram(r)(n, n);
     at.noise_variance = std::max(sum / statistics.samples().sum(), 1e-300);
     options.floor = covarianceFloor(at.mixture);
-    at = scoringSteps(likelihood, at, options, kFirstSteps, 1e-2);
+    const double reached = fitMixture(likelihood, statistics, options, kRankingSteps, 1e-2, &at);
+    if (std::isfinite(reached)) ranked.emplace_back(reached, at);
+  }
+  std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& l, const Ranked& r) { return l.first > r.first; });
+  ranked.resize(std::min(ranked.size(), kFinalists));
+  ModelParameters best;
+  double highest = -std::numeric_limits<double>::infinity();
+  for (Ranked& finalist : ranked) {
+    options.floor = covarianceFloor(finalist.second.mixture);
+    const ModelParameters at =
+        ranked.size() > 1 ? scoringSteps(likelihood, finalist.second, options, kFirstSteps, 1e-2) : finalist.second;
     const double reached = likelihood.expect(likelihood.statistics(at.parameters, false), at).total();
     if (reached > highest) {
       highest = reached;

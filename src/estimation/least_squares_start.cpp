@@ -133,6 +133,18 @@ LeastSquaresModel LeastSquaresStart::solve(const MatrixXd& factor, int nb, int n
   return model;
 }
 
+LeastSquaresModel LeastSquaresStart::leastDelayed(const MatrixXd& factor, int nb, int na, int first_delay,
+                                                  int last_delay) const {
+  constexpr double kMargin = 1.01;  // a longer delay must leave a percent less to be believed
+  LeastSquaresModel best;
+  best.residual_variance = std::numeric_limits<double>::infinity();
+  for (int delay = first_delay; delay <= last_delay; ++delay) {
+    LeastSquaresModel model = solve(factor, nb, na, delay, last_delay + nb - 1);
+    if (model.residual_variance * kMargin < best.residual_variance) best = std::move(model);
+  }
+  return best;
+}
+
 LeastSquaresModel LeastSquaresStart::arx(int nb, int na, int delay) const {
   const int u_lags = delay + nb - 1;
   return solve(triangularFactor(VectorXd(), na, u_lags), nb, na, delay, u_lags);
@@ -146,12 +158,7 @@ LeastSquaresModel LeastSquaresStart::steiglitzMcBride(int nb, int na, int first_
   best.residual_variance = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration <= kIterations; ++iteration) {
     const MatrixXd factor = triangularFactor(prefilter, na, u_lags);
-    LeastSquaresModel least;
-    least.residual_variance = std::numeric_limits<double>::infinity();
-    for (int delay = first_delay; delay <= last_delay; ++delay) {
-      const LeastSquaresModel model = solve(factor, nb, na, delay, u_lags);
-      if (model.residual_variance < least.residual_variance) least = model;
-    }
+    LeastSquaresModel least = leastDelayed(factor, nb, na, first_delay, last_delay);
     if (!least.polynomials.a.allFinite() || !least.polynomials.b.allFinite()) break;
     least.polynomials.a = stabilised(least.polynomials.a, 0.9995);
     // the first regression minimises the equation error, which is not comparable with the later ones

@@ -24,18 +24,17 @@ Lanes lanesOf(const MatrixXd& values, Index row, const Block& block) {
   return lanes;
 }
 
-/// Gram matrix of [Z Phi d] per lane, a signal without samples standing for zero.
-std::vector<MatrixXd> gramOf(const std::vector<const Signals*>& signals, int lanes) {
-  const Index size = static_cast<Index>(signals.size());
-  std::vector<MatrixXd> grams(static_cast<std::size_t>(lanes), MatrixXd::Zero(size, size));
-  for (Index i = 0; i < size; ++i) {
-    for (Index j = i; j < size; ++j) {
-      const Signals &left = *signals[static_cast<std::size_t>(i)], &right = *signals[static_cast<std::size_t>(j)];
-      if (left.cols() == 0 || right.cols() == 0) continue;
-      const Lanes sums = dot(left, right);
-      for (std::size_t lane = 0; lane < grams.size(); ++lane) {
-        grams[lane](i, j) = grams[lane](j, i) = sums[static_cast<Index>(lane)];
-      }
+/// Gram matrices per lane; a signal without samples stands for zero.
+std::vector<MatrixXd> gramOf(std::vector<const Signals*> signals, int lanes) {
+  for (const Signals*& signal : signals) {
+    if (signal->cols() == 0) signal = nullptr;
+  }
+  const auto size = static_cast<Index>(signals.size());
+  const std::vector<Lanes> sums = innerProducts(signals, signals);
+  std::vector<MatrixXd> grams(static_cast<std::size_t>(lanes), MatrixXd(size, size));
+  for (int lane = 0; lane < lanes; ++lane) {
+    for (Index i = 0; i < size * size; ++i) {
+      grams[static_cast<std::size_t>(lane)](i / size, i % size) = sums[static_cast<std::size_t>(i)][lane];
     }
   }
   return grams;
@@ -45,7 +44,7 @@ std::vector<MatrixXd> gramOf(const std::vector<const Signals*>& signals, int lan
 MatrixXd columnCoefficients(const Response& response, const Signals& unexplained, int lanes) {
   const Index columns = response.column_precision.size();
   std::vector<const Signals*> list;
-  for (const Signals& column : response.value.columns) list.push_back(&column);
+  for (const auto& column : response.value.columns) list.push_back(column.get());
   list.push_back(&unexplained);
   const std::vector<MatrixXd> grams = gramOf(list, lanes);
   MatrixXd zeta = MatrixXd::Zero(columns, kLanes);
@@ -72,7 +71,8 @@ std::vector<Signals> sensitivities(const Response& response, const Block& block,
       subtractScaled(tangent.regressors[i], lanesOf(moments.means, static_cast<Index>(i), block), &d);
     }
     for (std::size_t k = 0; k < tangent.columns.size(); ++k) {
-      subtractScaled(tangent.columns[k], zeta.row(static_cast<Index>(k)).transpose().array(), &d);
+      if (tangent.columns[k] == nullptr) continue;
+      subtractScaled(*tangent.columns[k], zeta.row(static_cast<Index>(k)).transpose().array(), &d);
     }
     all.push_back(std::move(d));
   }
@@ -87,7 +87,7 @@ ScoringInformation informationOf(const Model& model, const Block& block, const M
   const Index columns = response.column_precision.size(), n = model.regressors();
   const Index p = static_cast<Index>(d.size());
   std::vector<const Signals*> list;
-  for (const Signals& column : response.value.columns) list.push_back(&column);
+  for (const auto& column : response.value.columns) list.push_back(column.get());
   for (const Signals& regressor : response.value.regressors) list.push_back(&regressor);
   for (const Signals& signal : d) list.push_back(&signal);
   const std::vector<MatrixXd> grams = gramOf(list, block.lanes);

@@ -35,7 +35,7 @@ ModelParameters scoringSteps(const Likelihood& likelihood, ModelParameters at, c
   Damping damping;
   Statistics statistics = likelihood.statistics(at.parameters, true);
   double reached = fitMixture(likelihood, statistics, options, kMixtureSteps, tolerance, &at);
-  for (int k = 0; k < steps; ++k) {
+  for (int k = 0; k < steps && size > 0; ++k) {
     const double before = reached;
     const Expectation e = likelihood.expect(statistics, at);
     const VectorXd score = scores(statistics, at, e).rowwise().sum();

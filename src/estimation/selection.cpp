@@ -5,10 +5,12 @@
 #include <limits>
 
 #include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/estimation/excerpt.h"
 #include "uncertainty_identification/estimation/initial_guess.h"
 #include "uncertainty_identification/estimation/least_squares_start.h"
 #include "uncertainty_identification/estimation/simulation_fit.h"
 #include "uncertainty_identification/model/linear_model.h"
+#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -17,24 +19,11 @@ using Eigen::VectorXd;
 
 constexpr double kNotUsed = std::numeric_limits<double>::quiet_NaN();
 
-/// Fits of larger models are cut short at this many samples: a choice needs less data than an estimate.
-constexpr int kEnoughSamples = 30000;
-
-Experiment part(const Experiment& whole, int first, int count) {
-  Experiment piece = whole;
-  piece.u = whole.u.segment(first, count);
-  piece.y = whole.y.segment(first, count);
-  if (!whole.valid.empty()) piece.valid.assign(whole.valid.begin() + first, whole.valid.begin() + first + count);
-  piece.signals.clear();
-  piece.stamp_offset.resize(0);
-  return piece;
-}
-
 struct Split {
   std::vector<Experiment> fitted, held_out;
 };
 
-Split split(const std::vector<Experiment>& experiments) {
+Split splitData(const std::vector<Experiment>& experiments) {
   Split split;
   if (experiments.size() >= 3) {
     for (std::size_t r = 0; r < experiments.size(); ++r) {
@@ -44,33 +33,10 @@ Split split(const std::vector<Experiment>& experiments) {
   }
   for (const Experiment& experiment : experiments) {
     const int head = experiment.samples() * 2 / 3;
-    split.fitted.push_back(part(experiment, 0, head));
-    split.held_out.push_back(part(experiment, head, experiment.samples() - head));
+    split.fitted.push_back(excerpt(experiment, 0, head));
+    split.held_out.push_back(excerpt(experiment, head, experiment.samples() - head));
   }
   return split;
-}
-
-std::vector<Experiment> thinned(const std::vector<Experiment>& experiments) {
-  long total = 0;
-  for (const Experiment& experiment : experiments) total += experiment.samples();
-  if (total <= kEnoughSamples) return experiments;
-  std::vector<Experiment> fewer;
-  const double share = static_cast<double>(kEnoughSamples) / static_cast<double>(total);
-  const int each = static_cast<int>(kEnoughSamples / experiments.size());
-  if (each > 500) {
-    for (const Experiment& experiment : experiments) {
-      fewer.push_back(part(experiment, 0, std::min(experiment.samples(), std::max(each, static_cast<int>(share * experiment.samples())))));
-    }
-    return fewer;
-  }
-  double credit = 0;
-  for (const Experiment& experiment : experiments) {
-    credit += share;
-    if (credit < 1) continue;
-    credit -= 1;
-    fewer.push_back(experiment);
-  }
-  return fewer;
 }
 
 /// A model without error model, fitted by scoring steps.
@@ -91,16 +57,14 @@ class Selection {
         threads_(threads),
         candidates_(candidates),
         progress_(progress),
-        experiments_(experiments),
-        split_(split(experiments)),
-        fitted_(thinned(split_.fitted)) {}
+        split_(splitData(experiments)),
+        fitted_(thinned(split_.fitted, kEnoughSamples)) {}
 
   NominalModelOptions run() {
     Fitted chosen = configuration_.nominal_model.focus == Focus::simulation ? bySimulation() : byPrediction();
     if (!std::isfinite(chosen.log_likelihood)) {
       throw DataError("no model order could be fitted to these experiments; give the orders, or record longer ones");
     }
-    chosen.options.orders_auto = true;
     return chosen.options;
   }
 
@@ -185,58 +149,64 @@ class Selection {
     return models;
   }
 
-  Fitted bySimulation() {
-    constexpr double kTolerance = 0.2;  // [%] a larger model must gain more to be taken
-    const std::vector<Fitted> models = outputErrorModels();
+  /// The smallest model whose simulation is nearly as good as the best one's. Where some models settle, those with a
+  /// pole on the unit circle are passed over: they owe their fit to a free response that never ends.
+  static std::size_t smallestGood(const std::vector<Fitted>& models) {
+    constexpr double kTolerance = 0.5;  // [%] a larger model must gain more to be taken
+    constexpr double kSettling = 0.9995;
+    const auto settles = [](const Fitted& model) {
+      return model.at.parameters.size() > 0 &&
+             isStable(model.at.parameters.segment(model.options.nb, model.options.na), kSettling);
+    };
+    const bool any = std::any_of(models.begin(), models.end(), settles);
     double best = -std::numeric_limits<double>::infinity();
-    for (const Fitted& model : models) best = std::max(best, model.validation_fit);
-    std::size_t chosen = 0;
-    while (chosen + 1 < models.size() && models[chosen].validation_fit < best - kTolerance) ++chosen;
-    const std::size_t row = candidates_->size() - models.size() + chosen;
-    const Fitted coloured = noiseModel(models[chosen], &chosen);
-    if (coloured.options.structure == Structure::output_error) (*candidates_)[row].chosen = true;
-    return coloured;
+    for (const Fitted& model : models) {
+      if (!any || settles(model)) best = std::max(best, model.validation_fit);
+    }
+    for (std::size_t k = 0; k < models.size(); ++k) {
+      if ((!any || settles(models[k])) && models[k].validation_fit >= best - kTolerance) return k;
+    }
+    return 0;
   }
 
-  /// C and D by BIC at given orders of Go, unless they cost simulation fit.
-  Fitted noiseModel(const Fitted& white, std::size_t*) {
-    constexpr int kLargest = 3;
-    constexpr double kHarm = 0.5;  // [%] of simulation fit that a noise model may cost
+  Fitted bySimulation() {
+    std::vector<Fitted> models = outputErrorModels();
+    const std::size_t chosen = smallestGood(models);
+    (*candidates_)[candidates_->size() - models.size() + chosen].chosen = true;
+    models[chosen].options.fit = PlantFit::simulation;
+    return models[chosen];
+  }
+
+  /// C and D by BIC at given orders of Go.
+  Fitted noiseModel(const Fitted& white) {
     Fitted best = white;
-    std::size_t best_row = candidates_->size();
-    for (int order = 1; order <= kLargest; ++order) {
+    for (int order = 1; order <= kLargestNoiseOrder; ++order) {
       NominalModelOptions options = white.options;
       options.structure = Structure::box_jenkins;
       options.nc = options.nd = order;
       Fitted model = fit(options, fitted_);
-      model.validation_fit = validate(model);
       record(describe(options), model);
-      const bool harmless = configuration_.nominal_model.focus == Focus::prediction ||
-                            model.validation_fit > white.validation_fit - kHarm;
-      if (harmless && bicOf(model) < bicOf(best)) {
+      if (bicOf(model) < bicOf(best)) {
         best = model;
-        best_row = candidates_->size() - 1;
+        best_row_ = candidates_->size() - 1;
       }
-      if (!goOn(0.7 + 0.3 * order / kLargest)) break;
     }
-    if (best_row < candidates_->size()) (*candidates_)[best_row].chosen = true;
     return best;
   }
 
   Fitted byPrediction() {
     const std::vector<Fitted> models = outputErrorModels();
+    const std::size_t first = candidates_->size() - models.size();
     Fitted best;
-    std::size_t chosen = 0;
-    for (const Fitted& model : models) {
-      const std::size_t before = candidates_->size();
-      const Fitted coloured = noiseModel(model, nullptr);
-      for (std::size_t k = before; k < candidates_->size(); ++k) {
-        if ((*candidates_)[k].chosen) chosen = bicOf(coloured) < bicOf(best) ? k : chosen;
-        (*candidates_)[k].chosen = false;
-      }
-      if (!std::isfinite(best.log_likelihood) || bicOf(coloured) < bicOf(best)) best = coloured;
+    std::size_t chosen = first;
+    for (std::size_t k = 0; k < models.size() && goOn(0.7 + 0.3 * static_cast<double>(k) / static_cast<double>(models.size())); ++k) {
+      best_row_ = first + k;
+      const Fitted coloured = noiseModel(models[k]);
+      if (std::isfinite(best.log_likelihood) && bicOf(coloured) >= bicOf(best)) continue;
+      best = coloured;
+      chosen = best_row_;
     }
-    if (chosen < candidates_->size()) (*candidates_)[chosen].chosen = true;
+    (*candidates_)[chosen].chosen = true;
     return best;
   }
 
@@ -245,9 +215,9 @@ class Selection {
   int threads_;
   std::vector<Candidate>* candidates_;
   const SelectionProgress& progress_;
-  const std::vector<Experiment>& experiments_;
   Split split_;
   std::vector<Experiment> fitted_;
+  std::size_t best_row_ = 0;  ///< of the candidate that noiseModel() likes best
 };
 
 }  // namespace

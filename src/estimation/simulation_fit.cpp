@@ -1,5 +1,7 @@
 #include "uncertainty_identification/estimation/simulation_fit.h"
 
+#include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -25,39 +27,70 @@ class NoiseFree : public NominalModel {
 
 double fitPercent(double error, double spread) { return 100 * (1 - std::sqrt(error / spread)); }
 
+/// Sum of squares of what a lane's simulation leaves, its initial state taken from the first samples.
+double squaredError(const Response& response, const Block& block, int lane) {
+  const auto columns = static_cast<Eigen::Index>(response.value.columns.size());
+  const int samples = block.lengths[static_cast<std::size_t>(lane)];
+  Eigen::VectorXd error = response.value.residual.row(lane).head(samples).transpose();
+  if (columns == 0) return error.squaredNorm();
+  Eigen::MatrixXd Z(samples, columns);
+  for (Eigen::Index k = 0; k < columns; ++k) {
+    Z.col(k) = response.value.columns[static_cast<std::size_t>(k)]->row(lane).head(samples).transpose();
+  }
+  const Eigen::Index first = std::min<Eigen::Index>(samples, 20 + 3 * columns);
+  error -= Z * Z.topRows(first).colPivHouseholderQr().solve(error.head(first));
+  return error.squaredNorm();
+}
+
+/// Sum and sum of squares of the measured outputs, and their number.
+struct Moments {
+  double sum = 0, squares = 0, count = 0;
+
+  void add(const Moments& other) {
+    sum += other.sum;
+    squares += other.squares;
+    count += other.count;
+  }
+  double spread() const { return squares - sum * sum / count; }
+};
+
+Moments momentsOf(const Experiment& experiment) {
+  Moments moments;
+  for (int k = 0; k < experiment.samples(); ++k) {
+    if (experiment.isValid(k)) moments.add({experiment.y[k], experiment.y[k] * experiment.y[k], 1});
+  }
+  return moments;
+}
+
 }  // namespace
 
 SimulationFit simulationFit(const NominalModel& nominal, const Eigen::VectorXd& theta, double offset,
                             const EstimationOptions& options, const std::vector<Experiment>& experiments) {
   ErrorModelOptions none;
   none.taps = 0;
-  const LinearModel model(std::shared_ptr<const NominalModel>(std::make_shared<NoiseFree>(nominal)), ErrorBasis(none),
-                          options);
+  const LinearModel model(std::make_shared<NoiseFree>(nominal), ErrorBasis(none), options);
   Eigen::VectorXd parameters(model.parameterCount());
   parameters.head(theta.size()) = theta;
   if (parameters.size() > theta.size()) parameters[theta.size()] = offset;
-  Statistics statistics(static_cast<int>(experiments.size()), 0, 0);
-  for (const Block& block : makeBlocks(experiments)) computeStatistics(model, block, parameters, &statistics);
 
-  SimulationFit fit;
-  double error = 0, sum = 0, squares = 0, count = 0;
-  for (std::size_t r = 0; r < experiments.size(); ++r) {
-    const Experiment& experiment = experiments[r];
-    double own_sum = 0, own_squares = 0;
-    for (int k = 0; k < experiment.samples(); ++k) {
-      if (!experiment.isValid(k)) continue;
-      own_sum += experiment.y[k];
-      own_squares += experiment.y[k] * experiment.y[k];
+  std::vector<double> errors(experiments.size());
+  for (const Block& block : makeBlocks(experiments)) {
+    Response response;
+    model.evaluate(block, parameters, false, &response);
+    for (int lane = 0; lane < block.lanes; ++lane) {
+      errors[static_cast<std::size_t>(block.index[static_cast<std::size_t>(lane)])] = squaredError(response, block, lane);
     }
-    const double own_error = std::max(statistics.gram(static_cast<int>(r))(0, 0), 0.0);
-    const double own_count = experiment.validSamples();
-    fit.percent.push_back(fitPercent(own_error, own_squares - own_sum * own_sum / own_count));
-    error += own_error;
-    sum += own_sum;
-    squares += own_squares;
-    count += own_count;
   }
-  fit.pooled = fitPercent(error, squares - sum * sum / count);
+  SimulationFit fit;
+  Moments all;
+  double error = 0;
+  for (std::size_t r = 0; r < experiments.size(); ++r) {
+    const Moments own = momentsOf(experiments[r]);
+    fit.percent.push_back(fitPercent(errors[r], own.spread()));
+    error += errors[r];
+    all.add(own);
+  }
+  fit.pooled = fitPercent(error, all.spread());
   return fit;
 }
 

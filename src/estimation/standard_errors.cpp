@@ -64,7 +64,8 @@ StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisatio
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit);
 
   MatrixXd inverse = MatrixXd::Zero(size, size);
-  const VectorXd values = parametrisation.natural(at).cwiseAbs().cwiseMax(1e-12);
+  VectorXd values = parametrisation.natural(at).cwiseAbs().cwiseMax(1e-12);
+  values[natural - 1] = 1;  // the coordinate there is the logarithm
   for (Index k = 0; k < size; ++k) {
     const VectorXd direction = scale.cwiseProduct(eigen.eigenvectors().col(k));
     if (eigen.eigenvalues()[k] > kSingular) {
@@ -89,6 +90,8 @@ StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisatio
   errors.robust_covariance =
       jacobian * inverse * (natural_scores * natural_scores.transpose()) * inverse * jacobian.transpose();
   mark(unknown, &errors.covariance);
+  // fewer experiments than coordinates: the scores cannot span them, and the sandwich would be too small
+  if (likelihood.experiments() <= size) unknown.assign(unknown.size(), true);
   mark(unknown, &errors.robust_covariance);
   return errors;
 }

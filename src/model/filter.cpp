@@ -21,16 +21,32 @@ void accumulate(double factor, int delay, int samples, const Pack* in, Pack* out
   for (int t = delay; t < samples; ++t) out[t] += factor * in[t - delay];
 }
 
+/// sums[j] += left'right_j over the samples [first, last), four at a time to load `left` once for all of them.
 UI_VECTOR_CLONES
-void product(int samples, const Pack* left, const Pack* right, Pack* sum) {
-  Pack even = {}, odd = {};  // two chains hide the latency of the addition
-  int t = 0;
-  for (; t + 1 < samples; t += 2) {
-    even += left[t] * right[t];
-    odd += left[t + 1] * right[t + 1];
+void accumulateProducts(const double* left, const double* const* right, int count, int first, int last, Pack* sums) {
+  const Pack* l = reinterpret_cast<const Pack*>(left);
+  int j = 0;
+  for (; j + 3 < count; j += 4) {
+    const Pack *r0 = reinterpret_cast<const Pack*>(right[j]), *r1 = reinterpret_cast<const Pack*>(right[j + 1]);
+    const Pack *r2 = reinterpret_cast<const Pack*>(right[j + 2]), *r3 = reinterpret_cast<const Pack*>(right[j + 3]);
+    Pack s0 = sums[j], s1 = sums[j + 1], s2 = sums[j + 2], s3 = sums[j + 3];
+    for (int t = first; t < last; ++t) {
+      s0 += l[t] * r0[t];
+      s1 += l[t] * r1[t];
+      s2 += l[t] * r2[t];
+      s3 += l[t] * r3[t];
+    }
+    sums[j] = s0;
+    sums[j + 1] = s1;
+    sums[j + 2] = s2;
+    sums[j + 3] = s3;
   }
-  if (t < samples) even += left[t] * right[t];
-  *sum = even + odd;
+  for (; j < count; ++j) {
+    const Pack* r = reinterpret_cast<const Pack*>(right[j]);
+    Pack sum = sums[j];
+    for (int t = first; t < last; ++t) sum += l[t] * r[t];
+    sums[j] = sum;
+  }
 }
 
 }  // namespace
@@ -58,10 +74,32 @@ void addShifted(double factor, int delay, const Signals& in, Signals* out) {
   accumulate(factor, delay, static_cast<int>(in.cols()), packs(in), packs(out));
 }
 
-Lanes dot(const Signals& left, const Signals& right) {
-  Lanes sum;
-  product(static_cast<int>(left.cols()), packs(left), packs(right), reinterpret_cast<Pack*>(sum.data()));
-  return sum;
+std::vector<Lanes> innerProducts(const std::vector<const Signals*>& left, const std::vector<const Signals*>& right) {
+  constexpr int kPiece = 64;  // samples; a piece of each of some dozens of signals fits the second-level cache
+  std::vector<const double*> rights;
+  std::vector<std::size_t> place;
+  Eigen::Index samples = 0;
+  for (std::size_t j = 0; j < right.size(); ++j) {
+    if (right[j] == nullptr) continue;
+    rights.push_back(right[j]->data());
+    place.push_back(j);
+    samples = right[j]->cols();
+  }
+  const std::size_t count = rights.size();
+  std::vector<Lanes> dense(left.size() * count, Lanes::Zero());
+  for (Eigen::Index first = 0; first < samples; first += kPiece) {
+    const auto last = static_cast<int>(std::min<Eigen::Index>(first + kPiece, samples));
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      if (left[i] == nullptr) continue;
+      accumulateProducts(left[i]->data(), rights.data(), static_cast<int>(count), static_cast<int>(first), last,
+                         reinterpret_cast<Pack*>(dense.data() + i * count));
+    }
+  }
+  std::vector<Lanes> sums(left.size() * right.size(), Lanes::Zero());
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    for (std::size_t j = 0; j < count; ++j) sums[i * right.size() + place[j]] = dense[i * count + j];
+  }
+  return sums;
 }
 
 }  // namespace uncertainty_identification

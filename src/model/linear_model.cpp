@@ -90,6 +90,13 @@ class Evaluation {
     return &(*list)[k];
   }
 
+  static Signals* at(std::vector<std::shared_ptr<const Signals>>* list, std::size_t k) {
+    if (list->size() <= k) list->resize(k + 1);
+    auto fresh = std::make_shared<Signals>();
+    (*list)[k] = fresh;
+    return fresh.get();
+  }
+
   /// Residual and regressors of dx, the change of x: -dx and F dx.
   void tangent(const Signals& dx, WhitenedSignals* out) {
     whitening_.apply(-dx, &out->residual);
@@ -130,11 +137,12 @@ class Evaluation {
     filter(VectorXd::Ones(1), p_.a, 0, -response_of_a, &sensitivity);
     for (int lag = 1; lag < directions + na; ++lag) {  // column k's sensitivity to a_j depends on k + j only
       shift(lag, sensitivity, &shifted);
-      Signals whitened;
-      whitening_.apply(shifted, &whitened);
+      const auto whitened = std::make_shared<Signals>();
+      whitening_.apply(shifted, whitened.get());
       for (int j = std::max(1, lag - directions + 1); j <= std::min(na, lag); ++j) {
-        *at(&response->derivatives[static_cast<std::size_t>(nb + j - 1)].columns, static_cast<std::size_t>(lag - j)) =
-            whitened;
+        auto& columns = response->derivatives[static_cast<std::size_t>(nb + j - 1)].columns;
+        columns.resize(static_cast<std::size_t>(directions));
+        columns[static_cast<std::size_t>(lag - j)] = whitened;
       }
     }
   }
@@ -183,7 +191,13 @@ void addScaled(double factor, const WhitenedSignals& from, WhitenedSignals* to) 
   if (to->regressors.size() < from.regressors.size()) to->regressors.resize(from.regressors.size());
   for (std::size_t i = 0; i < from.regressors.size(); ++i) addScaled(factor, from.regressors[i], &to->regressors[i]);
   if (to->columns.size() < from.columns.size()) to->columns.resize(from.columns.size());
-  for (std::size_t k = 0; k < from.columns.size(); ++k) addScaled(factor, from.columns[k], &to->columns[k]);
+  for (std::size_t k = 0; k < from.columns.size(); ++k) {
+    if (from.columns[k] == nullptr) continue;
+    const auto sum = std::make_shared<Signals>();
+    if (to->columns[k] != nullptr) *sum = *to->columns[k];
+    addScaled(factor, *from.columns[k], sum.get());
+    to->columns[k] = sum;
+  }
   to->log_jacobian += factor * from.log_jacobian;
 }
 

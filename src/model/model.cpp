@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <unordered_map>
 
 #include "uncertainty_identification/model/filter.h"
 
@@ -18,32 +19,61 @@ std::vector<const Signals*> listed(const WhitenedSignals& signals, std::size_t c
   const auto put = [&all](std::size_t at, const Signals& signal) {
     if (signal.cols() > 0) all[at] = &signal;
   };
-  for (std::size_t k = 0; k < signals.columns.size(); ++k) put(k, signals.columns[k]);
+  for (std::size_t k = 0; k < signals.columns.size(); ++k) all[k] = signals.columns[k].get();
   for (std::size_t k = 0; k < signals.regressors.size(); ++k) put(columns + k, signals.regressors[k]);
   put(columns + regressors, signals.residual);
   return all;
 }
 
-/// Gram matrices left'right per lane.
-std::array<MatrixXd, kLanes> gram(const std::vector<const Signals*>& left, const std::vector<const Signals*>& right,
-                                  int lanes, bool symmetric) {
-  std::array<MatrixXd, kLanes> grams;
-  const Index size = static_cast<Index>(left.size());
-  for (int lane = 0; lane < lanes; ++lane) grams[static_cast<std::size_t>(lane)] = MatrixXd::Zero(size, size);
-  for (Index i = 0; i < size; ++i) {
-    for (Index j = symmetric ? i : 0; j < size; ++j) {
-      const Signals *l = left[static_cast<std::size_t>(i)], *r = right[static_cast<std::size_t>(j)];
-      if (l == nullptr || r == nullptr) continue;
-      const Lanes sums = dot(*l, *r);
-      for (int lane = 0; lane < lanes; ++lane) {
-        MatrixXd& of_lane = grams[static_cast<std::size_t>(lane)];
-        of_lane(i, j) = sums[lane];
-        if (symmetric) of_lane(j, i) = sums[lane];
+/// Inner products of the value's signals with themselves and with those of all derivatives, each distinct signal once.
+class Products {
+ public:
+  Products(const Response& response, bool derivatives)
+      : columns_(static_cast<std::size_t>(response.column_precision.size())),
+        regressors_(response.value.regressors.size()),
+        value_(listed(response.value, columns_, regressors_)),
+        of_value_(innerProducts(value_, value_)) {
+    if (!derivatives) return;
+    std::vector<const Signals*> distinct;
+    for (const WhitenedSignals& tangent : response.derivatives) {
+      tangents_.push_back(listed(tangent, columns_, regressors_));
+      for (const Signals* signal : tangents_.back()) {
+        if (signal != nullptr && row_.emplace(signal, distinct.size()).second) distinct.push_back(signal);
       }
     }
+    of_tangents_ = innerProducts(distinct, value_);
   }
-  return grams;
-}
+
+  /// Gram matrix of [Z Phi e] of one lane.
+  MatrixXd gram(int lane) const {
+    const auto size = static_cast<Index>(value_.size());
+    MatrixXd gram(size, size);
+    for (Index i = 0; i < size; ++i) {
+      for (Index j = 0; j < size; ++j) gram(i, j) = of_value_[static_cast<std::size_t>(i * size + j)][lane];
+    }
+    return gram;
+  }
+
+  /// Its derivative to parameter j.
+  MatrixXd derivative(std::size_t j, int lane) const {
+    const std::size_t size = value_.size();
+    MatrixXd half = MatrixXd::Zero(static_cast<Index>(size), static_cast<Index>(size));
+    for (std::size_t i = 0; i < size; ++i) {
+      const Signals* signal = tangents_[j][i];
+      if (signal == nullptr) continue;
+      const std::size_t row = row_.at(signal) * size;
+      for (std::size_t k = 0; k < size; ++k) half(static_cast<Index>(i), static_cast<Index>(k)) = of_tangents_[row + k][lane];
+    }
+    return half + half.transpose();
+  }
+
+ private:
+  std::size_t columns_, regressors_;
+  std::vector<const Signals*> value_;
+  std::vector<Lanes> of_value_, of_tangents_;
+  std::vector<std::vector<const Signals*>> tangents_;
+  std::unordered_map<const Signals*, std::size_t> row_;
+};
 
 /// Absorbs the columns Z of one experiment into the Gram matrix of [Z Phi e]: integrating zeta out leaves the Schur
 /// complement of Z'Z + precision and the log-Jacobian -1/2 ln det(Z'Z + precision) + 1/2 ln det precision (the latter
@@ -105,33 +135,22 @@ class Absorption {
 };
 
 void write(const Response& response, const Block& block, Statistics* statistics) {
-  const std::size_t columns = static_cast<std::size_t>(response.column_precision.size());
-  const std::size_t regressors = response.value.regressors.size();
-  const std::vector<const Signals*> value = listed(response.value, columns, regressors);
-  const auto grams = gram(value, value, block.lanes, true);
-  std::vector<Absorption> absorbed;
+  const Products products(response, statistics->parameters() > 0);
   for (int lane = 0; lane < block.lanes; ++lane) {
-    const auto at = static_cast<std::size_t>(lane);
-    const int r = block.index[at];
-    absorbed.emplace_back(grams[at], response.column_precision);
-    statistics->gram(r) = absorbed.back().gram();
-    statistics->samples()[r] = response.effective_samples[lane] - absorbed.back().diffuse();
-    statistics->logJacobian()[r] = response.value.log_jacobian[lane] + absorbed.back().logJacobian();
-  }
-  for (int j = 0; j < statistics->parameters(); ++j) {
-    const WhitenedSignals& tangent = response.derivatives[static_cast<std::size_t>(j)];
-    const auto half = gram(listed(tangent, columns, regressors), value, block.lanes, false);
-    const VectorXd* dprecision = response.column_precision_derivatives.empty()
-                                     ? nullptr
-                                     : &response.column_precision_derivatives[static_cast<std::size_t>(j)];
-    for (int lane = 0; lane < block.lanes; ++lane) {
-      const auto at = static_cast<std::size_t>(lane);
-      const int r = block.index[at];
-      const MatrixXd dgram = half[at] + half[at].transpose();
-      statistics->gramDerivative(r, j) = absorbed[at].derivative(dgram, dprecision);
+    const int r = block.index[static_cast<std::size_t>(lane)];
+    const Absorption absorbed(products.gram(lane), response.column_precision);
+    statistics->gram(r) = absorbed.gram();
+    statistics->samples()[r] = response.effective_samples[lane] - absorbed.diffuse();
+    statistics->logJacobian()[r] = response.value.log_jacobian[lane] + absorbed.logJacobian();
+    for (int j = 0; j < statistics->parameters(); ++j) {
+      const auto at = static_cast<std::size_t>(j);
+      const VectorXd* dprecision =
+          response.column_precision_derivatives.empty() ? nullptr : &response.column_precision_derivatives[at];
+      const MatrixXd dgram = products.derivative(at, lane);
+      statistics->gramDerivative(r, j) = absorbed.derivative(dgram, dprecision);
       statistics->logJacobianDerivatives()(j, r) =
-          tangent.log_jacobian[lane] +
-          absorbed[at].logJacobianDerivative(dgram, response.column_precision, dprecision);
+          response.derivatives[at].log_jacobian[lane] +
+          absorbed.logJacobianDerivative(dgram, response.column_precision, dprecision);
     }
   }
 }

@@ -14,6 +14,10 @@ namespace uncertainty_identification {
 std::vector<Eigen::VectorXd> nominalStarts(const LinearModel& model, const NominalModelOptions& options,
                                            const std::vector<Experiment>& experiments);
 
+/// Starts for a model around a given Go (its b, a, delay) and offset: the noise model from what Go leaves.
+std::vector<Eigen::VectorXd> noiseStarts(const LinearModel& model, const Polynomials& plant, double offset,
+                                         const std::vector<Experiment>& experiments);
+
 /// The start among `starts` that leads highest with a single Gaussian component, a few scoring steps on.
 ModelParameters bestSingleComponent(const Likelihood& likelihood, const std::vector<Eigen::VectorXd>& starts,
                                     ClimbOptions options);

@@ -25,7 +25,8 @@ class LeastSquaresStart {
   /// ARX(na, nb, delay): A y = q^-delay B u + constant.
   LeastSquaresModel arx(int nb, int na, int delay) const;
 
-  /// Steiglitz-McBride with the delay that leaves least, out of [first_delay, last_delay].
+  /// Steiglitz-McBride with the delay in [first_delay, last_delay] that leaves least; a longer one
+  /// must leave a percent less than a shorter.
   LeastSquaresModel steiglitzMcBride(int nb, int na, int first_delay, int last_delay) const;
 
  private:
@@ -36,6 +37,7 @@ class LeastSquaresStart {
 
   /// Triangular factor of the regression on [u lags 0..u_lags, constant, y lags 1..na | y], data filtered by 1/A.
   Eigen::MatrixXd triangularFactor(const Eigen::VectorXd& prefilter, int na, int u_lags) const;
+  LeastSquaresModel leastDelayed(const Eigen::MatrixXd& factor, int nb, int na, int first_delay, int last_delay) const;
   LeastSquaresModel solve(const Eigen::MatrixXd& factor, int nb, int na, int delay, int u_lags) const;
 
   std::vector<Record> records_;

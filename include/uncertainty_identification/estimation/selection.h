@@ -19,10 +19,13 @@ int mixtureParameters(Constraint constraint, int dimension, int components);
 /// Called between candidates with the share done; returning false ends the choice with the best so far.
 using SelectionProgress = std::function<bool(double)>;
 
+/// Orders of C and D, nc = nd, tried by the automatic choices.
+constexpr int kLargestNoiseOrder = 3;
+
 /// Orders and delay from the data (docs/method.md, section on automatic choices). Focus simulation: output-error
 /// structure, by free simulation of experiments kept out of the fit (the last third of each where there are fewer than
-/// three), the smallest model within a tolerance of the best; then C and D by BIC, unless they harm the simulation. Focus
-/// prediction: all orders by BIC. Appends every candidate tried. Needs `nominal_model.orders_auto`.
+/// three), the smallest model within a tolerance of the best; to be fitted to its simulation. Focus prediction: all
+/// orders by BIC, to be fitted to the likelihood. Appends every candidate tried.
 NominalModelOptions selectOrders(const Configuration& configuration, double sample_time,
                                  const std::vector<Experiment>& experiments, int threads,
                                  std::vector<Candidate>* candidates, const SelectionProgress& progress);

@@ -13,9 +13,9 @@ struct SimulationFit {
   double pooled = 0;            ///< of all together, with the mean over all of them
 };
 
-/// Go u plus the common offset, from rest where initial_state is zero; else the free response of Go (and the
-/// experiment's own offset under per_experiment) that fits each experiment best is added, because an initial state is no
-/// property of the model.
+/// Go u plus the common offset, from rest where initial_state is zero; else from the initial state (and, under
+/// per_experiment, the experiment's own offset) that fits the first samples best: 20 and three per unknown. More of them
+/// would let the free response of a slow pole follow a drift, and the simulation look better than it is.
 SimulationFit simulationFit(const NominalModel& nominal, const Eigen::VectorXd& theta, double offset,
                             const EstimationOptions& options, const std::vector<Experiment>& experiments);
 

@@ -14,7 +14,7 @@ namespace uncertainty_identification {
 /// singular the coordinates concerned get NaN, and `singular` says in words which ones the data cannot tell apart.
 struct StandardErrors {
   Eigen::MatrixXd covariance;         ///< J H^-1 J', H the observed information
-  Eigen::MatrixXd robust_covariance;  ///< sandwich J H^-1 (sum of score score') H^-1 J'
+  Eigen::MatrixXd robust_covariance;  ///< sandwich J H^-1 (sum of score score') H^-1 J'; NaN for fewer experiments than coordinates
   std::vector<std::string> singular;  ///< one sentence per direction
 };
 

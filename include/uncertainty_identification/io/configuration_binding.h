@@ -12,6 +12,7 @@ void bind(Archive& archive, NominalModelOptions& options) {
   archive("structure", options.structure);
   archive("orders", oneOf(options.orders_auto, {{false, "given"}, {true, "auto"}}));
   archive("focus", options.focus);
+  archive("fit", options.fit);
   archive("max_order", options.max_order);
   archive("max_delay", options.max_delay);
   archive("nb", options.nb);

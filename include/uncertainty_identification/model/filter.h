@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "uncertainty_identification/model/block.h"
 
@@ -17,7 +18,8 @@ void shift(int delay, const Signals& in, Signals* out);
 /// out += factor q^-delay in.
 void addShifted(double factor, int delay, const Signals& in, Signals* out);
 
-/// Sum over samples of left right, per lane.
-Lanes dot(const Signals& left, const Signals& right);
+/// Inner products over the samples, per lane: sums(i, j) = left_i'right_j, stored at [i right.size() + j]. A null signal
+/// stands for zero. Runs through the samples in pieces that stay in the cache.
+std::vector<Lanes> innerProducts(const std::vector<const Signals*>& left, const std::vector<const Signals*>& right);
 
 }  // namespace uncertainty_identification

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,9 @@ namespace uncertainty_identification {
 struct WhitenedSignals {
   Signals residual;                 ///< e = H^-1 (y - Go u)
   std::vector<Signals> regressors;  ///< Phi, n signals: e = Phi xi + omega
-  std::vector<Signals> columns;     ///< Z, random effects of each experiment: e = Phi xi + Z zeta + omega
+  /// Z, random effects of each experiment: e = Phi xi + Z zeta + omega. Shared, because one signal may be the
+  /// derivative of several columns: its inner products are then computed once. Null stands for zero.
+  std::vector<std::shared_ptr<const Signals>> columns;
   Lanes log_jacobian = Lanes::Zero();
 };
 

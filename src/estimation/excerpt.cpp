@@ -1,0 +1,38 @@
+#include "uncertainty_identification/estimation/excerpt.h"
+
+#include <algorithm>
+
+namespace uncertainty_identification {
+
+Experiment excerpt(const Experiment& whole, int first, int count) {
+  Experiment piece = whole;
+  piece.u = whole.u.segment(first, count);
+  piece.y = whole.y.segment(first, count);
+  if (!whole.valid.empty()) piece.valid.assign(whole.valid.begin() + first, whole.valid.begin() + first + count);
+  piece.signals.clear();
+  piece.stamp_offset.resize(0);
+  return piece;
+}
+
+std::vector<Experiment> thinned(const std::vector<Experiment>& experiments, int enough) {
+  long total = 0;
+  for (const Experiment& experiment : experiments) total += experiment.samples();
+  if (total <= enough) return experiments;
+  std::vector<Experiment> fewer;
+  constexpr int kShortest = 500;  // samples; shorter heads show too little of slow dynamics
+  const int each = enough / static_cast<int>(experiments.size());
+  const double share = static_cast<double>(enough) / static_cast<double>(total);
+  double credit = 0;
+  for (const Experiment& experiment : experiments) {
+    credit += share;
+    if (each > kShortest) {
+      fewer.push_back(excerpt(experiment, 0, std::min(experiment.samples(), each)));
+    } else if (credit >= 1) {
+      credit -= 1;
+      fewer.push_back(experiment);
+    }
+  }
+  return fewer;
+}
+
+}  // namespace uncertainty_identification
