@@ -36,7 +36,9 @@ class Run {
     nlopt::opt optimiser(nlopt::LD_LBFGS, static_cast<unsigned>(W.cols()));
     optimiser.set_max_objective(&Run::evaluate, this);
     optimiser.set_ftol_abs(0.01 * options_.tolerance);
-    optimiser.set_maxeval(std::max(1, options_.max_iterations - climb_->iterations));
+    // a round that needs more has outgrown its whitening: a fresh one does better
+    const int most = 30 + 3 * static_cast<int>(W.cols());
+    optimiser.set_maxeval(std::max(1, std::min(most, options_.max_iterations - climb_->iterations)));
     std::vector<double> x(static_cast<std::size_t>(W.cols()), 0.0);
     double value = 0;
     try {
@@ -101,7 +103,7 @@ void finish(const ScoredPoint& best, Termination termination, const std::string&
 }  // namespace
 
 Climb maximumLikelihood(const Likelihood& likelihood, const ModelParameters& start, const ClimbOptions& options) {
-  constexpr int kScoringSteps = 5, kRounds = 12;
+  constexpr int kScoringSteps = 5, kRounds = 8;
   Climb climb;
   ModelParameters near = scoringSteps(likelihood, start, options, kScoringSteps, options.tolerance);
   pruneComponents(options.constraint, &near.mixture);
