@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/memory.h"
 #include "uncertainty_identification/version.h"
 
 namespace uncertainty_identification {
@@ -57,6 +58,7 @@ int parseAndRun(const Program& program, int argc, const char* const* argv) {
 }  // namespace
 
 int runProgram(const Program& program, int argc, const char* const* argv) {
+  keepFreedMemory();
   try {
     return parseAndRun(program, argc, argv);
   } catch (const DataError& error) {
