@@ -56,7 +56,7 @@ struct ZeroMean {
     const Index n = means->rows();
     VectorXd lambda = VectorXd::Zero(n);
     if (!at(lambda, weights, means)) return false;
-    VectorXd mean = *means * *weights;
+    VectorXd mean = meanOf(*weights, *means);
     const double scale = 1e-14 + means->cwiseAbs().maxCoeff();
     for (int iteration = 0; iteration < 50 && mean.cwiseAbs().maxCoeff() > 1e-13 * scale; ++iteration) {
       MatrixXd jacobian(n, n);
@@ -65,23 +65,27 @@ struct ZeroMean {
       MatrixXd m = *means;
       for (Index k = 0; k < n; ++k) {
         if (!at(lambda + step * VectorXd::Unit(n, k), &w, &m)) return false;
-        jacobian.col(k) = (m * w - mean) / step;
+        jacobian.col(k) = (meanOf(w, m) - mean) / step;
       }
       const VectorXd direction = -jacobian.fullPivLu().solve(mean);
       if (!direction.allFinite() || !improve(direction, &lambda, &mean, weights, means)) break;
     }
-    return mean.cwiseAbs().maxCoeff() <= 1e-10 * scale;
+    return mean.cwiseAbs().maxCoeff() <= 1e-10 * scale && std::abs(weights->sum() - 1) < 1e-8;
   }
 
  private:
+  /// Normalised, because sum_i alpha_i mu_i also vanishes with the weights, far from a solution; there they sum to 1.
+  static VectorXd meanOf(const VectorXd& weights, const MatrixXd& means) { return means * weights / weights.sum(); }
+
   bool improve(const VectorXd& direction, VectorXd* lambda, VectorXd* mean, VectorXd* weights, MatrixXd* means) const {
     VectorXd w = *weights;
     MatrixXd m = *means;
     for (double fraction = 1; fraction > 1e-6; fraction /= 2) {
       if (!at(*lambda + fraction * direction, &w, &m)) continue;
-      if ((m * w).norm() >= mean->norm()) continue;
+      const VectorXd there = meanOf(w, m);
+      if (there.norm() >= mean->norm()) continue;
       *lambda += fraction * direction;
-      *mean = m * w;
+      *mean = there;
       *weights = w;
       *means = m;
       return true;

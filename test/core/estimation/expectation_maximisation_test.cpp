@@ -1,0 +1,166 @@
+// The paper's Algorithm 1: it never descends, ends where the gradient vanishes, and says how it
+// ended.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "support/core_setup.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+struct Problem {
+  Configuration configuration;
+  std::vector<Experiment> experiments;
+  ModelParameters start;
+};
+
+/// Data of a random system that obeys the constraint, and a start beside the truth.
+Problem problemOf(Constraint constraint, int components, int dimension, std::uint64_t seed) {
+  test::RandomSystemOptions options;
+  options.zero_static_gain = constraint == Constraint::zero_static_gain;
+  options.taps = options.zero_static_gain ? dimension + 1 : dimension;
+  options.components = components;
+  options.experiments = 40;
+  options.min_samples = 40;
+  options.pole_radius = 0.8;
+  auto system = test::randomSystem(options, seed);
+  if (constraint == Constraint::zero_mean) {
+    const VectorXd mean = system.truth.mixture.mean();
+    for (VectorXd& of_component : system.truth.mixture.means) of_component -= mean;
+    system = test::simulateSystem(system.truth, options, seed);
+  }
+  Problem problem{test::configurationOf(options), system.experiments,
+                  test::parametersOf(system.truth)};
+  problem.configuration.error_model.constraint = constraint;
+  ModelParameters& start = problem.start;
+  start.parameters *= 0.9;
+  start.noise_variance *= 2;
+  for (MatrixXd& covariance : start.mixture.covariances) covariance *= 3;
+  return problem;
+}
+
+void expectMonotone(const Problem& problem, const ClimbOptions& options) {
+  const test::CoreSetup setup(problem.configuration, problem.experiments);
+  const Climb climb = expectationMaximisation(setup.likelihood(), problem.start, options);
+  ASSERT_GE(climb.trace.size(), 2u);
+  ASSERT_EQ(climb.at.mixture.components(), problem.start.mixture.components()) << "pruned";
+  double last = setup.logLikelihood(problem.start);
+  for (const TracePoint& point : climb.trace) {
+    EXPECT_GE(point.log_likelihood, last - 1e-9 * std::abs(last))
+        << "iteration " << point.iteration;
+    last = point.log_likelihood;
+  }
+  EXPECT_NEAR(setup.logLikelihood(climb.at), climb.log_likelihood,
+              1e-10 * std::abs(climb.log_likelihood));
+  if (options.constraint == Constraint::zero_mean) {
+    EXPECT_LT(climb.at.mixture.mean().norm(), 1e-8);
+  }
+}
+
+using Case = std::tuple<Constraint, int, int>;
+
+class Monotone : public testing::TestWithParam<Case> {};
+
+TEST_P(Monotone, NeverDescends) {
+  const auto [constraint, components, dimension] = GetParam();
+  for (std::uint64_t seed : {3u, 4u}) {
+    const Problem problem = problemOf(constraint, components, dimension, seed);
+    ClimbOptions options = test::climbOptions(problem.configuration, problem.start.mixture, 1e-12);
+    options.max_iterations = 60;
+    expectMonotone(problem, options);
+  }
+}
+
+/// Covariances that start at rank one, or next to nothing, without a floor to hold them up.
+TEST_P(Monotone, NeverDescendsNearSingularCovariances) {
+  const auto [constraint, components, dimension] = GetParam();
+  Problem problem = problemOf(constraint, components, dimension, 5);
+  for (MatrixXd& covariance : problem.start.mixture.covariances) {
+    covariance = (dimension == 1 ? 1e-9 : 0.3) * MatrixXd::Ones(dimension, dimension);
+    covariance.diagonal().array() += 1e-10;
+  }
+  ClimbOptions options = test::climbOptions(problem.configuration, problem.start.mixture, 1e-12);
+  options.max_iterations = 40;
+  options.floor.setZero();
+  expectMonotone(problem, options);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Monotone,
+                         testing::Combine(testing::Values(Constraint::zero_static_gain,
+                                                          Constraint::zero_mean, Constraint::free),
+                                          testing::Values(1, 2, 4), testing::Values(1, 2)));
+
+TEST(ExpectationMaximisation, IsMonotoneWithTheNuisancesOfRealRecords) {
+  Problem problem = problemOf(Constraint::zero_static_gain, 2, 1, 6);
+  for (Experiment& experiment : problem.experiments) {
+    experiment.valid.assign(static_cast<std::size_t>(experiment.samples()), 1);
+    for (int k = 9; k < experiment.samples(); k += 7) {
+      experiment.valid[static_cast<std::size_t>(k)] = 0;
+    }
+  }
+  problem.configuration.estimation.initial_state = InitialState::estimate;
+  problem.configuration.estimation.noise_start = NoiseStart::stationary;
+  problem.configuration.estimation.offsets = Offsets::estimate;
+  problem.start.parameters = test::appended(problem.start.parameters, 0.5);
+  ClimbOptions options = test::climbOptions(problem.configuration, problem.start.mixture, 1e-12);
+  options.max_iterations = 60;
+  expectMonotone(problem, options);
+}
+
+TEST(ExpectationMaximisation, EndsWhereTheGradientVanishes) {
+  const Problem problem = problemOf(Constraint::zero_static_gain, 2, 1, 3);
+  const test::CoreSetup setup(problem.configuration, problem.experiments);
+  const Climb climb = expectationMaximisation(
+      setup.likelihood(), problem.start,
+      test::climbOptions(problem.configuration, problem.start.mixture, 1e-9));
+  EXPECT_EQ(climb.termination, Termination::converged);
+  EXPECT_EQ(climb.iterations, static_cast<int>(climb.trace.size()));
+  const Statistics statistics = setup.likelihood().statistics(climb.at.parameters, true);
+  const Expectation e = setup.likelihood().expect(statistics, climb.at);
+  const MatrixXd all = scores(statistics, climb.at, e);
+  const VectorXd gradient = all.rowwise().sum(), size = all.rowwise().norm();
+  for (Eigen::Index j = 0; j < gradient.size(); ++j) {
+    const bool weight = j >= climb.at.parameters.size() && j < climb.at.parameters.size() + 2;
+    const double vanishing = gradient[j] - (weight ? 40.0 : 0.0);  // sum of weights is kept
+    EXPECT_LT(std::abs(vanishing), 1e-3 * size[j]) << "coordinate " << j;
+  }
+}
+
+TEST(ExpectationMaximisation, SaysHowItEnded) {
+  const Problem problem = problemOf(Constraint::zero_static_gain, 2, 1, 3);
+  const test::CoreSetup setup(problem.configuration, problem.experiments);
+  ClimbOptions options = test::climbOptions(problem.configuration, problem.start.mixture, 1e-12);
+  options.max_iterations = 3;
+  const Climb limited = expectationMaximisation(setup.likelihood(), problem.start, options);
+  EXPECT_EQ(limited.termination, Termination::iteration_limit);
+  EXPECT_EQ(limited.iterations, 3);
+  EXPECT_NE(limited.message.find("max_iterations"), std::string::npos);
+  options.on_iterate = [](const TracePoint& point) { return point.iteration < 2; };
+  const Climb cancelled = expectationMaximisation(setup.likelihood(), problem.start, options);
+  EXPECT_EQ(cancelled.termination, Termination::cancelled);
+  EXPECT_EQ(cancelled.iterations, 2);
+}
+
+/// A component that explains no experiment is given up, and the climb goes on.
+TEST(ExpectationMaximisation, PrunesEmptyComponents) {
+  Problem problem = problemOf(Constraint::zero_static_gain, 2, 1, 3);
+  Mixture& mixture = problem.start.mixture;
+  mixture.weights = {0.5, 0.49, 0.01};
+  mixture.means.push_back(VectorXd::Constant(1, 40));
+  mixture.covariances.push_back(MatrixXd::Constant(1, 1, 0.01));
+  const test::CoreSetup setup(problem.configuration, problem.experiments);
+  const Climb climb = expectationMaximisation(
+      setup.likelihood(), problem.start, test::climbOptions(problem.configuration, mixture, 1e-7));
+  EXPECT_EQ(climb.at.mixture.components(), 2);
+  EXPECT_EQ(climb.termination, Termination::converged);
+  EXPECT_NEAR(climb.at.mixture.weights[0] + climb.at.mixture.weights[1], 1, 1e-12);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification

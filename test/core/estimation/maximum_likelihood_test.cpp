@@ -1,0 +1,147 @@
+// The quasi-Newton climb: same optimum as Algorithm 1, few sweeps, and it says how it ended.
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <tuple>
+
+#include "support/core_setup.h"
+#include "uncertainty_identification/estimation/observed_information.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+struct Problem {
+  Configuration configuration;
+  std::vector<Experiment> experiments;
+  ModelParameters start;
+};
+
+Problem problemOf(Constraint constraint, bool real_records) {
+  test::RandomSystemOptions options;
+  options.nb = options.na = 2;
+  options.zero_static_gain = constraint == Constraint::zero_static_gain;
+  options.pole_radius = 0.8;
+  options.experiments = 40;
+  if (real_records) options.noise_run_up = options.input_run_up = 200;
+  auto system = test::randomSystem(options, 14);
+  if (constraint == Constraint::zero_mean) {
+    const VectorXd mean = system.truth.mixture.mean();
+    for (VectorXd& of_component : system.truth.mixture.means) of_component -= mean;
+    system = test::simulateSystem(system.truth, options, 15);
+  }
+  Problem problem{test::configurationOf(options), system.experiments,
+                  test::parametersOf(system.truth)};
+  problem.configuration.error_model.constraint = constraint;
+  problem.start.parameters *= 0.9;
+  problem.start.noise_variance *= 2;
+  if (!real_records) return problem;
+  problem.configuration.estimation.initial_state = InitialState::estimate;
+  problem.configuration.estimation.noise_start = NoiseStart::stationary;
+  problem.configuration.estimation.offsets = Offsets::estimate;
+  problem.start.parameters = test::appended(problem.start.parameters, 0.0);
+  return problem;
+}
+
+using Case = std::tuple<Constraint, bool>;
+
+class BothAlgorithms : public testing::TestWithParam<Case> {};
+
+TEST_P(BothAlgorithms, ReachTheSameOptimum) {
+  const Problem problem = problemOf(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  const test::CoreSetup setup(problem.configuration, problem.experiments);
+  const auto options = [&](double tolerance) {
+    return test::climbOptions(problem.configuration, problem.start.mixture, tolerance);
+  };
+  const int before = setup.likelihood().passes();
+  const Climb fast = maximumLikelihood(setup.likelihood(), problem.start, options(1e-7));
+  EXPECT_EQ(fast.termination, Termination::converged) << fast.message;
+  EXPECT_LE(setup.likelihood().passes() - before, 100);
+  ClimbOptions patient = options(1e-9);
+  patient.max_iterations = 20000;
+  ModelParameters start = problem.start;
+  if (patient.constraint ==
+      Constraint::zero_mean) {  // the gain of Go against the mixture: EM crawls
+    start = fast.at;
+    start.noise_variance *= 1.1;
+    for (MatrixXd& covariance : start.mixture.covariances) covariance *= 1.2;
+  }
+  const Climb slow = expectationMaximisation(setup.likelihood(), start, patient);
+  EXPECT_EQ(slow.termination, Termination::converged) << slow.message;
+  EXPECT_NEAR(fast.log_likelihood, slow.log_likelihood, 1e-4);
+  EXPECT_GT(fast.log_likelihood, slow.log_likelihood - 1e-5);
+  if (patient.constraint == Constraint::zero_mean) {
+    EXPECT_LT(fast.at.mixture.mean().norm(), 1e-12);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BothAlgorithms,
+                         testing::Values(Case{Constraint::zero_static_gain, false},
+                                         Case{Constraint::zero_static_gain, true},
+                                         Case{Constraint::zero_mean, false},
+                                         Case{Constraint::zero_mean, true}));
+
+TEST(MaximumLikelihood, EndsAtAMaximum) {
+  const Problem problem = problemOf(Constraint::zero_static_gain, true);
+  const test::CoreSetup setup(problem.configuration, problem.experiments);
+  const ClimbOptions options =
+      test::climbOptions(problem.configuration, problem.start.mixture, 1e-8);
+  const Climb climb = maximumLikelihood(setup.likelihood(), problem.start, options);
+  EXPECT_NEAR(setup.logLikelihood(climb.at), climb.log_likelihood, 1e-9);
+  for (std::size_t k = 1; k < climb.trace.size(); ++k) {
+    EXPECT_GT(climb.trace[k].log_likelihood, climb.trace[k - 1].log_likelihood);
+    EXPECT_GT(climb.trace[k].passes, climb.trace[k - 1].passes);
+  }
+  const Parametrisation parametrisation(setup.model(), options.constraint, 2, MatrixXd::Zero(1, 1));
+  const ScoredPoint top =
+      scoredPoint(setup.likelihood(), parametrisation, parametrisation.toCoordinates(climb.at));
+  const MatrixXd information = observedInformation(setup.likelihood(), parametrisation, top, true);
+  const Eigen::LLT<MatrixXd> factor(information);
+  ASSERT_EQ(factor.info(), Eigen::Success) << "curved upwards somewhere";
+  EXPECT_LT(0.5 * top.gradient.dot(factor.solve(top.gradient)), 1e-7);  // gain left [nats]
+}
+
+TEST(MaximumLikelihood, SaysHowItEnded) {
+  const Problem problem = problemOf(Constraint::zero_static_gain, false);
+  const test::CoreSetup setup(problem.configuration, problem.experiments);
+  ClimbOptions options = test::climbOptions(problem.configuration, problem.start.mixture, 1e-9);
+  options.max_iterations = 2;
+  const Climb limited = maximumLikelihood(setup.likelihood(), problem.start, options);
+  EXPECT_EQ(limited.termination, Termination::iteration_limit) << limited.message;
+  EXPECT_TRUE(std::isfinite(limited.log_likelihood));
+  options.max_iterations = 1000;
+  int calls = 0;
+  options.on_iterate = [&](const TracePoint&) { return ++calls < 7; };
+  const Climb cancelled = maximumLikelihood(setup.likelihood(), problem.start, options);
+  EXPECT_EQ(cancelled.termination, Termination::cancelled);
+  EXPECT_GT(cancelled.log_likelihood, setup.logLikelihood(problem.start));
+}
+
+/// One `false` is enough, also when it is said during the first scoring steps.
+TEST(MaximumLikelihood, IsCancelledAtItsFirstIterate) {
+  const Problem problem = problemOf(Constraint::zero_static_gain, false);
+  const test::CoreSetup setup(problem.configuration, problem.experiments);
+  ClimbOptions options = test::climbOptions(problem.configuration, problem.start.mixture, 1e-9);
+  int calls = 0;
+  options.on_iterate = [&](const TracePoint&) { return ++calls != 1; };
+  const Climb cancelled = maximumLikelihood(setup.likelihood(), problem.start, options);
+  EXPECT_EQ(cancelled.termination, Termination::cancelled);
+}
+
+/// What cannot be evaluated is told, not thrown.
+TEST(MaximumLikelihood, StallsWhereTheLikelihoodIsNotFinite) {
+  Problem problem = problemOf(Constraint::zero_static_gain, false);
+  for (Experiment& experiment : problem.experiments) experiment.y *= 1e200;
+  const test::CoreSetup setup(problem.configuration, problem.experiments);
+  const Climb climb =
+      maximumLikelihood(setup.likelihood(), problem.start,
+                        test::climbOptions(problem.configuration, problem.start.mixture, 1e-6));
+  EXPECT_EQ(climb.termination, Termination::stalled);
+  EXPECT_FALSE(climb.message.empty());
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
