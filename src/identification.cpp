@@ -25,8 +25,9 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-Identification::Identification(const Configuration& configuration, const ProgressCallback& progress)
-    : progress_(progress) {
+Identification::Identification(const Configuration& configuration, const NominalModelFactory& nominal_model,
+                               const ProgressCallback& progress)
+    : factory_(nominal_model), progress_(progress) {
   estimate_.configuration = configuration;
   estimate_.version = version();
 }
@@ -126,12 +127,16 @@ void Identification::chooseTaps() {
   if (std::isfinite(lowest)) estimate_.candidates[chosen].chosen = true;
 }
 
+std::shared_ptr<const NominalModel> Identification::nominalModel() const {
+  return factory_ ? factory_(sample_time_) : makeNominalModel(estimate_.configuration.nominal_model, sample_time_);
+}
+
 void Identification::buildModel() {
   const Configuration& configuration = estimate_.configuration;
   const NominalModelOptions& options = configuration.nominal_model;
   const bool white = options.structure == Structure::output_error;
   auto nominal = plant_.has_value() ? holdPlant(*plant_, white ? 0 : options.nc, white ? 0 : options.nd)
-                                    : makeNominalModel(options, sample_time_);
+                                    : nominalModel();
   model_ = std::make_unique<LinearModel>(nominal, ErrorBasis(configuration.error_model), configuration.estimation);
   if (blocks_.empty()) blocks_ = makeBlocks(experiments_);
   likelihood_ = std::make_unique<Likelihood>(*model_, blocks_, estimate_.experiment_count, threads());
@@ -170,7 +175,7 @@ VectorXd Identification::given(const LinearModel& model, const Estimate* previou
     values["offset_u"] = previous->offset_u;
     values["offset_y"] = previous->offset_y;
   } else {
-    const std::vector<std::string> names = makeNominalModel(configuration.nominal_model, sample_time_)->names();
+    const std::vector<std::string> names = nominalModel()->names();
     const VectorXd& theta = configuration.initial.theta;
     if (theta.size() != static_cast<Eigen::Index>(names.size())) {
       std::string all;

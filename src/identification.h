@@ -15,7 +15,9 @@ namespace uncertainty_identification {
 /// One run of Identifier: each step leaves its findings in the estimate.
 class Identification {
  public:
-  Identification(const Configuration& configuration, const ProgressCallback& progress);
+  /// `nominal_model` empty: the model that the configuration names.
+  Identification(const Configuration& configuration, const NominalModelFactory& nominal_model,
+                 const ProgressCallback& progress);
 
   Estimate run(const std::vector<Experiment>& experiments, const std::vector<Experiment>& validation,
                const Estimate* previous);
@@ -32,6 +34,7 @@ class Identification {
   std::vector<Eigen::VectorXd> starts() const;
   Eigen::VectorXd given(const LinearModel& model, const Estimate* previous) const;
   bool isGiven(const Estimate* previous) const;
+  std::shared_ptr<const NominalModel> nominalModel() const;
   ModelParameters start(const Estimate* previous);
   ModelParameters givenMixture(const Mixture& mixture, const Eigen::VectorXd& at, const Estimate* previous) const;
   ModelParameters chooseComponents(const ModelParameters& single, const ClimbOptions& options);
@@ -46,6 +49,7 @@ class Identification {
   bool report(const std::string& phase, double fraction, double log_likelihood);
   int threads() const;
 
+  NominalModelFactory factory_;
   ProgressCallback progress_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   bool cancelled_ = false;

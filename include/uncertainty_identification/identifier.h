@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/experiment.h"
 #include "uncertainty_identification/estimation/estimate.h"
+#include "uncertainty_identification/model/nominal_model.h"
 
 namespace uncertainty_identification {
 
@@ -18,12 +20,20 @@ struct Progress {
 };
 using ProgressCallback = std::function<bool(const Progress&)>;
 
+/// Makes the nominal model for data of a sample time [s].
+using NominalModelFactory = std::function<std::shared_ptr<const NominalModel>(double)>;
+
 /// The class that everything else is a front end of: experiments in, estimate out.
 /// The same experiments, configuration and version give the same estimate, whatever the number of threads.
 class Identifier {
  public:
   /// Throws ConfigurationError when the configuration is not valid.
   explicit Identifier(Configuration configuration);
+
+  /// The same with a nominal model of the caller's own (docs/adding_a_nominal_model.md) in place of
+  /// configuration.nominal_model. Throws ConfigurationError also for `orders: auto` and `fit: simulation` there, which
+  /// are for Box-Jenkins models.
+  Identifier(Configuration configuration, NominalModelFactory nominal_model);
 
   const Configuration& configuration() const { return configuration_; }
 
@@ -41,6 +51,7 @@ class Identifier {
 
  private:
   Configuration configuration_;
+  NominalModelFactory nominal_model_;  ///< empty: configuration_ names the model
 };
 
 }  // namespace uncertainty_identification
