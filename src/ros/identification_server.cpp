@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/ros/identify_request.h"
 #include "uncertainty_identification/ros/message_conversions.h"
 
@@ -17,12 +18,18 @@ std_srvs::Trigger::Response answer(bool success, const std::string& message) {
 
 void warn(const std::string& message) { ROS_WARN_STREAM(message); }
 
+const Configuration& requireAvailable(const Configuration& configuration) {
+  if (configuration.store_directory.empty()) return configuration;
+  throw ConfigurationError("store_directory: found '" + configuration.store_directory +
+                           "', but this version keeps experiments in memory only; leave it empty");
+}
+
 }  // namespace
 
 IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                                            const ros::NodeHandle& private_node,
                                            const Configuration& configuration)
-    : configuration_(configuration),
+    : configuration_(requireAvailable(configuration)),
       results_(private_node),
       status_(
           private_node, [this] { return worker_.status(); },

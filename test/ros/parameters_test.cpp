@@ -6,6 +6,7 @@
 
 #include "support/error_message.h"
 #include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/configuration_yaml.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -84,6 +85,12 @@ TEST(Parameters, KeysOfRosLibrariesAreAllowed) {
   parameters["identify_bags"]["status_frequency"] = 1.0;
   parameters["actionlib_server_pub_queue_size"] = 5;
   EXPECT_NO_THROW(parseParameters(parameters));
+}
+
+TEST(Parameters, ShippedConfigurationsLoad) {
+  const std::string folder = std::string(PROJECT_FOLDER) + "/config/";
+  EXPECT_TRUE(loadConfiguration(folder + "identification.yaml").nominal_model.orders_auto);
+  EXPECT_EQ(loadConfiguration(folder + "replay.yaml").experiment.duration, 10);
 }
 
 }  // namespace

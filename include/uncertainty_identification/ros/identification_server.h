@@ -24,7 +24,7 @@ namespace uncertainty_identification {
 /// that no request keeps a sample from being recorded, or another from being answered.
 class IdentificationServer {
  public:
-  /// Throws ConfigurationError when the configuration is not valid.
+  /// Throws ConfigurationError when the configuration is not valid, or asks for a store.
   IdentificationServer(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                        const Configuration& configuration);
 

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <ros/ros.h>
+
+#include <mutex>
+#include <string>
+
+#include "support/wait_for.h"
+#include "uncertainty_identification/ros/messages.h"
+
+namespace uncertainty_identification {
+
+/// A client of the node /identification. Its callbacks run in a thread of its own.
+class NodeClient {
+ public:
+  NodeClient() : spinner_(1) {
+    status_subscriber_ = node_.subscribe<messages::IdentificationStatus>(
+        "status", 100, [this](const messages::IdentificationStatus::ConstPtr& status) {
+          const std::lock_guard<std::mutex> lock(mutex_);
+          status_ = *status;
+          heard_ = true;
+        });
+    spinner_.start();
+  }
+
+  ros::NodeHandle& node() { return node_; }
+
+  messages::IdentificationStatus status() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return status_;
+  }
+
+  /// Waits for the node to be up.
+  bool waitForNode() {
+    return waitFor([this] {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      return heard_;
+    });
+  }
+
+  /// Waits until so many experiments are stored and no work is left.
+  bool waitUntilStored(std::uint32_t count) {
+    return waitFor([&] {
+      const auto now = status();
+      return now.stored_count >= count && now.queue == 0 &&
+             now.state != messages::IdentificationStatus::IDENTIFYING;
+    });
+  }
+
+  template <typename Service>
+  typename Service::Response call(const std::string& name,
+                                  const typename Service::Request& request = {}) {
+    Service service;
+    service.request = request;
+    if (!ros::service::waitForService(node_.resolveName(name), 30000) ||
+        !ros::service::call(node_.resolveName(name), service))
+      throw std::runtime_error("service '" + name + "' did not answer");
+    return service.response;
+  }
+
+ private:
+  ros::NodeHandle node_{"/identification"};
+  mutable std::mutex mutex_;
+  messages::IdentificationStatus status_;
+  bool heard_ = false;
+  ros::Subscriber status_subscriber_;
+  ros::AsyncSpinner spinner_;
+};
+
+/// Plays a bag to its end, on its own clock. Returns the exit status of `rosbag play`.
+inline int playBag(const std::string& path, const std::string& options) {
+  const std::string command = "rosbag play --quiet --clock --wait-for-subscribers " + options +
+                              " " + path + " < /dev/null > /dev/null";
+  return std::system(command.c_str());
+}
+
+}  // namespace uncertainty_identification
