@@ -85,12 +85,19 @@ FusedInput<kOrder, kRegressors> inputOf(const Block& block, const Polynomials& p
   return in;
 }
 
-/// Copies the upper triangle `pairs` of one lane to a full symmetric matrix.
-template <int kRegressors>
-void expand(const Lanes* pairs, int lane, Statistics::Gram to) {
-  int pair = 0;
-  for (int i = 0; i <= kRegressors; ++i) {
-    for (int j = i; j <= kRegressors; ++j) to(i, j) = to(j, i) = pairs[pair++][lane];
+/// Writes the upper triangles `pairs` of all lanes as full symmetric matrices, each to the place
+/// that `matrix_of` gives for its experiment.
+template <int kRegressors, typename MatrixOf>
+void expand(const Lanes* pairs, const Block& block, const MatrixOf& matrix_of) {
+  constexpr int kSize = kRegressors + 1;
+  for (int lane = 0; lane < block.lanes; ++lane) {
+    double* to = matrix_of(block.index[static_cast<std::size_t>(lane)]).data();
+    int pair = 0;
+    UI_UNROLL for (int i = 0; i < kSize; ++i) {
+      UI_UNROLL for (int j = i; j < kSize; ++j) {
+        to[i * kSize + j] = to[j * kSize + i] = pairs[pair++][lane];
+      }
+    }
   }
 }
 
@@ -118,18 +125,15 @@ void write(const FusedSums<kOrder, kRegressors>& sums, const Block& block, const
            const MatrixXd& jacobian, Statistics* statistics) {
   for (int lane = 0; lane < block.lanes; ++lane) {
     const int r = block.index[static_cast<std::size_t>(lane)];
-    expand<kRegressors>(sums.gram, lane, statistics->gram(r));
     statistics->samples()[r] = block.lengths[static_cast<std::size_t>(lane)];
     statistics->logJacobian()[r] = 0;
     statistics->logJacobianDerivatives().col(r).setZero();
   }
+  expand<kRegressors>(sums.gram, block, [&](int r) { return statistics->gram(r); });
   Lanes pairs[FusedSums<kOrder, kRegressors>::kPairs];
-  for (Index j = 0; j < jacobian.cols(); ++j) {
+  for (int j = 0; j < static_cast<int>(jacobian.cols()); ++j) {
     derivativeOf(sums, p, jacobian.col(j).data(), pairs);
-    for (int lane = 0; lane < block.lanes; ++lane) {
-      const int r = block.index[static_cast<std::size_t>(lane)];
-      expand<kRegressors>(pairs, lane, statistics->gramDerivative(r, static_cast<int>(j)));
-    }
+    expand<kRegressors>(pairs, block, [&](int r) { return statistics->gramDerivative(r, j); });
   }
 }
 

@@ -48,16 +48,18 @@ struct FusedHistory {
 
   /// in - sum_k p_k value_(k-1): one step of 1/P when the result is pushed.
   template <int kOrder>
-  UI_INLINE Vector minus(Vector in, const double (&p)[kOrder]) const {
-    UI_UNROLL for (int k = 0; k < kOrder; ++k) in -= p[k] * value[k];
-    return in;
+  UI_INLINE Vector minus(const Vector& in, const double (&p)[kOrder]) const {
+    Vector out = in;
+    UI_UNROLL for (int k = 0; k < kOrder; ++k) out -= p[k] * value[k];
+    return out;
   }
 
   /// in + sum_k p_k value_(k-1): one step of P before `in` is pushed.
   template <int kOrder>
-  UI_INLINE Vector plus(Vector in, const double (&p)[kOrder]) const {
-    UI_UNROLL for (int k = 0; k < kOrder; ++k) in += p[k] * value[k];
-    return in;
+  UI_INLINE Vector plus(const Vector& in, const double (&p)[kOrder]) const {
+    Vector out = in;
+    UI_UNROLL for (int k = 0; k < kOrder; ++k) out += p[k] * value[k];
+    return out;
   }
 
   /// sum_l T_li value_(lag+l): regressor i of a simulation with this history.

@@ -30,7 +30,8 @@ Configuration example1AtRest() {
 ModelParameters example1Parameters() {
   const Truth truth = example1Truth();
   ModelParameters at;
-  at.parameters = vectorOf({truth.plant.b[0], truth.plant.a[0], truth.noise.c[0], truth.noise.d[0]});
+  at.parameters =
+      vectorOf({truth.plant.b[0], truth.plant.a[0], truth.noise.c[0], truth.noise.d[0]});
   at.mixture = truth.error_model.mixture;
   at.noise_variance = truth.noise.variance;
   return at;

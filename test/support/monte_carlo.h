@@ -26,8 +26,8 @@ ModelParameters paperStart();
 
 /// One data set, identified.
 struct MonteCarloRun {
-  Estimate estimate;          ///< by Identifier, from an automatic start
-  double from_truth = 0;      ///< log-likelihood of the optimum that a climb from the truth reaches
+  Estimate estimate;      ///< by Identifier, from an automatic start
+  double from_truth = 0;  ///< log-likelihood of the optimum that a climb from the truth reaches
 };
 
 /// Simulates Example 1 with this seed and identifies it.

@@ -1,0 +1,41 @@
+#include <benchmark/benchmark.h>
+
+#include "support/monte_carlo.h"
+#include "uncertainty_identification/simulation/simulate.h"
+
+/// One sweep over all samples, statistics with their derivatives, for Example 1's structure: what a
+/// pass of the climb costs. Arguments: experiments M, samples N.
+namespace uncertainty_identification::test {
+namespace {
+
+/// One thread. The default configuration takes the general path, an arrangement of filters.
+void sweep(benchmark::State& state, const Configuration& configuration) {
+  const auto experiments = static_cast<int>(state.range(0)),
+             samples = static_cast<int>(state.range(1));
+  const CoreSetup setup(configuration, simulate(example1Truth(experiments, samples), 1));
+  Eigen::VectorXd at = example1Parameters().parameters;
+  if (configuration.estimation.offsets == Offsets::estimate) at = appended(at, 0.0);
+  for (auto _ : state) {
+    const Statistics statistics = setup.likelihood().statistics(at, true);
+    benchmark::DoNotOptimize(statistics.samples().data());
+  }
+  state.counters["per_sample"] = benchmark::Counter(
+      static_cast<double>(experiments) * samples,
+      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void atRest(benchmark::State& state) { sweep(state, example1AtRest()); }
+
+void defaultNuisances(benchmark::State& state) {
+  Configuration configuration = example1AtRest();
+  configuration.estimation = EstimationOptions();
+  sweep(state, configuration);
+}
+
+BENCHMARK(atRest)->Args({100, 100})->Args({1000, 100})->Args({100000, 100})->Args({100, 10000});
+BENCHMARK(defaultNuisances)->Args({100, 100})->Args({1000, 100});
+
+}  // namespace
+}  // namespace uncertainty_identification::test
+
+BENCHMARK_MAIN();
