@@ -25,15 +25,16 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-Identification::Identification(const Configuration& configuration, const NominalModelFactory& nominal_model,
+Identification::Identification(const Configuration& configuration,
+                               const NominalModelFactory& nominal_model,
                                const ProgressCallback& progress)
     : factory_(nominal_model), progress_(progress) {
   estimate_.configuration = configuration;
   estimate_.version = version();
 }
 
-Estimate Identification::run(const std::vector<Experiment>& experiments, const std::vector<Experiment>& validation,
-                             const Estimate* previous) {
+Estimate Identification::run(const std::vector<Experiment>& experiments,
+                             const std::vector<Experiment>& validation, const Estimate* previous) {
   checkData(experiments);
   limitErrorModel();
   chooseOrders();
@@ -44,7 +45,8 @@ Estimate Identification::run(const std::vector<Experiment>& experiments, const s
   climb(start(previous));
   describe();
   if (!cancelled_) validate(validation);
-  estimate_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+  estimate_.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
   return std::move(estimate_);
 }
 
@@ -52,20 +54,24 @@ void Identification::checkData(const std::vector<Experiment>& experiments) {
   report("checking the data", 0, kUnknown);
   const Configuration& configuration = estimate_.configuration;
   std::vector<std::string> covariates;
-  for (const SignalOptions& covariate : configuration.covariates) covariates.push_back(covariate.name);
-  const CheckReport checked = checkExperiments(experiments, configuration.limits, covariates, configuration.sample_time);
+  for (const SignalOptions& covariate : configuration.covariates)
+    covariates.push_back(covariate.name);
+  const CheckReport checked =
+      checkExperiments(experiments, configuration.limits, covariates, configuration.sample_time);
   estimate_.rejected = checked.rejected;
   estimate_.warnings = checked.warnings;
   for (int r : checked.usable) experiments_.push_back(experiments[static_cast<std::size_t>(r)]);
   if (experiments_.empty()) {
     std::string reasons;
     for (const RejectedExperiment& rejected : checked.rejected) reasons += "\n  " + rejected.reason;
-    throw DataError(experiments.empty() ? "no experiments were given" : "no usable experiment is left:" + reasons);
+    throw DataError(experiments.empty() ? "no experiments were given"
+                                        : "no usable experiment is left:" + reasons);
   }
   sample_time_ = experiments_.front().sample_time;
   estimate_.data_fingerprint = dataFingerprint(experiments_);
   estimate_.experiment_count = static_cast<int>(experiments_.size());
-  for (const Experiment& experiment : experiments_) estimate_.sample_count += experiment.validSamples();
+  for (const Experiment& experiment : experiments_)
+    estimate_.sample_count += experiment.validSamples();
 }
 
 void Identification::limitErrorModel() {
@@ -78,21 +84,24 @@ void Identification::limitErrorModel() {
     options.components = 1;
     options.constraint = Constraint::free;
     estimate_.warnings.push_back(
-        "one experiment shows no spread of the plant: a plain nominal model was identified; record more experiments to "
+        "one experiment shows no spread of the plant: a plain nominal model was identified; record "
+        "more experiments to "
         "learn its uncertainty");
   } else if (options.components != 1) {
     options.components = 1;
-    estimate_.warnings.push_back(std::to_string(experiments_.size()) +
-                                 " experiments cannot carry a mixture: one Gaussian component was identified; a mixture "
-                                 "needs at least 4 experiments, better 20");
+    estimate_.warnings.push_back(
+        std::to_string(experiments_.size()) +
+        " experiments cannot carry a mixture: one Gaussian component was identified; a mixture "
+        "needs at least 4 experiments, better 20");
   }
 }
 
 void Identification::chooseOrders() {
   NominalModelOptions& options = estimate_.configuration.nominal_model;
   if (!options.orders_auto) return;
-  options = selectOrders(estimate_.configuration, sample_time_, experiments_, threads(), &estimate_.candidates,
-                         [this](double share) { return report("choosing orders", 0.05 + 0.5 * share, kUnknown); });
+  options = selectOrders(
+      estimate_.configuration, sample_time_, experiments_, threads(), &estimate_.candidates,
+      [this](double share) { return report("choosing orders", 0.05 + 0.5 * share, kUnknown); });
   options.orders_auto = false;
   choose_noise_ = options.fit == PlantFit::simulation;
 }
@@ -106,16 +115,16 @@ void Identification::chooseTaps() {
   int taps = fewest;
   for (options.taps = fewest; options.taps <= std::max(options.max_taps, fewest); ++options.taps) {
     buildModel();
-    const ModelParameters single = bestSingleComponent(
-        *likelihood_, starts(), climbOptions("choosing taps", 0.55, 0.6));
+    const ModelParameters single =
+        bestSingleComponent(*likelihood_, starts(), climbOptions("choosing taps", 0.55, 0.6));
     if (single.mixture.components() == 0) continue;
     const Statistics statistics = likelihood_->statistics(single.parameters, false);
     Candidate candidate{"taps", "taps=" + std::to_string(options.taps), 0, 0, 0, kUnknown, false};
     const int mixture = mixtureParameters(options.constraint, model_->regressors(), 1);
     candidate.parameters = model_->parameterCount() + 1 + mixture;
     candidate.log_likelihood = likelihood_->expect(statistics, single).total();
-    candidate.bic = bic(candidate.log_likelihood, model_->parameterCount() + 1, mixture, statistics.samples().sum(),
-                        estimate_.experiment_count);
+    candidate.bic = bic(candidate.log_likelihood, model_->parameterCount() + 1, mixture,
+                        statistics.samples().sum(), estimate_.experiment_count);
     estimate_.candidates.push_back(candidate);
     if (candidate.bic < lowest) {
       lowest = candidate.bic;
@@ -128,18 +137,22 @@ void Identification::chooseTaps() {
 }
 
 std::shared_ptr<const NominalModel> Identification::nominalModel() const {
-  return factory_ ? factory_(sample_time_) : makeNominalModel(estimate_.configuration.nominal_model, sample_time_);
+  return factory_ ? factory_(sample_time_)
+                  : makeNominalModel(estimate_.configuration.nominal_model, sample_time_);
 }
 
 void Identification::buildModel() {
   const Configuration& configuration = estimate_.configuration;
   const NominalModelOptions& options = configuration.nominal_model;
   const bool white = options.structure == Structure::output_error;
-  auto nominal = plant_.has_value() ? holdPlant(*plant_, white ? 0 : options.nc, white ? 0 : options.nd)
-                                    : nominalModel();
-  model_ = std::make_unique<LinearModel>(nominal, ErrorBasis(configuration.error_model), configuration.estimation);
+  auto nominal = plant_.has_value()
+                     ? holdPlant(*plant_, white ? 0 : options.nc, white ? 0 : options.nd)
+                     : nominalModel();
+  model_ = std::make_unique<LinearModel>(nominal, ErrorBasis(configuration.error_model),
+                                         configuration.estimation);
   if (blocks_.empty()) blocks_ = makeBlocks(experiments_);
-  likelihood_ = std::make_unique<Likelihood>(*model_, blocks_, estimate_.experiment_count, threads());
+  likelihood_ =
+      std::make_unique<Likelihood>(*model_, blocks_, estimate_.experiment_count, threads());
 }
 
 void Identification::checkSizes() const {
@@ -147,31 +160,37 @@ void Identification::checkSizes() const {
   Response response;
   const VectorXd anywhere = model_->fromUnbounded(VectorXd::Zero(model_->parameterCount()));
   model_->evaluate(blocks_.back(), anywhere, false, &response);
-  const long nuisances = static_cast<long>(response.column_precision.size()) * estimate_.experiment_count;
+  const long nuisances =
+      static_cast<long>(response.column_precision.size()) * estimate_.experiment_count;
   if (estimate_.sample_count < 2 * (parameters + nuisances)) {
-    throw DataError("the orders are too large for the data: " + std::to_string(parameters) + " parameters and " +
-                    std::to_string(nuisances) + " unknown initial values or offsets against " +
-                    std::to_string(estimate_.sample_count) +
-                    " measured samples; lower the orders (nominal_model: nb, na, nc, nd, delay), set "
-                    "estimation.initial_state: zero if the experiments start at rest, or record longer experiments");
+    throw DataError(
+        "the orders are too large for the data: " + std::to_string(parameters) +
+        " parameters and " + std::to_string(nuisances) +
+        " unknown initial values or offsets against " + std::to_string(estimate_.sample_count) +
+        " measured samples; lower the orders (nominal_model: nb, na, nc, nd, delay), set "
+        "estimation.initial_state: zero if the experiments start at rest, or record longer "
+        "experiments");
   }
 }
 
 std::vector<VectorXd> Identification::starts() const {
-  return plant_.has_value() ? noiseStarts(*model_, *plant_, plant_offset_, experiments_)
-                            : nominalStarts(*model_, estimate_.configuration.nominal_model, experiments_);
+  return plant_.has_value()
+             ? noiseStarts(*model_, *plant_, plant_offset_, experiments_)
+             : nominalStarts(*model_, estimate_.configuration.nominal_model, experiments_);
 }
 
 bool Identification::isGiven(const Estimate* previous) const {
   return previous != nullptr || estimate_.configuration.initial.theta.size() > 0;
 }
 
-/// The start that a previous estimate or the configuration's `initial` gives, for the parameters of `model`.
+/// The start that a previous estimate or the configuration's `initial` gives, for the parameters of
+/// `model`.
 VectorXd Identification::given(const LinearModel& model, const Estimate* previous) const {
   const Configuration& configuration = estimate_.configuration;
   std::map<std::string, double> values;
   if (previous != nullptr) {
-    for (const ParameterEstimate& parameter : previous->nominal_model.parameters) values[parameter.name] = parameter.value;
+    for (const ParameterEstimate& parameter : previous->nominal_model.parameters)
+      values[parameter.name] = parameter.value;
     values["offset_u"] = previous->offset_u;
     values["offset_y"] = previous->offset_y;
   } else {
@@ -180,26 +199,31 @@ VectorXd Identification::given(const LinearModel& model, const Estimate* previou
     if (theta.size() != static_cast<Eigen::Index>(names.size())) {
       std::string all;
       for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-      throw ConfigurationError("initial.theta: the model has " + std::to_string(names.size()) + " parameters (" + all +
-                               "), found " + std::to_string(theta.size()));
+      throw ConfigurationError("initial.theta: the model has " + std::to_string(names.size()) +
+                               " parameters (" + all + "), found " + std::to_string(theta.size()));
     }
-    for (std::size_t k = 0; k < names.size(); ++k) values[names[k]] = theta[static_cast<Eigen::Index>(k)];
+    for (std::size_t k = 0; k < names.size(); ++k)
+      values[names[k]] = theta[static_cast<Eigen::Index>(k)];
   }
   VectorXd at = VectorXd::Zero(model.parameterCount());
   const std::vector<std::string> names = model.names();
-  for (std::size_t k = 0; k < names.size(); ++k) at[static_cast<Eigen::Index>(k)] = values[names[k]];
+  for (std::size_t k = 0; k < names.size(); ++k)
+    at[static_cast<Eigen::Index>(k)] = values[names[k]];
   if (!model.admissible(at)) {
-    throw ConfigurationError("initial.theta: A, C and D must have their roots inside the unit circle");
+    throw ConfigurationError(
+        "initial.theta: A, C and D must have their roots inside the unit circle");
   }
   return at;
 }
 
 /// A given mixture to start from, with the noise variance that is given or fits it.
-ModelParameters Identification::givenMixture(const Mixture& mixture, const VectorXd& at, const Estimate* previous) const {
+ModelParameters Identification::givenMixture(const Mixture& mixture, const VectorXd& at,
+                                             const Estimate* previous) const {
   const InitialOptions& initial = estimate_.configuration.initial;
   if (mixture.dimension() != model_->regressors()) {
-    throw ConfigurationError("initial.means: the error model has " + std::to_string(model_->regressors()) +
-                             " free parameters, found " + std::to_string(mixture.dimension()));
+    throw ConfigurationError("initial.means: the error model has " +
+                             std::to_string(model_->regressors()) + " free parameters, found " +
+                             std::to_string(mixture.dimension()));
   }
   ModelParameters start{at, mixture, 1.0};
   if (previous != nullptr) {
@@ -218,13 +242,17 @@ ModelParameters Identification::start(const Estimate* previous) {
   const Configuration& configuration = estimate_.configuration;
   const std::vector<VectorXd> from =
       isGiven(previous) ? std::vector<VectorXd>{given(*model_, previous)} : starts();
-  if (from.empty()) throw DataError("no start could be found for these orders; give `initial: {theta: [...]}`");
-  const Mixture& mixture = previous != nullptr ? previous->error_model.mixture : configuration.initial.mixture;
+  if (from.empty())
+    throw DataError("no start could be found for these orders; give `initial: {theta: [...]}`");
+  const Mixture& mixture =
+      previous != nullptr ? previous->error_model.mixture : configuration.initial.mixture;
   if (mixture.components() > 0) return givenMixture(mixture, from.front(), previous);
 
-  const ModelParameters single = bestSingleComponent(*likelihood_, from, climbOptions("starting values", 0.6, 0.7));
+  const ModelParameters single =
+      bestSingleComponent(*likelihood_, from, climbOptions("starting values", 0.6, 0.7));
   if (single.mixture.components() == 0 || !model_->admissible(single.parameters)) {
-    throw DataError("the likelihood is not finite at any start; check the units and the scale of the data");
+    throw DataError(
+        "the likelihood is not finite at any start; check the units and the scale of the data");
   }
   if (configuration.error_model.components == 1) return single;
   ClimbOptions options = climbOptions("starting values", 0.7, 0.75);
@@ -232,26 +260,29 @@ ModelParameters Identification::start(const Estimate* previous) {
   return chooseComponents(single, options);
 }
 
-ModelParameters Identification::chooseComponents(const ModelParameters& single, const ClimbOptions& options) {
+ModelParameters Identification::chooseComponents(const ModelParameters& single,
+                                                 const ClimbOptions& options) {
   ErrorModelOptions& error_model = estimate_.configuration.error_model;
   const bool automatic = error_model.components == kAutomatic;
   const int first = automatic ? 1 : error_model.components;
-  const int last = automatic ? std::min(error_model.max_components, estimate_.experiment_count / 4) : first;
+  const int last =
+      automatic ? std::min(error_model.max_components, estimate_.experiment_count / 4) : first;
   const Statistics statistics = likelihood_->statistics(single.parameters, false);
   ModelParameters best = single;
   double lowest = std::numeric_limits<double>::infinity();
   std::size_t chosen = 0;
   for (int components = first; components <= std::max(last, first); ++components) {
     double reached = 0;
-    const ModelParameters at =
-        spreadComponents(*likelihood_, statistics, single, components, estimate_.configuration.estimation.restarts,
-                         estimate_.configuration.estimation.seed, options, &reached);
+    const ModelParameters at = spreadComponents(
+        *likelihood_, statistics, single, components, estimate_.configuration.estimation.restarts,
+        estimate_.configuration.estimation.seed, options, &reached);
     const int mixture = mixtureParameters(error_model.constraint, model_->regressors(), components);
-    const double criterion = bic(reached, model_->parameterCount() + 1, mixture, statistics.samples().sum(),
-                                 estimate_.experiment_count);
+    const double criterion = bic(reached, model_->parameterCount() + 1, mixture,
+                                 statistics.samples().sum(), estimate_.experiment_count);
     if (automatic) {
       estimate_.candidates.push_back({"components", "components=" + std::to_string(components),
-                                      model_->parameterCount() + 1 + mixture, reached, criterion, kUnknown, false});
+                                      model_->parameterCount() + 1 + mixture, reached, criterion,
+                                      kUnknown, false});
     }
     if (criterion < lowest) {
       lowest = criterion;
@@ -268,15 +299,17 @@ void Identification::climb(const ModelParameters& start) {
   const EstimationOptions& options = estimate_.configuration.estimation;
   at_ = start;
   if (options.max_iterations == 0) {
-    const Expectation e = likelihood_->expect(likelihood_->statistics(start.parameters, false), start);
+    const Expectation e =
+        likelihood_->expect(likelihood_->statistics(start.parameters, false), start);
     estimate_.log_likelihood = e.total();
     estimate_.message = "evaluated at the start, as max_iterations: 0 asks";
     return;
   }
   ClimbOptions climbing = climbOptions("climbing", 0.75, 0.95);
   climbing.floor = covarianceFloor(start.mixture);
-  Climb climb = options.algorithm == Algorithm::em ? expectationMaximisation(*likelihood_, start, climbing)
-                                                   : maximumLikelihood(*likelihood_, start, climbing);
+  Climb climb = options.algorithm == Algorithm::em
+                    ? expectationMaximisation(*likelihood_, start, climbing)
+                    : maximumLikelihood(*likelihood_, start, climbing);
   at_ = std::move(climb.at);
   at_.mixture.sortComponents();
   estimate_.log_likelihood = climb.log_likelihood;
@@ -289,11 +322,13 @@ void Identification::climb(const ModelParameters& start) {
 
 void Identification::reportFloor(const MatrixXd& floor) {
   for (std::size_t i = 0; floor.size() > 0 && i < at_.mixture.covariances.size(); ++i) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(at_.mixture.covariances[i], floor);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(at_.mixture.covariances[i],
+                                                                   floor);
     if (eigen.eigenvalues().minCoeff() > 1.01) continue;
-    estimate_.warnings.push_back("the covariance of component " + std::to_string(i + 1) +
-                                 " stands at its lower limit in a direction: the experiments there hardly differ, or the "
-                                 "component holds too few of them");
+    estimate_.warnings.push_back(
+        "the covariance of component " + std::to_string(i + 1) +
+        " stands at its lower limit in a direction: the experiments there hardly differ, or the "
+        "component holds too few of them");
   }
 }
 
@@ -307,11 +342,12 @@ void Identification::validate(const std::vector<Experiment>& validation) {
   std::vector<Experiment> used;
   for (int r : checked.usable) used.push_back(validation[static_cast<std::size_t>(r)]);
   if (used.empty()) throw DataError("no usable experiment is left for validation");
-  for (const Experiment& experiment : used) estimate_.validation.experiments.push_back(experiment.id);
+  for (const Experiment& experiment : used)
+    estimate_.validation.experiments.push_back(experiment.id);
   const int own = model_->nominal().parameterCount();
   const double offset = at_.parameters.size() > own ? at_.parameters[own] : 0.0;
-  const SimulationFit fit =
-      simulationFit(model_->nominal(), at_.parameters.head(own), offset, configuration.estimation, used);
+  const SimulationFit fit = simulationFit(model_->nominal(), at_.parameters.head(own), offset,
+                                          configuration.estimation, used);
   estimate_.validation.simulation_fit_percent = fit.percent;
   estimate_.validation.simulation_fit_percent_pooled = fit.pooled;
   const std::vector<Block> blocks = makeBlocks(used);
@@ -327,7 +363,8 @@ ClimbOptions Identification::climbOptions(const std::string& phase, double from,
   options.max_iterations = configuration.estimation.max_iterations;
   options.tolerance = configuration.estimation.tolerance;
   options.on_iterate = [this, phase, from, to](const TracePoint& point) {
-    const double share = 1 - 1 / (1 + 0.1 * point.iteration);  // the number of iterations is not known beforehand
+    const double share =
+        1 - 1 / (1 + 0.1 * point.iteration);  // the number of iterations is not known beforehand
     return report(phase, from + (to - from) * share, point.log_likelihood);
   };
   return options;

@@ -19,8 +19,8 @@ class Identification {
   Identification(const Configuration& configuration, const NominalModelFactory& nominal_model,
                  const ProgressCallback& progress);
 
-  Estimate run(const std::vector<Experiment>& experiments, const std::vector<Experiment>& validation,
-               const Estimate* previous);
+  Estimate run(const std::vector<Experiment>& experiments,
+               const std::vector<Experiment>& validation, const Estimate* previous);
 
  private:
   void checkData(const std::vector<Experiment>& experiments);
@@ -36,7 +36,8 @@ class Identification {
   bool isGiven(const Estimate* previous) const;
   std::shared_ptr<const NominalModel> nominalModel() const;
   ModelParameters start(const Estimate* previous);
-  ModelParameters givenMixture(const Mixture& mixture, const Eigen::VectorXd& at, const Estimate* previous) const;
+  ModelParameters givenMixture(const Mixture& mixture, const Eigen::VectorXd& at,
+                               const Estimate* previous) const;
   ModelParameters chooseComponents(const ModelParameters& single, const ClimbOptions& options);
   void climb(const ModelParameters& start);
   void describe();
@@ -53,7 +54,7 @@ class Identification {
   ProgressCallback progress_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   bool cancelled_ = false;
-  bool choose_noise_ = false;            ///< the orders of C and D are still to be chosen
+  bool choose_noise_ = false;  ///< the orders of C and D are still to be chosen
   double sample_time_ = 0;
   Estimate estimate_;                    ///< its configuration is the one being completed
   std::vector<Experiment> experiments_;  ///< those that passed the checks
@@ -61,7 +62,7 @@ class Identification {
   std::unique_ptr<LinearModel> model_;
   std::unique_ptr<Likelihood> likelihood_;
   ModelParameters at_;
-  std::optional<Polynomials> plant_;     ///< Go where it is fitted to its simulation
+  std::optional<Polynomials> plant_;  ///< Go where it is fitted to its simulation
   double plant_offset_ = 0;
   std::vector<ParameterEstimate> plant_parameters_;
   Eigen::MatrixXd plant_covariance_;

@@ -20,11 +20,13 @@ void Identification::fitPlant(const Estimate* previous) {
   options.structure = Structure::output_error;
   ErrorModelOptions none;
   none.taps = 0;
-  const LinearModel model(makeNominalModel(options, sample_time_), ErrorBasis(none), configuration.estimation);
+  const LinearModel model(makeNominalModel(options, sample_time_), ErrorBasis(none),
+                          configuration.estimation);
   blocks_ = makeBlocks(experiments_);
   const Likelihood likelihood(model, blocks_, estimate_.experiment_count, threads());
-  const std::vector<VectorXd> from = isGiven(previous) ? std::vector<VectorXd>{given(model, previous)}
-                                                       : nominalStarts(model, options, experiments_);
+  const std::vector<VectorXd> from = isGiven(previous)
+                                         ? std::vector<VectorXd>{given(model, previous)}
+                                         : nominalStarts(model, options, experiments_);
   const ClimbOptions climbing = climbOptions("fitting the simulation", 0.5, 0.58);
   const ModelParameters start = bestSingleComponent(likelihood, from, climbing);
   const Climb climb = maximumLikelihood(likelihood, start, climbing);
@@ -38,7 +40,8 @@ void Identification::fitPlant(const Estimate* previous) {
   const std::vector<std::string> names = model.names();
   for (Index k = 0; k < own; ++k) {
     plant_parameters_.push_back({names[static_cast<std::size_t>(k)], "", climb.at.parameters[k],
-                                 std::sqrt(errors.covariance(k, k)), std::sqrt(errors.robust_covariance(k, k))});
+                                 std::sqrt(errors.covariance(k, k)),
+                                 std::sqrt(errors.robust_covariance(k, k))});
   }
   plant_covariance_ = errors.covariance.topLeftCorner(own, own);
   estimate_.passes += likelihood.passes();
@@ -57,18 +60,20 @@ void Identification::chooseNoiseOrders() {
   int chosen = 0;
   const std::size_t first = estimate_.candidates.size();
   for (int order = 0; order <= kLargestNoiseOrder; ++order) {
-    const LinearModel model(holdPlant(*plant_, order, order), ErrorBasis(none), configuration.estimation);
+    const LinearModel model(holdPlant(*plant_, order, order), ErrorBasis(none),
+                            configuration.estimation);
     const Likelihood likelihood(model, blocks, static_cast<int>(experiments.size()), threads());
-    const ModelParameters at =
-        bestSingleComponent(likelihood, noiseStarts(model, *plant_, plant_offset_, experiments), ClimbOptions());
+    const ModelParameters at = bestSingleComponent(
+        likelihood, noiseStarts(model, *plant_, plant_offset_, experiments), ClimbOptions());
     if (at.mixture.components() == 0) continue;
     const Statistics statistics = likelihood.statistics(at.parameters, false);
     const double reached = likelihood.expect(statistics, at).total();
     const int parameters = model.parameterCount() + 1;
     const double criterion = bic(reached, parameters, 0, statistics.samples().sum(), 1);
     const std::string count = std::to_string(order);
-    estimate_.candidates.push_back({"noise orders", "nc=" + count + " nd=" + count, parameters, reached, criterion,
-                                    std::numeric_limits<double>::quiet_NaN(), false});
+    estimate_.candidates.push_back({"noise orders", "nc=" + count + " nd=" + count, parameters,
+                                    reached, criterion, std::numeric_limits<double>::quiet_NaN(),
+                                    false});
     if (criterion < lowest) {
       lowest = criterion;
       chosen = order;

@@ -33,8 +33,10 @@ void Identification::describe() {
   estimate_.bic = bic(estimate_.log_likelihood, parameters, mixture,
                       static_cast<double>(estimate_.sample_count), estimate_.experiment_count);
   estimate_.passes += likelihood_->passes();
-  const bool wanting = estimate_.termination == Termination::stalled || estimate_.termination == Termination::iteration_limit;
-  if (wanting) estimate_.warnings.push_back("the estimation did not converge: " + estimate_.message);
+  const bool wanting = estimate_.termination == Termination::stalled ||
+                       estimate_.termination == Termination::iteration_limit;
+  if (wanting)
+    estimate_.warnings.push_back("the estimation did not converge: " + estimate_.message);
 }
 
 void Identification::describeExperiments() {
@@ -46,7 +48,8 @@ void Identification::describeExperiments() {
     of_experiment.id = experiment.id;
     of_experiment.samples = experiment.validSamples();
     const VectorXd responsibilities = e.responsibilities.col(r);
-    of_experiment.responsibilities.assign(responsibilities.data(), responsibilities.data() + responsibilities.size());
+    of_experiment.responsibilities.assign(responsibilities.data(),
+                                          responsibilities.data() + responsibilities.size());
     of_experiment.error_mean = moments.means.col(r);
     of_experiment.log_likelihood = e.log_likelihood[r];
     estimate_.experiments.push_back(std::move(of_experiment));
@@ -54,22 +57,25 @@ void Identification::describeExperiments() {
 }
 
 void Identification::describeParameters() {
-  const Parametrisation parametrisation(*model_, estimate_.configuration.error_model.constraint,
-                                        at_.mixture.components(),
-                                        0.0 * at_.mixture.covariance());  // the floor is no part of the model
+  const Parametrisation parametrisation(
+      *model_, estimate_.configuration.error_model.constraint, at_.mixture.components(),
+      0.0 * at_.mixture.covariance());  // the floor is no part of the model
   const VectorXd values = parametrisation.natural(at_);
   const std::vector<std::string> names = parametrisation.naturalNames();
   const std::vector<std::string> units = model_->nominal().units();
   const Index own = model_->nominal().parameterCount(), last = values.size() - 1;
-  Eigen::MatrixXd nothing = Eigen::MatrixXd::Constant(last + 1, last + 1, std::numeric_limits<double>::quiet_NaN());
+  Eigen::MatrixXd nothing =
+      Eigen::MatrixXd::Constant(last + 1, last + 1, std::numeric_limits<double>::quiet_NaN());
   StandardErrors errors{nothing, nothing, {}};
-  if (estimate_.termination != Termination::cancelled && report("standard errors", 0.95, estimate_.log_likelihood)) {
+  if (estimate_.termination != Termination::cancelled &&
+      report("standard errors", 0.95, estimate_.log_likelihood)) {
     errors = standardErrors(*likelihood_, parametrisation, at_);
   }
   for (const std::string& sentence : errors.singular) estimate_.warnings.push_back(sentence);
   const auto describe = [&](Index k) {
     const auto at = static_cast<std::size_t>(k);
-    return ParameterEstimate{names[at], k < own ? units[at] : "", values[k], std::sqrt(errors.covariance(k, k)),
+    return ParameterEstimate{names[at], k < own ? units[at] : "", values[k],
+                             std::sqrt(errors.covariance(k, k)),
                              std::sqrt(errors.robust_covariance(k, k))};
   };
   NominalModelEstimate& go = estimate_.nominal_model;
@@ -80,10 +86,12 @@ void Identification::describeParameters() {
   go.covariance.topLeftCorner(before, before) = plant_covariance_;
   go.covariance.bottomRightCorner(own, own) = errors.covariance.topLeftCorner(own, own);
   for (Index k = own; k < model_->parameterCount(); ++k) {
-    (names[static_cast<std::size_t>(k)] == "offset_u" ? estimate_.offset_u : estimate_.offset_y) = values[k];
+    (names[static_cast<std::size_t>(k)] == "offset_u" ? estimate_.offset_u : estimate_.offset_y) =
+        values[k];
   }
   if (model_->regressors() > 0) {
-    for (Index k = model_->parameterCount(); k < last; ++k) estimate_.error_model.parameters.push_back(describe(k));
+    for (Index k = model_->parameterCount(); k < last; ++k)
+      estimate_.error_model.parameters.push_back(describe(k));
   }
   estimate_.noise_variance = describe(last);
 }

@@ -9,8 +9,9 @@
 
 #include "uncertainty_identification/model/mixture.h"
 
-/// Options of an identification. The YAML keys carry the names of these fields (config/reference.yaml documents
-/// each); a field's initialiser is its default, the only place where it is stated.
+/// Options of an identification. The YAML keys carry the names of these fields
+/// (config/reference.yaml documents each); a field's initialiser is its default, the only place
+/// where it is stated.
 namespace uncertainty_identification {
 
 enum class Structure { output_error, arx, armax, box_jenkins, continuous };
@@ -30,34 +31,40 @@ constexpr int kAutomatic = -1;
 /// Nominal model Go = q^-delay B/A and noise model H = C/D, equations (6)-(11).
 struct NominalModelOptions {
   Structure structure = Structure::box_jenkins;
-  bool orders_auto = false;            ///< choose nb, na, nc, nd and delay from the data (YAML: `orders: auto`)
-  Focus focus = Focus::simulation;     ///< what the choice is judged by
-  /// What Go is fitted to. likelihood: jointly with H and the error model (the paper). simulation: Go minimises the error
-  /// of its free simulation, and H and the error model are estimated around it: where no linear model is true, the joint
-  /// likelihood trades simulation for prediction. `orders: auto` with focus simulation uses the latter.
+  bool orders_auto =
+      false;  ///< choose nb, na, nc, nd and delay from the data (YAML: `orders: auto`)
+  Focus focus = Focus::simulation;  ///< what the choice is judged by
+  /// What Go is fitted to. likelihood: jointly with H and the error model (the paper). simulation:
+  /// Go minimises the error of its free simulation, and H and the error model are estimated around
+  /// it: where no linear model is true, the joint likelihood trades simulation for prediction.
+  /// `orders: auto` with focus simulation uses the latter.
   PlantFit fit = PlantFit::likelihood;
   int max_order = 8;                   ///< of A in the choice, 1 to 20
   int max_delay = 20;                  ///< [samples] in the choice
-  int nb = 1, na = 1, nc = 1, nd = 1;  ///< numbers of coefficients (B = b1 q^-delay + ...); those a structure fixes are ignored
+  int nb = 1, na = 1, nc = 1, nd = 1;  ///< numbers of coefficients (B = b1 q^-delay + ...); those a
+                                       ///< structure fixes are ignored
   int delay = 1;                       ///< nk [samples], at least 0
-  // structure: continuous, G(s) = gain e^(-dead_time s) prod(1 + zero_k s) / (prod(1 + tau_k s) prod(1 + 2 zeta_k s/omega_k + s^2/omega_k^2))
-  int time_constants = 1;              ///< real poles tau_k [s]
-  int resonances = 0;                  ///< complex pole pairs (omega_k [rad/s], zeta_k [1])
-  int zeros = 0;                       ///< real zeros zero_k [s]
-  bool dead_time = false;              ///< whether dead_time [s] is estimated (continuous in value)
-  std::map<std::string, double> fixed;  ///< parameters of the continuous structure that are known, e.g. {gain: 1.0}
+  // structure: continuous, G(s) = gain e^(-dead_time s) prod(1 + zero_k s) / (prod(1 + tau_k s)
+  // prod(1 + 2 zeta_k s/omega_k + s^2/omega_k^2))
+  int time_constants = 1;  ///< real poles tau_k [s]
+  int resonances = 0;      ///< complex pole pairs (omega_k [rad/s], zeta_k [1])
+  int zeros = 0;           ///< real zeros zero_k [s]
+  bool dead_time = false;  ///< whether dead_time [s] is estimated (continuous in value)
+  std::map<std::string, double>
+      fixed;  ///< parameters of the continuous structure that are known, e.g. {gain: 1.0}
 
   void validate() const;
 };
 
-/// Relative error model GDelta = sum_k eta_k F_k(q), eta = T xi, xi a Gaussian mixture: equations (4), (12).
+/// Relative error model GDelta = sum_k eta_k F_k(q), eta = T xi, xi a Gaussian mixture: equations
+/// (4), (12).
 struct ErrorModelOptions {
   BasisKind basis = BasisKind::fir;
-  int taps = 2;                        ///< number of basis filters, 1 to 11, or kAutomatic; 0 = no error model
+  int taps = 2;  ///< number of basis filters, 1 to 11, or kAutomatic; 0 = no error model
   Constraint constraint = Constraint::zero_static_gain;
-  Eigen::MatrixXd T;                   ///< taps x n, for Constraint::explicit_matrix (YAML: `constraint: explicit`)
-  int components = kAutomatic;         ///< kappa, 1 to 10, or kAutomatic
-  double pole = 0.5;                   ///< laguerre: real pole in (-1, 1)
+  Eigen::MatrixXd T;  ///< taps x n, for Constraint::explicit_matrix (YAML: `constraint: explicit`)
+  int components = kAutomatic;              ///< kappa, 1 to 10, or kAutomatic
+  double pole = 0.5;                        ///< laguerre: real pole in (-1, 1)
   double pole_real = 0.5, pole_imag = 0.3;  ///< kautz: complex pole inside the unit circle
   int max_taps = 4, max_components = 4;     ///< limits of the automatic choice
 
@@ -67,24 +74,29 @@ struct ErrorModelOptions {
 /// How the parameters are found.
 struct EstimationOptions {
   Algorithm algorithm = Algorithm::maximum_likelihood;
-  int max_iterations = 2000;           ///< 0 evaluates the model at `initial`
-  double tolerance = 1e-6;             ///< em: relative change of all parameters (paper, section 5); maximum_likelihood: predicted gain left [nats]
-  int restarts = 8;                    ///< further seeded starts of the mixture
-  int threads = kAutomatic;            ///< kAutomatic: cores - 1, at least 1; never changes a result
+  int max_iterations = 2000;  ///< 0 evaluates the model at `initial`
+  double tolerance = 1e-6;    ///< em: relative change of all parameters (paper, section 5);
+                              ///< maximum_likelihood: predicted gain left [nats]
+  int restarts = 8;           ///< further seeded starts of the mixture
+  int threads = kAutomatic;   ///< kAutomatic: cores - 1, at least 1; never changes a result
   std::uint64_t seed = 1;
   InitialState initial_state = InitialState::estimate;
-  int discard_samples = 50;            ///< initial_state: discard; leading samples kept out of the likelihood
+  int discard_samples = 50;  ///< initial_state: discard; leading samples kept out of the likelihood
   NoiseStart noise_start = NoiseStart::stationary;
-  Offsets offsets = Offsets::estimate;  ///< estimate: one offset common to all experiments; per_experiment: one each
-  OffsetSide offset_side = OffsetSide::output;  ///< where the offset enters (both together are collinear)
+  Offsets offsets = Offsets::estimate;  ///< estimate: one offset common to all experiments;
+                                        ///< per_experiment: one each
+  OffsetSide offset_side =
+      OffsetSide::output;  ///< where the offset enters (both together are collinear)
 
   void validate() const;
 };
 
-/// Where to start, or with max_iterations 0 where to evaluate. What is absent is chosen from the data.
+/// Where to start, or with max_iterations 0 where to evaluate. What is absent is chosen from the
+/// data.
 struct InitialOptions {
-  Eigen::VectorXd theta;               ///< b, a, c, d concatenated (continuous: its physical parameters, then c, d); empty = absent
-  Mixture mixture;                     ///< YAML: weights, means, covariances; no components = absent
+  Eigen::VectorXd theta;  ///< b, a, c, d concatenated (continuous: its physical parameters, then c,
+                          ///< d); empty = absent
+  Mixture mixture;        ///< YAML: weights, means, covariances; no components = absent
   std::optional<double> noise_variance;
 
   void validate() const;
@@ -97,15 +109,16 @@ enum class OutputResampling { hold, linear, mean };
 struct ResamplingOptions {
   InputResampling input = InputResampling::hold;  ///< zero-order hold, as actuators do
   OutputResampling output = OutputResampling::hold;
-  double max_age = 0;                  ///< [s] older samples count as missing; 0 = three sample times
-  double max_jitter = 0;               ///< [s] largest departure of stamps from the grid accepted; 0 = any, reported only
+  double max_age = 0;  ///< [s] older samples count as missing; 0 = three sample times
+  double max_jitter =
+      0;  ///< [s] largest departure of stamps from the grid accepted; 0 = any, reported only
 
   void validate() const;
 };
 
 /// A signal on a topic: which topic, which numeric field (`auto`: the only one).
 struct SignalOptions {
-  std::string name;                    ///< covariates only: the name it is stored under
+  std::string name;  ///< covariates only: the name it is stored under
   std::string topic;
   std::string field = "auto";
 };
@@ -115,26 +128,27 @@ enum class ExperimentMode { topic, service, duration, gap, message };
 /// What cuts a stream of samples into experiments.
 struct ExperimentOptions {
   ExperimentMode mode = ExperimentMode::topic;
-  std::string topic = "experiment/active";  ///< std_msgs/Bool or ExperimentMarker (mode topic), Experiment (mode message)
-  double duration = 0;                 ///< [s], mode duration
-  double gap = 0;                      ///< [s], mode gap: a silence this long ends an experiment
+  std::string topic = "experiment/active";  ///< std_msgs/Bool or ExperimentMarker (mode topic),
+                                            ///< Experiment (mode message)
+  double duration = 0;                      ///< [s], mode duration
+  double gap = 0;  ///< [s], mode gap: a silence this long ends an experiment
 
   void validate() const;
 };
 
 /// Bounds on what is kept and accepted.
 struct LimitOptions {
-  int max_experiments = 1000;          ///< the newest so many are identified from
-  int max_samples = 1000000;           ///< per experiment; an experiment is closed when it reaches them
-  int min_samples = 20;                ///< shorter experiments are rejected
-  double max_missing = 0.5;            ///< largest share of missing output samples accepted, in [0, 1)
+  int max_experiments = 1000;  ///< the newest so many are identified from
+  int max_samples = 1000000;   ///< per experiment; an experiment is closed when it reaches them
+  int min_samples = 20;        ///< shorter experiments are rejected
+  double max_missing = 0.5;    ///< largest share of missing output samples accepted, in [0, 1)
 
   void validate() const;
 };
 
 /// Everything that determines a result, given the data.
 struct Configuration {
-  double sample_time = 0;              ///< [s]; 0 = auto: the median spacing of the stamps
+  double sample_time = 0;  ///< [s]; 0 = auto: the median spacing of the stamps
   NominalModelOptions nominal_model;
   ErrorModelOptions error_model;
   EstimationOptions estimation;
@@ -145,8 +159,9 @@ struct Configuration {
   std::vector<SignalOptions> covariates;
   ExperimentOptions experiment;
   LimitOptions limits;
-  std::string bag_directory;           ///< folder that bag names in requests resolve in; empty = such names are refused
-  std::string store_directory;         ///< folder that finished experiments are kept in; empty = none
+  std::string bag_directory;  ///< folder that bag names in requests resolve in; empty = such names
+                              ///< are refused
+  std::string store_directory;  ///< folder that finished experiments are kept in; empty = none
 
   /// Throws ConfigurationError naming key, value and allowed range.
   void validate() const;

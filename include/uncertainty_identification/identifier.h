@@ -14,9 +14,10 @@ namespace uncertainty_identification {
 
 /// Where a running identification stands. Returning false from the callback cancels it.
 struct Progress {
-  std::string phase;                   ///< "checking the data", "choosing orders", "starting values", "climbing", "standard errors"
-  double fraction = 0;                 ///< of the whole, 0 to 1
-  double log_likelihood = 0;           ///< NaN before there is one
+  std::string phase;    ///< "checking the data", "choosing orders", "starting values", "climbing",
+                        ///< "standard errors"
+  double fraction = 0;  ///< of the whole, 0 to 1
+  double log_likelihood = 0;  ///< NaN before there is one
 };
 using ProgressCallback = std::function<bool(const Progress&)>;
 
@@ -24,28 +25,30 @@ using ProgressCallback = std::function<bool(const Progress&)>;
 using NominalModelFactory = std::function<std::shared_ptr<const NominalModel>(double)>;
 
 /// The class that everything else is a front end of: experiments in, estimate out.
-/// The same experiments, configuration and version give the same estimate, whatever the number of threads.
+/// The same experiments, configuration and version give the same estimate, whatever the number of
+/// threads.
 class Identifier {
  public:
   /// Throws ConfigurationError when the configuration is not valid.
   explicit Identifier(Configuration configuration);
 
   /// The same with a nominal model of the caller's own (docs/adding_a_nominal_model.md) in place of
-  /// configuration.nominal_model. Throws ConfigurationError also for `orders: auto` and `fit: simulation` there, which
-  /// are for Box-Jenkins models.
+  /// configuration.nominal_model. Throws ConfigurationError also for `orders: auto` and `fit:
+  /// simulation` there, which are for Box-Jenkins models.
   Identifier(Configuration configuration, NominalModelFactory nominal_model);
 
   const Configuration& configuration() const { return configuration_; }
 
-  /// Estimates nominal model, noise model and error distribution by maximum likelihood (paper, Lemma 1).
-  /// Experiments that fail the checks are left out and listed in the result. `validation` experiments only measure.
-  /// Throws DataError when no usable experiment is left or the orders are too large for the data.
-  /// Not converging, or being cancelled, is told by Estimate::termination.
+  /// Estimates nominal model, noise model and error distribution by maximum likelihood (paper,
+  /// Lemma 1). Experiments that fail the checks are left out and listed in the result. `validation`
+  /// experiments only measure. Throws DataError when no usable experiment is left or the orders are
+  /// too large for the data. Not converging, or being cancelled, is told by Estimate::termination.
   Estimate identify(const std::vector<Experiment>& experiments,
                     const std::vector<Experiment>& validation = {},
                     const ProgressCallback& progress = {}) const;
 
-  /// The same, started from an earlier estimate of the same structure (a re-identification with more experiments).
+  /// The same, started from an earlier estimate of the same structure (a re-identification with
+  /// more experiments).
   Estimate reidentify(const Estimate& previous, const std::vector<Experiment>& experiments,
                       const ProgressCallback& progress = {}) const;
 

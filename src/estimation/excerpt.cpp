@@ -8,7 +8,8 @@ Experiment excerpt(const Experiment& whole, int first, int count) {
   Experiment piece = whole;
   piece.u = whole.u.segment(first, count);
   piece.y = whole.y.segment(first, count);
-  if (!whole.valid.empty()) piece.valid.assign(whole.valid.begin() + first, whole.valid.begin() + first + count);
+  if (!whole.valid.empty())
+    piece.valid.assign(whole.valid.begin() + first, whole.valid.begin() + first + count);
   piece.signals.clear();
   piece.stamp_offset.resize(0);
   return piece;

@@ -17,7 +17,8 @@ constexpr int kMostRegressors = 11;
 
 /// Sizes known to the compiler for small n, and no allocation for the others.
 template <int n>
-using Square = Eigen::Matrix<double, n, n, 0, n == Dynamic ? kMostRegressors : n, n == Dynamic ? kMostRegressors : n>;
+using Square = Eigen::Matrix<double, n, n, 0, n == Dynamic ? kMostRegressors : n,
+                             n == Dynamic ? kMostRegressors : n>;
 template <int n>
 using Column = Eigen::Matrix<double, n, 1, 0, n == Dynamic ? kMostRegressors : n, 1>;
 
@@ -28,10 +29,11 @@ struct Component {
   Square<n> root;
 };
 
-/// One experiment under one component; equations of docs/method.md, section on sufficient statistics.
+/// One experiment under one component; equations of docs/method.md, section on sufficient
+/// statistics.
 template <int n>
-double expect(const Statistics& statistics, int r, const Component<n>& component, double noise_variance, Index column,
-              Expectation* out) {
+double expect(const Statistics& statistics, int r, const Component<n>& component,
+              double noise_variance, Index column, Expectation* out) {
   const Statistics::ConstGram gram = statistics.gram(r);
   const Index size = statistics.regressors();
   const Square<n> S = gram.topLeftCorner(size, size);
@@ -57,19 +59,22 @@ double expect(const Statistics& statistics, int r, const Component<n>& component
   out->means.col(column) = mean;
   Eigen::Map<Square<n>>(out->covariances.col(column).data(), size, size) = covariance;
   const Index kappa = out->misfits.rows();
-  out->misfits(column % kappa, column / kappa) = s - 2 * v.dot(mean) + mean.dot(S * mean) + S.cwiseProduct(covariance).sum();
-  return component.log_weight - 0.5 * (samples * std::log(boost::math::constants::two_pi<double>()) + log_determinant + quadratic);
+  out->misfits(column % kappa, column / kappa) =
+      s - 2 * v.dot(mean) + mean.dot(S * mean) + S.cwiseProduct(covariance).sum();
+  return component.log_weight -
+         0.5 * (samples * std::log(boost::math::constants::two_pi<double>()) + log_determinant +
+                quadratic);
 }
 
 template <int n>
-void expectRange(const Statistics& statistics, const std::vector<Component<n>>& components, double noise_variance,
-                 int first, int last, Expectation* out) {
+void expectRange(const Statistics& statistics, const std::vector<Component<n>>& components,
+                 double noise_variance, int first, int last, Expectation* out) {
   const Index kappa = static_cast<Index>(components.size());
   for (int r = first; r < last; ++r) {
     auto responsibility = out->responsibilities.col(r);
     for (Index i = 0; i < kappa; ++i) {
-      responsibility[i] =
-          expect<n>(statistics, r, components[static_cast<std::size_t>(i)], noise_variance, r * kappa + i, out);
+      responsibility[i] = expect<n>(statistics, r, components[static_cast<std::size_t>(i)],
+                                    noise_variance, r * kappa + i, out);
     }
     const double largest = responsibility.maxCoeff();
     responsibility = (responsibility.array() - largest).exp();
@@ -80,17 +85,18 @@ void expectRange(const Statistics& statistics, const std::vector<Component<n>>& 
 }
 
 template <int n>
-void expectAll(const Statistics& statistics, const Mixture& mixture, double noise_variance, WorkerPool* pool,
-               Expectation* out) {
+void expectAll(const Statistics& statistics, const Mixture& mixture, double noise_variance,
+               WorkerPool* pool, Expectation* out) {
   std::vector<Component<n>> components;
   for (std::size_t i = 0; i < mixture.weights.size(); ++i) {
-    components.push_back({std::log(mixture.weights[i]), mixture.means[i], squareRoot(mixture.covariances[i])});
+    components.push_back(
+        {std::log(mixture.weights[i]), mixture.means[i], squareRoot(mixture.covariances[i])});
   }
   constexpr int kChunk = 512;
   const int experiments = statistics.experiments();
   pool->forEach((experiments + kChunk - 1) / kChunk, [&](int chunk) {
-    expectRange<n>(statistics, components, noise_variance, chunk * kChunk, std::min((chunk + 1) * kChunk, experiments),
-                   out);
+    expectRange<n>(statistics, components, noise_variance, chunk * kChunk,
+                   std::min((chunk + 1) * kChunk, experiments), out);
   });
 }
 
@@ -138,7 +144,8 @@ LatentMoments latentMoments(const Expectation& expectation) {
     Eigen::Map<MatrixXd> covariance(moments.covariances.col(r).data(), n, n);
     const auto of_r = expectation.means.middleCols(r * kappa, kappa);
     moments.means.col(r) = of_r * expectation.responsibilities.col(r);
-    moments.covariances.col(r) = expectation.covariances.middleCols(r * kappa, kappa) * expectation.responsibilities.col(r);
+    moments.covariances.col(r) =
+        expectation.covariances.middleCols(r * kappa, kappa) * expectation.responsibilities.col(r);
     for (Index i = 0; i < kappa; ++i) {
       const VectorXd away = of_r.col(i) - moments.means.col(r);
       covariance += expectation.responsibilities(i, r) * away * away.transpose();
@@ -147,8 +154,10 @@ LatentMoments latentMoments(const Expectation& expectation) {
   return moments;
 }
 
-MatrixXd scores(const Statistics& statistics, const ModelParameters& at, const Expectation& expectation) {
-  const Index n = statistics.regressors(), p = statistics.parameters(), kappa = at.mixture.components();
+MatrixXd scores(const Statistics& statistics, const ModelParameters& at,
+                const Expectation& expectation) {
+  const Index n = statistics.regressors(), p = statistics.parameters(),
+              kappa = at.mixture.components();
   const Index triangle = n * (n + 1) / 2, experiments = statistics.experiments();
   const double variance = at.noise_variance;
   const LatentMoments moments = latentMoments(expectation);
@@ -156,13 +165,16 @@ MatrixXd scores(const Statistics& statistics, const ModelParameters& at, const E
   MatrixXd weight(n + 1, n + 1);  // dl/dgram: -1/2 sigma^-2 [M -m; -m' 1]
   for (Index r = 0; r < experiments; ++r) {
     const auto m = moments.means.col(r);
-    weight.topLeftCorner(n, n) = Eigen::Map<const MatrixXd>(moments.covariances.col(r).data(), n, n) + m * m.transpose();
+    weight.topLeftCorner(n, n) =
+        Eigen::Map<const MatrixXd>(moments.covariances.col(r).data(), n, n) + m * m.transpose();
     weight.topRightCorner(n, 1) = -m;
     weight.bottomLeftCorner(1, n) = -m.transpose();
     weight(n, n) = 1;
     for (Index j = 0; j < p; ++j) {
       all(j, r) = -0.5 / variance *
-                      statistics.gramDerivative(static_cast<int>(r), static_cast<int>(j)).cwiseProduct(weight).sum() +
+                      statistics.gramDerivative(static_cast<int>(r), static_cast<int>(j))
+                          .cwiseProduct(weight)
+                          .sum() +
                   statistics.logJacobianDerivatives()(j, r);
     }
     const Statistics::ConstGram gram = statistics.gram(static_cast<int>(r));
@@ -171,9 +183,12 @@ MatrixXd scores(const Statistics& statistics, const ModelParameters& at, const E
     for (Index i = 0; i < kappa; ++i) {
       const auto component = static_cast<std::size_t>(i);
       const double z = expectation.responsibilities(i, r);
-      const Eigen::Map<const MatrixXd> posterior(expectation.covariances.col(r * kappa + i).data(), n, n);
-      const VectorXd g = (gram.topRightCorner(n, 1) - S * expectation.means.col(r * kappa + i)) / variance;
-      const MatrixXd of_covariance = 0.5 * z * (g * g.transpose() - (S - S * posterior * S / variance) / variance);
+      const Eigen::Map<const MatrixXd> posterior(expectation.covariances.col(r * kappa + i).data(),
+                                                 n, n);
+      const VectorXd g =
+          (gram.topRightCorner(n, 1) - S * expectation.means.col(r * kappa + i)) / variance;
+      const MatrixXd of_covariance =
+          0.5 * z * (g * g.transpose() - (S - S * posterior * S / variance) / variance);
       all(p + i, r) = z / at.mixture.weights[component];
       all.col(r).segment(p + kappa + i * n, n) = z * g;
       Index entry = p + kappa * (1 + n) + i * triangle;

@@ -10,8 +10,10 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// The part of -Q that depends on theta, from (34)-(35): 1/(2 sigma^2) sum_r [s - 2 m'v + tr(M S)] - sum_r log-Jacobian.
-double thetaCost(const Statistics& statistics, const LatentMoments& moments, double noise_variance) {
+/// The part of -Q that depends on theta, from (34)-(35): 1/(2 sigma^2) sum_r [s - 2 m'v + tr(M S)]
+/// - sum_r log-Jacobian.
+double thetaCost(const Statistics& statistics, const LatentMoments& moments,
+                 double noise_variance) {
   const Eigen::Index n = statistics.regressors();
   double misfit = 0;
   for (int r = 0; r < statistics.experiments(); ++r) {
@@ -19,14 +21,16 @@ double thetaCost(const Statistics& statistics, const LatentMoments& moments, dou
     const auto m = moments.means.col(r);
     const auto S = gram.topLeftCorner(n, n);
     const Eigen::Map<const MatrixXd> P(moments.covariances.col(r).data(), n, n);
-    misfit += gram(n, n) - 2 * m.dot(gram.topRightCorner(n, 1).col(0)) + m.dot(S * m) + S.cwiseProduct(P).sum();
+    misfit += gram(n, n) - 2 * m.dot(gram.topRightCorner(n, 1).col(0)) + m.dot(S * m) +
+              S.cwiseProduct(P).sum();
   }
   return 0.5 * misfit / noise_variance - statistics.logJacobian().sum();
 }
 
 /// All parameters as one vector, for the stopping rule.
 VectorXd stacked(const Likelihood& likelihood, const ModelParameters& at) {
-  return Parametrisation(likelihood.model(), Constraint::free, at.mixture.components(), MatrixXd()).natural(at);
+  return Parametrisation(likelihood.model(), Constraint::free, at.mixture.components(), MatrixXd())
+      .natural(at);
 }
 
 }  // namespace

@@ -18,20 +18,22 @@ using Eigen::VectorXd;
 
 /// Sizes of the polynomials a model uses, read off at an arbitrary admissible point.
 Polynomials sizesOf(const NominalModel& nominal) {
-  return nominal.polynomials(nominal.fromUnbounded(VectorXd::Constant(nominal.parameterCount(), 0.1)));
+  return nominal.polynomials(
+      nominal.fromUnbounded(VectorXd::Constant(nominal.parameterCount(), 0.1)));
 }
 
 /// The coefficients' medians over fits of single experiments; few suffice for a start.
-bool medianOfExperiments(const std::vector<Experiment>& experiments, const Polynomials& sizes, bool with_constant,
-                         LeastSquaresModel* median) {
+bool medianOfExperiments(const std::vector<Experiment>& experiments, const Polynomials& sizes,
+                         bool with_constant, LeastSquaresModel* median) {
   constexpr std::size_t kMost = 40;
   const Index nb = sizes.b.size(), na = sizes.a.size();
   std::vector<std::vector<double>> values(static_cast<std::size_t>(nb + na + 1));
   const std::size_t stride = std::max<std::size_t>(1, experiments.size() / kMost);
   for (std::size_t r = 0; r < experiments.size(); r += stride) {
     if (experiments[r].samples() < 4 * (nb + na + sizes.delay) + 10) continue;
-    const LeastSquaresModel one = LeastSquaresStart({&experiments[r]}, with_constant, 2000)
-                                      .steiglitzMcBride(static_cast<int>(nb), static_cast<int>(na), sizes.delay, sizes.delay);
+    const LeastSquaresModel one =
+        LeastSquaresStart({&experiments[r]}, with_constant, 2000)
+            .steiglitzMcBride(static_cast<int>(nb), static_cast<int>(na), sizes.delay, sizes.delay);
     VectorXd all(nb + na + 1);
     all << one.polynomials.b, one.polynomials.a, one.offset;
     if (!all.allFinite()) continue;
@@ -41,7 +43,8 @@ bool medianOfExperiments(const std::vector<Experiment>& experiments, const Polyn
   VectorXd all(nb + na + 1);
   for (Index k = 0; k < all.size(); ++k) {
     std::vector<double>& of_one = values[static_cast<std::size_t>(k)];
-    std::nth_element(of_one.begin(), of_one.begin() + static_cast<long>(of_one.size() / 2), of_one.end());
+    std::nth_element(of_one.begin(), of_one.begin() + static_cast<long>(of_one.size() / 2),
+                     of_one.end());
     all[k] = of_one[of_one.size() / 2];
   }
   median->polynomials.delay = sizes.delay;
@@ -54,15 +57,17 @@ bool medianOfExperiments(const std::vector<Experiment>& experiments, const Polyn
 VectorXd simulated(const Polynomials& p, double offset, const VectorXd& u) {
   VectorXd x = VectorXd::Zero(u.size());
   for (Index t = 0; t < u.size(); ++t) {
-    for (Index k = 0; k < p.b.size() && t - p.delay - k >= 0; ++k) x[t] += p.b[k] * u[t - p.delay - k];
+    for (Index k = 0; k < p.b.size() && t - p.delay - k >= 0; ++k)
+      x[t] += p.b[k] * u[t - p.delay - k];
     for (Index k = 1; k <= std::min<Index>(p.a.size(), t); ++k) x[t] -= p.a[k - 1] * x[t - k];
   }
   return x.array() + offset;
 }
 
-/// What a start for Go leaves of each experiment after the best multiples of x, q^-1 x, q^-2 x and a constant are
-/// taken out: the noise, little disturbed by the error model.
-std::vector<VectorXd> noiseResiduals(const std::vector<Experiment>& experiments, const LeastSquaresModel& start) {
+/// What a start for Go leaves of each experiment after the best multiples of x, q^-1 x, q^-2 x and
+/// a constant are taken out: the noise, little disturbed by the error model.
+std::vector<VectorXd> noiseResiduals(const std::vector<Experiment>& experiments,
+                                     const LeastSquaresModel& start) {
   constexpr std::size_t kMost = 200;
   constexpr Index kTaps = 3;
   std::vector<VectorXd> residuals;
@@ -76,13 +81,14 @@ std::vector<VectorXd> noiseResiduals(const std::vector<Experiment>& experiments,
       regressors.col(l).head(l).setZero();
       regressors.col(l).tail(x.size() - l) = x.head(x.size() - l);
     }
-    residuals.push_back(experiment.y - regressors * regressors.colPivHouseholderQr().solve(experiment.y));
+    residuals.push_back(experiment.y -
+                        regressors * regressors.colPivHouseholderQr().solve(experiment.y));
   }
   return residuals;
 }
 
-void addStarts(const LinearModel& model, LeastSquaresModel go, const std::vector<Experiment>& experiments,
-               std::vector<VectorXd>* starts) {
+void addStarts(const LinearModel& model, LeastSquaresModel go,
+               const std::vector<Experiment>& experiments, std::vector<VectorXd>* starts) {
   const NominalModel& nominal = model.nominal();
   const Polynomials sizes = sizesOf(nominal);
   const int nc = static_cast<int>(sizes.c.size()), nd = static_cast<int>(sizes.d.size());
@@ -118,7 +124,8 @@ void addStarts(const LinearModel& model, LeastSquaresModel go, const std::vector
   }
 }
 
-/// A mixture of one component; the spread of a relative error of a few tenths in each free direction.
+/// A mixture of one component; the spread of a relative error of a few tenths in each free
+/// direction.
 Mixture singleComponent(int n) {
   Mixture mixture;
   mixture.weights = {1.0};
@@ -132,12 +139,14 @@ MatrixXd evenlySpread(const MatrixXd& points, int components) {
   const VectorXd low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
   MatrixXd means(points.rows(), components);
   for (int i = 0; i < components; ++i) {
-    means.col(i) = low + (high - low) * (components == 1 ? 0.5 : static_cast<double>(i) / (components - 1));
+    means.col(i) =
+        low + (high - low) * (components == 1 ? 0.5 : static_cast<double>(i) / (components - 1));
   }
   return means;
 }
 
-/// k-means++: each further mean drawn with probability proportional to the squared distance from those drawn.
+/// k-means++: each further mean drawn with probability proportional to the squared distance from
+/// those drawn.
 MatrixXd drawn(const MatrixXd& points, int components, std::mt19937_64* engine) {
   MatrixXd means(points.rows(), components);
   VectorXd distance = VectorXd::Ones(points.cols());
@@ -166,11 +175,13 @@ std::vector<VectorXd> nominalStarts(const LinearModel& model, const NominalModel
   addStarts(model, pooled.steiglitzMcBride(nb, na, sizes.delay, sizes.delay), experiments, &starts);
   LeastSquaresModel arx = pooled.arx(nb, na, sizes.delay);
   arx.polynomials.a = stabilised(arx.polynomials.a, 0.9995);
-  if (options.structure == Structure::arx || options.structure == Structure::armax || starts.empty()) {
+  if (options.structure == Structure::arx || options.structure == Structure::armax ||
+      starts.empty()) {
     addStarts(model, arx, experiments, &starts);
   }
   LeastSquaresModel median;
-  if (medianOfExperiments(experiments, sizes, with_constant, &median)) addStarts(model, median, experiments, &starts);
+  if (medianOfExperiments(experiments, sizes, with_constant, &median))
+    addStarts(model, median, experiments, &starts);
   return starts;
 }
 
@@ -184,8 +195,8 @@ std::vector<VectorXd> noiseStarts(const LinearModel& model, const Polynomials& p
   return starts;
 }
 
-ModelParameters bestSingleComponent(const Likelihood& likelihood, const std::vector<VectorXd>& starts,
-                                    ClimbOptions options) {
+ModelParameters bestSingleComponent(const Likelihood& likelihood,
+                                    const std::vector<VectorXd>& starts, ClimbOptions options) {
   constexpr std::size_t kFinalists = 3;
   constexpr int kRankingSteps = 20, kFirstSteps = 3, kLastSteps = 20;
   using Ranked = std::pair<double, ModelParameters>;
@@ -201,15 +212,18 @@ ModelParameters bestSingleComponent(const Likelihood& likelihood, const std::vec
     const double reached = fitMixture(likelihood, statistics, options, kRankingSteps, 1e-2, &at);
     if (std::isfinite(reached)) ranked.emplace_back(reached, at);
   }
-  std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& l, const Ranked& r) { return l.first > r.first; });
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const Ranked& l, const Ranked& r) { return l.first > r.first; });
   ranked.resize(std::min(ranked.size(), kFinalists));
   ModelParameters best;
   double highest = -std::numeric_limits<double>::infinity();
   for (Ranked& finalist : ranked) {
     options.floor = covarianceFloor(finalist.second.mixture);
     const ModelParameters at =
-        ranked.size() > 1 ? scoringSteps(likelihood, finalist.second, options, kFirstSteps, 1e-2) : finalist.second;
-    const double reached = likelihood.expect(likelihood.statistics(at.parameters, false), at).total();
+        ranked.size() > 1 ? scoringSteps(likelihood, finalist.second, options, kFirstSteps, 1e-2)
+                          : finalist.second;
+    const double reached =
+        likelihood.expect(likelihood.statistics(at.parameters, false), at).total();
     if (reached > highest) {
       highest = reached;
       best = at;
@@ -221,8 +235,9 @@ ModelParameters bestSingleComponent(const Likelihood& likelihood, const std::vec
 }
 
 ModelParameters spreadComponents(const Likelihood& likelihood, const Statistics& statistics,
-                                 const ModelParameters& single, int components, int restarts, std::uint64_t seed,
-                                 const ClimbOptions& options, double* log_likelihood) {
+                                 const ModelParameters& single, int components, int restarts,
+                                 std::uint64_t seed, const ClimbOptions& options,
+                                 double* log_likelihood) {
   constexpr int kIterations = 300;
   constexpr double kFewest = 2.0, kPenalty = 1e3;
   const Index n = statistics.regressors();
@@ -232,14 +247,17 @@ ModelParameters spreadComponents(const Likelihood& likelihood, const Statistics&
   ModelParameters best = single;
   double highest = -std::numeric_limits<double>::infinity();
   for (int start = 0; start <= restarts; ++start) {
-    const MatrixXd means = start == 0 ? evenlySpread(points, components) : drawn(points, components, &engine);
+    const MatrixXd means =
+        start == 0 ? evenlySpread(points, components) : drawn(points, components, &engine);
     ModelParameters at = single;
     at.mixture = Mixture();
     for (int i = 0; i < components; ++i) {
       at.mixture.weights.push_back(1.0 / components);
       at.mixture.means.push_back(means.col(i));
-      // alternately the spread of the whole and of a part of it: overlapping and separate components
-      at.mixture.covariances.push_back((start % 2 == 0 ? 1.0 : 0.2) * pooled + 1e-9 * MatrixXd::Identity(n, n));
+      // alternately the spread of the whole and of a part of it: overlapping and separate
+      // components
+      at.mixture.covariances.push_back((start % 2 == 0 ? 1.0 : 0.2) * pooled +
+                                       1e-9 * MatrixXd::Identity(n, n));
     }
     if (options.constraint == Constraint::zero_mean) {
       const VectorXd mean = at.mixture.mean();

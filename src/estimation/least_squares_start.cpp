@@ -17,7 +17,8 @@ using Eigen::VectorXd;
 VectorXd overPolynomial(const VectorXd& in, const VectorXd& monic) {
   VectorXd out = in;
   for (Index t = 0; t < out.size(); ++t) {
-    for (Index k = 1; k <= std::min<Index>(monic.size(), t); ++k) out[t] -= monic[k - 1] * out[t - k];
+    for (Index k = 1; k <= std::min<Index>(monic.size(), t); ++k)
+      out[t] -= monic[k - 1] * out[t - k];
   }
   return out;
 }
@@ -28,7 +29,8 @@ double lagged(const VectorXd& x, Index t) { return t >= 0 ? x[t] : 0.0; }
 class RowAccumulator {
  public:
   explicit RowAccumulator(Index columns)
-      : columns_(columns), buffer_(MatrixXd::Zero(columns + std::max<Index>(4 * columns, 64), columns)) {}
+      : columns_(columns),
+        buffer_(MatrixXd::Zero(columns + std::max<Index>(4 * columns, 64), columns)) {}
 
   auto next() {
     if (used_ == buffer_.rows()) reduce();
@@ -54,7 +56,8 @@ class RowAccumulator {
   MatrixXd buffer_;
 };
 
-/// Minimises |A w - b| with columns scaled to unit length; directions below rounding are left at zero.
+/// Minimises |A w - b| with columns scaled to unit length; directions below rounding are left at
+/// zero.
 VectorXd leastSquares(const MatrixXd& A, const VectorXd& b, double* residual) {
   const VectorXd scale = A.colwise().norm().transpose().cwiseMax(1e-300).cwiseInverse();
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(A * scale.asDiagonal());
@@ -79,13 +82,14 @@ VectorXd bridged(const Experiment& experiment) {
 
 }  // namespace
 
-LeastSquaresStart::LeastSquaresStart(const std::vector<const Experiment*>& experiments, bool with_constant,
-                                     int max_samples)
+LeastSquaresStart::LeastSquaresStart(const std::vector<const Experiment*>& experiments,
+                                     bool with_constant, int max_samples)
     : with_constant_(with_constant) {
   long total = 0;
   for (const Experiment* experiment : experiments) total += experiment->samples();
   // too much data: a leading part of each experiment, and of many short ones only every so many
-  const double share = std::min(1.0, static_cast<double>(max_samples) / static_cast<double>(std::max(total, 1L)));
+  const double share =
+      std::min(1.0, static_cast<double>(max_samples) / static_cast<double>(std::max(total, 1L)));
   constexpr int kEnough = 500;
   double credit = 0;
   for (const Experiment* experiment : experiments) {
@@ -105,7 +109,8 @@ MatrixXd LeastSquaresStart::triangularFactor(const VectorXd& prefilter, int na, 
   for (const Record& record : records_) {
     const VectorXd u = overPolynomial(record.u, prefilter), y = overPolynomial(record.y, prefilter);
     const VectorXd one = overPolynomial(VectorXd::Ones(u.size()), prefilter);
-    const Index first = std::min<Index>(std::max(na, u_lags), u.size() / 2);  // what came before is not known
+    const Index first =
+        std::min<Index>(std::max(na, u_lags), u.size() / 2);  // what came before is not known
     for (Index t = first; t < u.size(); ++t) {
       if (record.valid[static_cast<std::size_t>(t)] == 0) continue;
       auto row = rows.next();
@@ -118,7 +123,8 @@ MatrixXd LeastSquaresStart::triangularFactor(const VectorXd& prefilter, int na, 
   return rows.factor();
 }
 
-LeastSquaresModel LeastSquaresStart::solve(const MatrixXd& factor, int nb, int na, int delay, int u_lags) const {
+LeastSquaresModel LeastSquaresStart::solve(const MatrixXd& factor, int nb, int na, int delay,
+                                           int u_lags) const {
   const Index columns = factor.cols(), constants = with_constant_ ? 1 : 0;
   MatrixXd selected(factor.rows(), nb + constants + na);
   selected.leftCols(nb) = factor.middleCols(delay, nb);
@@ -133,8 +139,8 @@ LeastSquaresModel LeastSquaresStart::solve(const MatrixXd& factor, int nb, int n
   return model;
 }
 
-LeastSquaresModel LeastSquaresStart::leastDelayed(const MatrixXd& factor, int nb, int na, int first_delay,
-                                                  int last_delay) const {
+LeastSquaresModel LeastSquaresStart::leastDelayed(const MatrixXd& factor, int nb, int na,
+                                                  int first_delay, int last_delay) const {
   constexpr double kMargin = 1.01;  // a longer delay must leave a percent less to be believed
   LeastSquaresModel best;
   best.residual_variance = std::numeric_limits<double>::infinity();
@@ -150,7 +156,8 @@ LeastSquaresModel LeastSquaresStart::arx(int nb, int na, int delay) const {
   return solve(triangularFactor(VectorXd(), na, u_lags), nb, na, delay, u_lags);
 }
 
-LeastSquaresModel LeastSquaresStart::steiglitzMcBride(int nb, int na, int first_delay, int last_delay) const {
+LeastSquaresModel LeastSquaresStart::steiglitzMcBride(int nb, int na, int first_delay,
+                                                      int last_delay) const {
   constexpr int kIterations = 8;
   const int u_lags = last_delay + nb - 1;
   VectorXd prefilter;
@@ -161,7 +168,8 @@ LeastSquaresModel LeastSquaresStart::steiglitzMcBride(int nb, int na, int first_
     LeastSquaresModel least = leastDelayed(factor, nb, na, first_delay, last_delay);
     if (!least.polynomials.a.allFinite() || !least.polynomials.b.allFinite()) break;
     least.polynomials.a = stabilised(least.polynomials.a, 0.9995);
-    // the first regression minimises the equation error, which is not comparable with the later ones
+    // the first regression minimises the equation error, which is not comparable with the later
+    // ones
     if (iteration > 0 && least.residual_variance < best.residual_variance) best = least;
     if (iteration == 0) best.polynomials = least.polynomials, best.offset = least.offset;
     if (na == 0) return least;
@@ -170,7 +178,8 @@ LeastSquaresModel LeastSquaresStart::steiglitzMcBride(int nb, int na, int first_
   return best;
 }
 
-void hannanRissanen(const std::vector<VectorXd>& residuals, int nc, int nd, VectorXd* c, VectorXd* d) {
+void hannanRissanen(const std::vector<VectorXd>& residuals, int nc, int nd, VectorXd* c,
+                    VectorXd* d) {
   c->setZero(nc);
   d->setZero(nd);
   if (nc + nd == 0) return;
@@ -187,7 +196,8 @@ void hannanRissanen(const std::vector<VectorXd>& residuals, int nc, int nd, Vect
   }
   double residual = 0;
   const MatrixXd R = first.factor();
-  const VectorXd autoregression = leastSquares(R.leftCols(long_order), R.col(long_order), &residual);
+  const VectorXd autoregression =
+      leastSquares(R.leftCols(long_order), R.col(long_order), &residual);
   RowAccumulator second(nc + nd + 1);
   for (const VectorXd& v : residuals) {
     VectorXd innovation = VectorXd::Zero(v.size());

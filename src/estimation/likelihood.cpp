@@ -20,7 +20,8 @@ void subtractScaled(const Signals& signal, const Lanes& factor, Signals* from) {
 /// Lane-wise values of row i of a matrix with one column per experiment.
 Lanes lanesOf(const MatrixXd& values, Index row, const Block& block) {
   Lanes lanes = Lanes::Zero();
-  for (int lane = 0; lane < block.lanes; ++lane) lanes[lane] = values(row, block.index[static_cast<std::size_t>(lane)]);
+  for (int lane = 0; lane < block.lanes; ++lane)
+    lanes[lane] = values(row, block.index[static_cast<std::size_t>(lane)]);
   return lanes;
 }
 
@@ -34,13 +35,15 @@ std::vector<MatrixXd> gramOf(std::vector<const Signals*> signals, int lanes) {
   std::vector<MatrixXd> grams(static_cast<std::size_t>(lanes), MatrixXd(size, size));
   for (int lane = 0; lane < lanes; ++lane) {
     for (Index i = 0; i < size * size; ++i) {
-      grams[static_cast<std::size_t>(lane)](i / size, i % size) = sums[static_cast<std::size_t>(i)][lane];
+      grams[static_cast<std::size_t>(lane)](i / size, i % size) =
+          sums[static_cast<std::size_t>(i)][lane];
     }
   }
   return grams;
 }
 
-/// Most likely coefficients of the random-effect columns given the latent means: zeta = (Z'Z + precision)^-1 Z'(e - Phi m).
+/// Most likely coefficients of the random-effect columns given the latent means: zeta = (Z'Z +
+/// precision)^-1 Z'(e - Phi m).
 MatrixXd columnCoefficients(const Response& response, const Signals& unexplained, int lanes) {
   const Index columns = response.column_precision.size();
   std::vector<const Signals*> list;
@@ -52,23 +55,27 @@ MatrixXd columnCoefficients(const Response& response, const Signals& unexplained
     MatrixXd inner = grams[static_cast<std::size_t>(lane)].topLeftCorner(columns, columns);
     inner.diagonal() += response.column_precision;
     inner.diagonal() = (inner.diagonal().array() > 0).select(inner.diagonal(), 1.0);
-    zeta.col(lane) = inner.llt().solve(grams[static_cast<std::size_t>(lane)].topRightCorner(columns, 1));
+    zeta.col(lane) =
+        inner.llt().solve(grams[static_cast<std::size_t>(lane)].topRightCorner(columns, 1));
   }
   return zeta;
 }
 
 /// Sensitivities d_j of the residual e - Phi m - Z zeta.
-std::vector<Signals> sensitivities(const Response& response, const Block& block, const LatentMoments& moments) {
+std::vector<Signals> sensitivities(const Response& response, const Block& block,
+                                   const LatentMoments& moments) {
   Signals unexplained = response.value.residual;
   for (std::size_t i = 0; i < response.value.regressors.size(); ++i) {
-    subtractScaled(response.value.regressors[i], lanesOf(moments.means, static_cast<Index>(i), block), &unexplained);
+    subtractScaled(response.value.regressors[i],
+                   lanesOf(moments.means, static_cast<Index>(i), block), &unexplained);
   }
   const MatrixXd zeta = columnCoefficients(response, unexplained, block.lanes);
   std::vector<Signals> all;
   for (const WhitenedSignals& tangent : response.derivatives) {
     Signals d = tangent.residual;
     for (std::size_t i = 0; i < tangent.regressors.size(); ++i) {
-      subtractScaled(tangent.regressors[i], lanesOf(moments.means, static_cast<Index>(i), block), &d);
+      subtractScaled(tangent.regressors[i], lanesOf(moments.means, static_cast<Index>(i), block),
+                     &d);
     }
     for (std::size_t k = 0; k < tangent.columns.size(); ++k) {
       if (tangent.columns[k] == nullptr) continue;
@@ -99,7 +106,8 @@ ScoringInformation informationOf(const Model& model, const Block& block, const M
     inner.diagonal() += response.column_precision;
     inner.diagonal() = (inner.diagonal().array() > 0).select(inner.diagonal(), 1.0);
     const auto cross = gram.topRightCorner(columns, n + p);
-    const MatrixXd rest = gram.bottomRightCorner(n + p, n + p) - cross.transpose() * inner.llt().solve(cross);
+    const MatrixXd rest =
+        gram.bottomRightCorner(n + p, n + p) - cross.transpose() * inner.llt().solve(cross);
     MatrixXd all(p + n, p + n), to_phi(n, p + n);  // [d, -Phi], and Phi'[d, -Phi]
     all << rest.bottomRightCorner(p, p), -rest.bottomLeftCorner(p, n), -rest.topRightCorner(n, p),
         rest.topLeftCorner(n, n);
@@ -115,7 +123,8 @@ ScoringInformation informationOf(const Model& model, const Block& block, const M
 
 }  // namespace
 
-Likelihood::Likelihood(const Model& model, const std::vector<Block>& blocks, int experiments, int threads)
+Likelihood::Likelihood(const Model& model, const std::vector<Block>& blocks, int experiments,
+                       int threads)
     : model_(model),
       blocks_(blocks),
       experiments_(experiments),
@@ -123,14 +132,16 @@ Likelihood::Likelihood(const Model& model, const std::vector<Block>& blocks, int
 
 Statistics Likelihood::statistics(const VectorXd& parameters, bool derivatives) const {
   ++passes_;
-  Statistics statistics(experiments_, model_.regressors(), derivatives ? model_.parameterCount() : 0);
+  Statistics statistics(experiments_, model_.regressors(),
+                        derivatives ? model_.parameterCount() : 0);
   pool_->forEach(static_cast<int>(blocks_.size()), [&](int i) {
     computeStatistics(model_, blocks_[static_cast<std::size_t>(i)], parameters, &statistics);
   });
   return statistics;
 }
 
-ScoringInformation Likelihood::information(const ModelParameters& at, const LatentMoments& moments) const {
+ScoringInformation Likelihood::information(const ModelParameters& at,
+                                           const LatentMoments& moments) const {
   ++passes_;
   std::vector<ScoringInformation> parts(blocks_.size());
   pool_->forEach(static_cast<int>(blocks_.size()), [&](int i) {

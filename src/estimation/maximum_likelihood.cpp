@@ -21,12 +21,16 @@ MatrixXd whitener(const MatrixXd& information) {
          eigen.eigenvalues().cwiseAbs().cwiseMax(1e-4).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
-/// One run of NLopt in coordinates z = origin + W x. Keeps the best point itself: NLopt reports rounding limits by
-/// exceptions and may hand back another point than the best.
+/// One run of NLopt in coordinates z = origin + W x. Keeps the best point itself: NLopt reports
+/// rounding limits by exceptions and may hand back another point than the best.
 class Run {
  public:
-  Run(const Likelihood& likelihood, const Parametrisation& parametrisation, const ClimbOptions& options, Climb* climb)
-      : likelihood_(likelihood), parametrisation_(parametrisation), options_(options), climb_(climb) {}
+  Run(const Likelihood& likelihood, const Parametrisation& parametrisation,
+      const ClimbOptions& options, Climb* climb)
+      : likelihood_(likelihood),
+        parametrisation_(parametrisation),
+        options_(options),
+        climb_(climb) {}
 
   /// Climbs from `best` and leaves the best point there.
   void climb(ScoredPoint* best, const MatrixXd& W) {
@@ -38,31 +42,36 @@ class Run {
     optimiser.set_ftol_abs(0.01 * options_.tolerance);
     // a round that needs more has outgrown its whitening: a fresh one does better
     const int most = 30 + 3 * static_cast<int>(W.cols());
-    optimiser.set_maxeval(std::max(1, std::min(most, options_.max_iterations - climb_->iterations)));
+    optimiser.set_maxeval(
+        std::max(1, std::min(most, options_.max_iterations - climb_->iterations)));
     std::vector<double> x(static_cast<std::size_t>(W.cols()), 0.0);
     double value = 0;
     try {
       optimiser.optimize(x, value);
     } catch (const nlopt::forced_stop&) {
     } catch (const nlopt::roundoff_limited&) {
-    } catch (const std::runtime_error&) {  // L-BFGS gives up without progress: the best point stands
+    } catch (
+        const std::runtime_error&) {  // L-BFGS gives up without progress: the best point stands
     }
   }
 
   bool cancelled() const { return cancelled_; }
 
   /// Gain that a Newton step in the whitened coordinates predicts [nats].
-  double predictedGain(const ScoredPoint& at) const { return 0.5 * (W_->transpose() * at.gradient).squaredNorm(); }
+  double predictedGain(const ScoredPoint& at) const {
+    return 0.5 * (W_->transpose() * at.gradient).squaredNorm();
+  }
 
  private:
   static double evaluate(const std::vector<double>& x, std::vector<double>& gradient, void* self) {
-    return static_cast<Run*>(self)->evaluate(Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())),
-                                             &gradient);
+    return static_cast<Run*>(self)->evaluate(
+        Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())), &gradient);
   }
 
   double evaluate(const VectorXd& x, std::vector<double>* gradient) {
     ScoredPoint point = scoredPoint(likelihood_, parametrisation_, origin_ + *W_ * x);
-    if (!std::isfinite(point.log_likelihood)) {  // outside the domain: a finite wall, so that line searches come back
+    if (!std::isfinite(point.log_likelihood)) {  // outside the domain: a finite wall, so that line
+                                                 // searches come back
       if (!gradient->empty()) Eigen::Map<VectorXd>(gradient->data(), x.size()) = -x;
       return -1e100;
     }
@@ -93,7 +102,8 @@ class Run {
   bool cancelled_ = false;
 };
 
-void finish(const ScoredPoint& best, Termination termination, const std::string& message, Climb* climb) {
+void finish(const ScoredPoint& best, Termination termination, const std::string& message,
+            Climb* climb) {
   climb->at = best.parameters;
   climb->log_likelihood = best.log_likelihood;
   climb->termination = termination;
@@ -102,13 +112,14 @@ void finish(const ScoredPoint& best, Termination termination, const std::string&
 
 }  // namespace
 
-Climb maximumLikelihood(const Likelihood& likelihood, const ModelParameters& start, const ClimbOptions& options) {
+Climb maximumLikelihood(const Likelihood& likelihood, const ModelParameters& start,
+                        const ClimbOptions& options) {
   constexpr int kScoringSteps = 5, kRounds = 8;
   Climb climb;
   ModelParameters near = scoringSteps(likelihood, start, options, kScoringSteps, options.tolerance);
   pruneComponents(options.constraint, &near.mixture);
-  const Parametrisation parametrisation(likelihood.model(), options.constraint, near.mixture.components(),
-                                        options.floor);
+  const Parametrisation parametrisation(likelihood.model(), options.constraint,
+                                        near.mixture.components(), options.floor);
   ScoredPoint best = scoredPoint(likelihood, parametrisation, parametrisation.toCoordinates(near));
   if (!std::isfinite(best.log_likelihood)) {
     finish(best, Termination::stalled, "the likelihood is not finite at the start", &climb);
@@ -126,19 +137,21 @@ Climb maximumLikelihood(const Likelihood& likelihood, const ModelParameters& sta
       return climb;
     }
     if (run.predictedGain(best) < options.tolerance) {
-      finish(best, Termination::converged, "the gain predicted to be left fell below the tolerance", &climb);
+      finish(best, Termination::converged, "the gain predicted to be left fell below the tolerance",
+             &climb);
       return climb;
     }
     if (climb.iterations >= options.max_iterations) {
-      finish(best, Termination::iteration_limit, "the iteration limit was reached; raise estimation.max_iterations",
-             &climb);
+      finish(best, Termination::iteration_limit,
+             "the iteration limit was reached; raise estimation.max_iterations", &climb);
       return climb;
     }
     if (best.log_likelihood - last < options.tolerance) break;
     last = best.log_likelihood;
   }
   finish(best, Termination::stalled,
-         "the climb stopped making progress before the gradient vanished; the likelihood may be flat or its maximum lie "
+         "the climb stopped making progress before the gradient vanished; the likelihood may be "
+         "flat or its maximum lie "
          "at the edge of the parameters' domain",
          &climb);
   return climb;

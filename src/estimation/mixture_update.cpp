@@ -24,14 +24,16 @@ ComponentSums componentSums(const Expectation& e) {
   const Index kappa = e.responsibilities.rows(), n = e.means.rows();
   ComponentSums sums{e.responsibilities.rowwise().sum(), MatrixXd::Zero(n, kappa)};
   for (Index r = 0; r < e.responsibilities.cols(); ++r) {
-    for (Index i = 0; i < kappa; ++i) sums.means.col(i) += e.responsibilities(i, r) * e.means.col(r * kappa + i);
+    for (Index i = 0; i < kappa; ++i)
+      sums.means.col(i) += e.responsibilities(i, r) * e.means.col(r * kappa + i);
   }
   for (Index i = 0; i < kappa; ++i) sums.means.col(i) /= std::max(sums.counts[i], 1e-300);
   return sums;
 }
 
-/// Weights and means under sum_i alpha_i mu_i = 0 for given lambda: alpha_i = n_i c_i, mu_i = xibar_i - c_i Gamma_i
-/// lambda with c_i = 1/(M + lambda'mu_i), a quadratic equation whose branch c_i -> 1/M holds at lambda = 0.
+/// Weights and means under sum_i alpha_i mu_i = 0 for given lambda: alpha_i = n_i c_i, mu_i =
+/// xibar_i - c_i Gamma_i lambda with c_i = 1/(M + lambda'mu_i), a quadratic equation whose branch
+/// c_i -> 1/M holds at lambda = 0.
 struct ZeroMean {
   const ComponentSums& sums;
   const std::vector<MatrixXd>& covariances;
@@ -58,7 +60,8 @@ struct ZeroMean {
     if (!at(lambda, weights, means)) return false;
     VectorXd mean = meanOf(*weights, *means);
     const double scale = 1e-14 + means->cwiseAbs().maxCoeff();
-    for (int iteration = 0; iteration < 50 && mean.cwiseAbs().maxCoeff() > 1e-13 * scale; ++iteration) {
+    for (int iteration = 0; iteration < 50 && mean.cwiseAbs().maxCoeff() > 1e-13 * scale;
+         ++iteration) {
       MatrixXd jacobian(n, n);
       const double step = 1e-6 * experiments / scale;
       VectorXd w = *weights;
@@ -74,10 +77,14 @@ struct ZeroMean {
   }
 
  private:
-  /// Normalised, because sum_i alpha_i mu_i also vanishes with the weights, far from a solution; there they sum to 1.
-  static VectorXd meanOf(const VectorXd& weights, const MatrixXd& means) { return means * weights / weights.sum(); }
+  /// Normalised, because sum_i alpha_i mu_i also vanishes with the weights, far from a solution;
+  /// there they sum to 1.
+  static VectorXd meanOf(const VectorXd& weights, const MatrixXd& means) {
+    return means * weights / weights.sum();
+  }
 
-  bool improve(const VectorXd& direction, VectorXd* lambda, VectorXd* mean, VectorXd* weights, MatrixXd* means) const {
+  bool improve(const VectorXd& direction, VectorXd* lambda, VectorXd* mean, VectorXd* weights,
+               MatrixXd* means) const {
     VectorXd w = *weights;
     MatrixXd m = *means;
     for (double fraction = 1; fraction > 1e-6; fraction /= 2) {
@@ -94,12 +101,14 @@ struct ZeroMean {
   }
 };
 
-/// The nearest covariance, in the sense of the likelihood, whose eigenvalues relative to the floor are at least 1.
+/// The nearest covariance, in the sense of the likelihood, whose eigenvalues relative to the floor
+/// are at least 1.
 MatrixXd floored(const MatrixXd& covariance, const MatrixXd& floor) {
   if (floor.size() == 0 || floor.isZero(0)) return covariance;
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(covariance, floor);
   if (eigen.info() != Eigen::Success || eigen.eigenvalues().minCoeff() >= 1) return covariance;
-  const MatrixXd basis = floor * eigen.eigenvectors();  // covariance = basis diag(eigenvalues) basis'
+  const MatrixXd basis =
+      floor * eigen.eigenvectors();  // covariance = basis diag(eigenvalues) basis'
   return basis * eigen.eigenvalues().cwiseMax(1.0).asDiagonal() * basis.transpose();
 }
 
@@ -109,7 +118,8 @@ void updateMixture(const Statistics& statistics, const Expectation& e, const Cli
                    ModelParameters* at) {
   const Index kappa = e.responsibilities.rows(), n = e.means.rows();
   const double experiments = static_cast<double>(e.responsibilities.cols());
-  at->noise_variance = e.responsibilities.cwiseProduct(e.misfits).sum() / statistics.samples().sum();  // (29)
+  at->noise_variance =
+      e.responsibilities.cwiseProduct(e.misfits).sum() / statistics.samples().sum();  // (29)
   if (n == 0) return;
 
   const ComponentSums sums = componentSums(e);
@@ -120,7 +130,8 @@ void updateMixture(const Statistics& statistics, const Expectation& e, const Cli
       weights[0] = 1;
       means.setZero();
     } else if (!ZeroMean{sums, at->mixture.covariances, experiments}.solve(&weights, &means)) {
-      for (Index i = 0; i < kappa; ++i) {  // keep what satisfies the constraint; the covariances still ascend
+      for (Index i = 0; i < kappa;
+           ++i) {  // keep what satisfies the constraint; the covariances still ascend
         weights[i] = at->mixture.weights[static_cast<std::size_t>(i)];
         means.col(i) = at->mixture.means[static_cast<std::size_t>(i)];
       }
@@ -131,17 +142,20 @@ void updateMixture(const Statistics& statistics, const Expectation& e, const Cli
     for (Index r = 0; r < e.responsibilities.cols(); ++r) {
       const VectorXd away = e.means.col(r * kappa + i) - means.col(i);
       covariance += e.responsibilities(i, r) *
-                    (away * away.transpose() + Eigen::Map<const MatrixXd>(e.covariances.col(r * kappa + i).data(), n, n));
+                    (away * away.transpose() +
+                     Eigen::Map<const MatrixXd>(e.covariances.col(r * kappa + i).data(), n, n));
     }
     const auto component = static_cast<std::size_t>(i);
     at->mixture.weights[component] = weights[i];
     at->mixture.means[component] = means.col(i);
-    at->mixture.covariances[component] = floored(covariance / std::max(sums.counts[i], 1e-300), options.floor);
+    at->mixture.covariances[component] =
+        floored(covariance / std::max(sums.counts[i], 1e-300), options.floor);
   }
 }
 
-double fitMixture(const Likelihood& likelihood, const Statistics& statistics, const ClimbOptions& options,
-                  int iterations, double tolerance, ModelParameters* at) {
+double fitMixture(const Likelihood& likelihood, const Statistics& statistics,
+                  const ClimbOptions& options, int iterations, double tolerance,
+                  ModelParameters* at) {
   double last = -std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < iterations; ++iteration) {
     const Expectation e = likelihood.expect(statistics, *at);

@@ -10,18 +10,20 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-void score(const Likelihood& likelihood, const Parametrisation& parametrisation, ScoredPoint* point) {
+void score(const Likelihood& likelihood, const Parametrisation& parametrisation,
+           ScoredPoint* point) {
   const Expectation e = likelihood.expect(point->statistics, point->parameters);
   point->log_likelihood = e.total();
   point->natural_scores = scores(point->statistics, point->parameters, e);
-  point->gradient =
-      parametrisation.jacobian(point->coordinates).transpose() * point->natural_scores.rowwise().sum();
+  point->gradient = parametrisation.jacobian(point->coordinates).transpose() *
+                    point->natural_scores.rowwise().sum();
 }
 
-/// Steps of about a thousandth of each coordinate's standard error: the outer product of the scores tells the scale,
-/// the complete-data information where few experiments make it unreliable.
+/// Steps of about a thousandth of each coordinate's standard error: the outer product of the scores
+/// tells the scale, the complete-data information where few experiments make it unreliable.
 VectorXd steps(const Parametrisation& parametrisation, const ScoredPoint& at) {
-  const MatrixXd of_experiments = parametrisation.jacobian(at.coordinates).transpose() * at.natural_scores;
+  const MatrixXd of_experiments =
+      parametrisation.jacobian(at.coordinates).transpose() * at.natural_scores;
   const Index last = at.coordinates.size() - 1;
   const double experiments = static_cast<double>(of_experiments.cols());
   VectorXd scale = of_experiments.rowwise().squaredNorm();
@@ -44,7 +46,8 @@ ScoredPoint scoredPoint(const Likelihood& likelihood, const Parametrisation& par
   point.log_likelihood = -std::numeric_limits<double>::infinity();
   if (!coordinates.allFinite()) return point;
   point.parameters = parametrisation.fromCoordinates(coordinates);
-  const bool sane = point.parameters.noise_variance > 0 && std::isfinite(point.parameters.noise_variance) &&
+  const bool sane = point.parameters.noise_variance > 0 &&
+                    std::isfinite(point.parameters.noise_variance) &&
                     point.parameters.mixture.weights.size() > 0;
   for (double weight : point.parameters.mixture.weights) {
     if (!(weight > 0)) return point;
@@ -52,7 +55,8 @@ ScoredPoint scoredPoint(const Likelihood& likelihood, const Parametrisation& par
   if (!sane || !likelihood.model().admissible(point.parameters.parameters)) return point;
   point.statistics = likelihood.statistics(point.parameters.parameters, true);
   score(likelihood, parametrisation, &point);
-  if (!std::isfinite(point.log_likelihood)) point.log_likelihood = -std::numeric_limits<double>::infinity();
+  if (!std::isfinite(point.log_likelihood))
+    point.log_likelihood = -std::numeric_limits<double>::infinity();
   return point;
 }
 
@@ -63,7 +67,8 @@ MatrixXd observedInformation(const Likelihood& likelihood, const Parametrisation
   const auto gradientAt = [&](Index j, double distance) -> VectorXd {
     VectorXd there = at.coordinates;
     there[j] += distance;
-    if (j < parametrisation.modelCoordinates()) return scoredPoint(likelihood, parametrisation, there).gradient;
+    if (j < parametrisation.modelCoordinates())
+      return scoredPoint(likelihood, parametrisation, there).gradient;
     ScoredPoint moved;
     moved.coordinates = there;
     moved.parameters = parametrisation.fromCoordinates(there);
@@ -75,7 +80,8 @@ MatrixXd observedInformation(const Likelihood& likelihood, const Parametrisation
   for (Index j = 0; j < size; ++j) {
     const VectorXd high = gradientAt(j, step[j]);
     const VectorXd low = central ? gradientAt(j, -step[j]) : at.gradient;
-    if (high.size() != size || low.size() != size) continue;  // at the edge of the domain: no curvature known
+    if (high.size() != size || low.size() != size)
+      continue;  // at the edge of the domain: no curvature known
     information.col(j) = (low - high) / (central ? 2 * step[j] : step[j]);
   }
   return 0.5 * (information + information.transpose());

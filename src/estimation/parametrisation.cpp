@@ -27,21 +27,24 @@ VectorXd entriesOf(const MatrixXd& L) {
   return entries;
 }
 
-/// A lower triangular L with L L' = A for positive semidefinite A (what is lost to rounding counts as zero).
+/// A lower triangular L with L L' = A for positive semidefinite A (what is lost to rounding counts
+/// as zero).
 MatrixXd lowerRoot(const MatrixXd& A) {
   MatrixXd L = MatrixXd::Zero(A.rows(), A.cols());
   for (Index j = 0; j < A.rows(); ++j) {
     const double pivot = A(j, j) - L.row(j).head(j).squaredNorm();
     if (pivot <= 1e-14 * std::abs(A(j, j))) continue;
     L(j, j) = std::sqrt(pivot);
-    for (Index i = j + 1; i < A.rows(); ++i) L(i, j) = (A(i, j) - L.row(i).head(j).dot(L.row(j).head(j))) / L(j, j);
+    for (Index i = j + 1; i < A.rows(); ++i)
+      L(i, j) = (A(i, j) - L.row(i).head(j).dot(L.row(j).head(j))) / L(j, j);
   }
   return L;
 }
 
 }  // namespace
 
-Parametrisation::Parametrisation(const Model& model, Constraint constraint, int components, const MatrixXd& floor)
+Parametrisation::Parametrisation(const Model& model, Constraint constraint, int components,
+                                 const MatrixXd& floor)
     : model_(model),
       constraint_(constraint),
       p_(model.parameterCount()),
@@ -50,7 +53,9 @@ Parametrisation::Parametrisation(const Model& model, Constraint constraint, int 
       triangle_(n_ * (n_ + 1) / 2),
       floor_(floor) {}
 
-int Parametrisation::size() const { return p_ + (kappa_ - 1) + freeMeans() * n_ + kappa_ * triangle_ + 1; }
+int Parametrisation::size() const {
+  return p_ + (kappa_ - 1) + freeMeans() * n_ + kappa_ * triangle_ + 1;
+}
 
 int Parametrisation::naturalSize() const { return p_ + kappa_ * (1 + n_ + triangle_) + 1; }
 
@@ -58,8 +63,11 @@ VectorXd Parametrisation::toCoordinates(const ModelParameters& at) const {
   VectorXd z(size());
   z.head(p_) = model_.toUnbounded(at.parameters);
   Index next = p_;
-  for (int i = 0; i + 1 < kappa_; ++i) z[next++] = std::log(at.mixture.weights[static_cast<std::size_t>(i)] / at.mixture.weights.back());
-  for (int i = 0; i < freeMeans(); ++i, next += n_) z.segment(next, n_) = at.mixture.means[static_cast<std::size_t>(i)];
+  for (int i = 0; i + 1 < kappa_; ++i)
+    z[next++] =
+        std::log(at.mixture.weights[static_cast<std::size_t>(i)] / at.mixture.weights.back());
+  for (int i = 0; i < freeMeans(); ++i, next += n_)
+    z.segment(next, n_) = at.mixture.means[static_cast<std::size_t>(i)];
   for (const MatrixXd& covariance : at.mixture.covariances) {
     z.segment(next, triangle_) = entriesOf(lowerRoot(covariance - floor_));
     next += triangle_;
@@ -97,11 +105,13 @@ MatrixXd Parametrisation::jacobian(const VectorXd& z) const {
   J.topLeftCorner(p_, p_) = model_.unboundedJacobian(z.head(p_));
   const Eigen::Map<const VectorXd> weights(at.mixture.weights.data(), kappa_);
   for (int i = 0; i < kappa_; ++i) {
-    for (int j = 0; j + 1 < kappa_; ++j) J(p_ + i, p_ + j) = weights[i] * ((i == j ? 1.0 : 0.0) - weights[j]);
+    for (int j = 0; j + 1 < kappa_; ++j)
+      J(p_ + i, p_ + j) = weights[i] * ((i == j ? 1.0 : 0.0) - weights[j]);
   }
   const Index mean_row = p_ + kappa_, mean_col = p_ + kappa_ - 1;
   J.block(mean_row, mean_col, freeMeans() * n_, freeMeans() * n_).setIdentity();
-  if (zeroMean()) {  // mu_kappa = -sum_i alpha_i mu_i / alpha_kappa, and the ratios alpha_i/alpha_kappa are e^(z_i)
+  if (zeroMean()) {  // mu_kappa = -sum_i alpha_i mu_i / alpha_kappa, and the ratios
+                     // alpha_i/alpha_kappa are e^(z_i)
     const Index last = mean_row + (kappa_ - 1) * n_;
     for (int i = 0; i + 1 < kappa_; ++i) {
       const double ratio = weights[i] / weights[kappa_ - 1];

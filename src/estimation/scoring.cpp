@@ -26,8 +26,8 @@ bool Damping::step(const MatrixXd& information, const VectorXd& gradient,
   return false;
 }
 
-ModelParameters scoringSteps(const Likelihood& likelihood, ModelParameters at, const ClimbOptions& options, int steps,
-                             double tolerance) {
+ModelParameters scoringSteps(const Likelihood& likelihood, ModelParameters at,
+                             const ClimbOptions& options, int steps, double tolerance) {
   constexpr int kMixtureSteps = 10;
   const Eigen::Index p = likelihood.model().parameterCount(), n = likelihood.model().regressors();
   const bool shift = options.constraint != Constraint::zero_mean && n > 0;
@@ -46,7 +46,8 @@ ModelParameters scoringSteps(const Likelihood& likelihood, ModelParameters at, c
       const int kappa = at.mixture.components();
       for (int i = 0; i < kappa; ++i) gradient.tail(n) += score.segment(p + kappa + i * n, n);
     }
-    const MatrixXd information = likelihood.information(at, latentMoments(e)).observed.topLeftCorner(size, size);
+    const MatrixXd information =
+        likelihood.information(at, latentMoments(e)).observed.topLeftCorner(size, size);
     const bool moved = damping.step(information, gradient, [&](const VectorXd& step) {
       ModelParameters trial = at;
       trial.parameters += step.head(p);
@@ -63,7 +64,8 @@ ModelParameters scoringSteps(const Likelihood& likelihood, ModelParameters at, c
     });
     if (!moved) break;
     reached = fitMixture(likelihood, statistics, options, kMixtureSteps, tolerance, &at);
-    const bool going_on = !options.on_iterate || options.on_iterate({k + 1, likelihood.passes(), reached});
+    const bool going_on =
+        !options.on_iterate || options.on_iterate({k + 1, likelihood.passes(), reached});
     if (!going_on || reached - before < tolerance) break;
   }
   return at;

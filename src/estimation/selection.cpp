@@ -50,8 +50,9 @@ struct Fitted {
 
 class Selection {
  public:
-  Selection(const Configuration& configuration, double sample_time, const std::vector<Experiment>& experiments,
-            int threads, std::vector<Candidate>* candidates, const SelectionProgress& progress)
+  Selection(const Configuration& configuration, double sample_time,
+            const std::vector<Experiment>& experiments, int threads,
+            std::vector<Candidate>* candidates, const SelectionProgress& progress)
       : configuration_(configuration),
         sample_time_(sample_time),
         threads_(threads),
@@ -61,9 +62,12 @@ class Selection {
         fitted_(thinned(split_.fitted, kEnoughSamples)) {}
 
   NominalModelOptions run() {
-    Fitted chosen = configuration_.nominal_model.focus == Focus::simulation ? bySimulation() : byPrediction();
+    Fitted chosen =
+        configuration_.nominal_model.focus == Focus::simulation ? bySimulation() : byPrediction();
     if (!std::isfinite(chosen.log_likelihood)) {
-      throw DataError("no model order could be fitted to these experiments; give the orders, or record longer ones");
+      throw DataError(
+          "no model order could be fitted to these experiments; give the orders, or record longer "
+          "ones");
     }
     return chosen.options;
   }
@@ -75,7 +79,8 @@ class Selection {
     fitted.options = options;
     ErrorModelOptions none;
     none.taps = 0;
-    const LinearModel model(makeNominalModel(options, sample_time_), ErrorBasis(none), configuration_.estimation);
+    const LinearModel model(makeNominalModel(options, sample_time_), ErrorBasis(none),
+                            configuration_.estimation);
     const std::vector<Block> blocks = makeBlocks(experiments);
     const Likelihood likelihood(model, blocks, static_cast<int>(experiments.size()), threads_);
     ClimbOptions climb;
@@ -93,9 +98,10 @@ class Selection {
     const auto nominal = makeNominalModel(fitted.options, sample_time_);
     const VectorXd theta = fitted.at.parameters.head(nominal->parameterCount());
     const bool offset = fitted.at.parameters.size() > theta.size();
-    const double fit = simulationFit(*nominal, theta, offset ? fitted.at.parameters[theta.size()] : 0.0,
-                                     configuration_.estimation, split_.held_out)
-                           .pooled;
+    const double fit =
+        simulationFit(*nominal, theta, offset ? fitted.at.parameters[theta.size()] : 0.0,
+                      configuration_.estimation, split_.held_out)
+            .pooled;
     return std::isfinite(fit) ? fit : -std::numeric_limits<double>::infinity();
   }
 
@@ -104,14 +110,16 @@ class Selection {
   }
 
   void record(const std::string& description, const Fitted& fitted) {
-    candidates_->push_back({"orders", description, static_cast<int>(fitted.at.parameters.size()) + 1,
+    candidates_->push_back({"orders", description,
+                            static_cast<int>(fitted.at.parameters.size()) + 1,
                             fitted.log_likelihood, bicOf(fitted), fitted.validation_fit, false});
   }
 
   static std::string describe(const NominalModelOptions& o) {
     std::string text = o.structure == Structure::output_error ? "output_error" : "box_jenkins";
     text += " nb=" + std::to_string(o.nb) + " na=" + std::to_string(o.na);
-    if (o.structure == Structure::box_jenkins) text += " nc=" + std::to_string(o.nc) + " nd=" + std::to_string(o.nd);
+    if (o.structure == Structure::box_jenkins)
+      text += " nc=" + std::to_string(o.nc) + " nd=" + std::to_string(o.nd);
     return text + " delay=" + std::to_string(o.delay);
   }
 
@@ -119,7 +127,8 @@ class Selection {
 
   int largestOrder() const {
     int shortest = std::numeric_limits<int>::max();
-    for (const Experiment& experiment : fitted_) shortest = std::min(shortest, experiment.samples());
+    for (const Experiment& experiment : fitted_)
+      shortest = std::min(shortest, experiment.samples());
     return std::max(1, std::min(configuration_.nominal_model.max_order, shortest / 12));
   }
 
@@ -133,7 +142,8 @@ class Selection {
       shortest = std::min(shortest, experiment.samples());
     }
     const int longest_delay = std::min(configuration_.nominal_model.max_delay, shortest / 4);
-    const LeastSquaresStart scan(all, configuration_.estimation.offsets != Offsets::none, kEnoughSamples);
+    const LeastSquaresStart scan(all, configuration_.estimation.offsets != Offsets::none,
+                                 kEnoughSamples);
     std::vector<Fitted> models;
     for (int order = 1; order <= largest; ++order) {
       NominalModelOptions options = configuration_.nominal_model;
@@ -149,8 +159,9 @@ class Selection {
     return models;
   }
 
-  /// The smallest model whose simulation is nearly as good as the best one's. Where some models settle, those with a
-  /// pole on the unit circle are passed over: they owe their fit to a free response that never ends.
+  /// The smallest model whose simulation is nearly as good as the best one's. Where some models
+  /// settle, those with a pole on the unit circle are passed over: they owe their fit to a free
+  /// response that never ends.
   static std::size_t smallestGood(const std::vector<Fitted>& models) {
     constexpr double kTolerance = 0.5;  // [%] a larger model must gain more to be taken
     constexpr double kSettling = 0.9995;
@@ -199,7 +210,9 @@ class Selection {
     const std::size_t first = candidates_->size() - models.size();
     Fitted best;
     std::size_t chosen = first;
-    for (std::size_t k = 0; k < models.size() && goOn(0.7 + 0.3 * static_cast<double>(k) / static_cast<double>(models.size())); ++k) {
+    for (std::size_t k = 0; k < models.size() && goOn(0.7 + 0.3 * static_cast<double>(k) /
+                                                                static_cast<double>(models.size()));
+         ++k) {
       best_row_ = first + k;
       const Fitted coloured = noiseModel(models[k]);
       if (std::isfinite(best.log_likelihood) && bicOf(coloured) >= bicOf(best)) continue;
@@ -222,8 +235,10 @@ class Selection {
 
 }  // namespace
 
-double bic(double log_likelihood, int model_parameters, int mixture_parameters, double samples, int experiments) {
-  return -2 * log_likelihood + model_parameters * std::log(samples) + mixture_parameters * std::log(experiments);
+double bic(double log_likelihood, int model_parameters, int mixture_parameters, double samples,
+           int experiments) {
+  return -2 * log_likelihood + model_parameters * std::log(samples) +
+         mixture_parameters * std::log(experiments);
 }
 
 int mixtureParameters(Constraint constraint, int dimension, int components) {
@@ -234,7 +249,8 @@ int mixtureParameters(Constraint constraint, int dimension, int components) {
 
 NominalModelOptions selectOrders(const Configuration& configuration, double sample_time,
                                  const std::vector<Experiment>& experiments, int threads,
-                                 std::vector<Candidate>* candidates, const SelectionProgress& progress) {
+                                 std::vector<Candidate>* candidates,
+                                 const SelectionProgress& progress) {
   return Selection(configuration, sample_time, experiments, threads, candidates, progress).run();
 }
 

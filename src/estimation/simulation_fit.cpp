@@ -8,7 +8,8 @@
 namespace uncertainty_identification {
 namespace {
 
-/// The nominal model with white noise and no error model: its residual, nuisances absorbed, is the simulation error.
+/// The nominal model with white noise and no error model: its residual, nuisances absorbed, is the
+/// simulation error.
 class NoiseFree : public NominalModel {
  public:
   explicit NoiseFree(const NominalModel& of) : of_(of) {}
@@ -27,7 +28,8 @@ class NoiseFree : public NominalModel {
 
 double fitPercent(double error, double spread) { return 100 * (1 - std::sqrt(error / spread)); }
 
-/// Sum of squares of what a lane's simulation leaves, its initial state taken from the first samples.
+/// Sum of squares of what a lane's simulation leaves, its initial state taken from the first
+/// samples.
 double squaredError(const Response& response, const Block& block, int lane) {
   const auto columns = static_cast<Eigen::Index>(response.value.columns.size());
   const int samples = block.lengths[static_cast<std::size_t>(lane)];
@@ -35,7 +37,8 @@ double squaredError(const Response& response, const Block& block, int lane) {
   if (columns == 0) return error.squaredNorm();
   Eigen::MatrixXd Z(samples, columns);
   for (Eigen::Index k = 0; k < columns; ++k) {
-    Z.col(k) = response.value.columns[static_cast<std::size_t>(k)]->row(lane).head(samples).transpose();
+    Z.col(k) =
+        response.value.columns[static_cast<std::size_t>(k)]->row(lane).head(samples).transpose();
   }
   const Eigen::Index first = std::min<Eigen::Index>(samples, 20 + 3 * columns);
   error -= Z * Z.topRows(first).colPivHouseholderQr().solve(error.head(first));
@@ -64,8 +67,9 @@ Moments momentsOf(const Experiment& experiment) {
 
 }  // namespace
 
-SimulationFit simulationFit(const NominalModel& nominal, const Eigen::VectorXd& theta, double offset,
-                            const EstimationOptions& options, const std::vector<Experiment>& experiments) {
+SimulationFit simulationFit(const NominalModel& nominal, const Eigen::VectorXd& theta,
+                            double offset, const EstimationOptions& options,
+                            const std::vector<Experiment>& experiments) {
   ErrorModelOptions none;
   none.taps = 0;
   const LinearModel model(std::make_shared<NoiseFree>(nominal), ErrorBasis(none), options);
@@ -78,7 +82,8 @@ SimulationFit simulationFit(const NominalModel& nominal, const Eigen::VectorXd& 
     Response response;
     model.evaluate(block, parameters, false, &response);
     for (int lane = 0; lane < block.lanes; ++lane) {
-      errors[static_cast<std::size_t>(block.index[static_cast<std::size_t>(lane)])] = squaredError(response, block, lane);
+      errors[static_cast<std::size_t>(block.index[static_cast<std::size_t>(lane)])] =
+          squaredError(response, block, lane);
     }
   }
   SimulationFit fit;

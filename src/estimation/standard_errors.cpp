@@ -19,22 +19,28 @@ std::string sentence(const VectorXd& direction, const std::vector<std::string>& 
   const double largest = direction.cwiseAbs().maxCoeff();
   std::vector<std::string> involved;
   for (Index k = 0; k < direction.size(); ++k) {
-    if (std::abs(direction[k]) > 0.05 * largest) involved.push_back(names[static_cast<std::size_t>(k)]);
+    if (std::abs(direction[k]) > 0.05 * largest)
+      involved.push_back(names[static_cast<std::size_t>(k)]);
   }
   std::string list;
   for (std::size_t k = 0; k < involved.size(); ++k) {
     list += (k == 0 ? "" : (k + 1 == involved.size() ? " and " : ", ")) + involved[k];
   }
   if (involved.size() == 1) {
-    return list + " cannot be determined from these data: the likelihood does not change with it; fix it, or record "
-                  "experiments that excite it";
+    return list +
+           " cannot be determined from these data: the likelihood does not change with it; fix it, "
+           "or record "
+           "experiments that excite it";
   }
   return list +
-         " cannot be told apart: the data determine only a combination of them; constrain the error model "
-         "(zero_static_gain or zero_mean), lower the orders, or record experiments that separate them";
+         " cannot be told apart: the data determine only a combination of them; constrain the "
+         "error model "
+         "(zero_static_gain or zero_mean), lower the orders, or record experiments that separate "
+         "them";
 }
 
-/// Marks the coordinates at the edge of their domain or in a singular direction: no number is better than a wrong one.
+/// Marks the coordinates at the edge of their domain or in a singular direction: no number is
+/// better than a wrong one.
 void mark(const std::vector<bool>& unknown, MatrixXd* covariance) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t k = 0; k < unknown.size(); ++k) {
@@ -48,7 +54,8 @@ void mark(const std::vector<bool>& unknown, MatrixXd* covariance) {
 
 StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisation& parametrisation,
                               const ModelParameters& at) {
-  const ScoredPoint point = scoredPoint(likelihood, parametrisation, parametrisation.toCoordinates(at));
+  const ScoredPoint point =
+      scoredPoint(likelihood, parametrisation, parametrisation.toCoordinates(at));
   const Index natural = parametrisation.naturalSize(), size = parametrisation.size();
   StandardErrors errors;
   std::vector<bool> unknown(static_cast<std::size_t>(natural), false);
@@ -76,21 +83,25 @@ StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisatio
     const VectorXd relative = moved.cwiseQuotient(values);
     errors.singular.push_back(sentence(relative, parametrisation.naturalNames()));
     for (Index i = 0; i < natural; ++i) {
-      if (std::abs(relative[i]) > 1e-3 * relative.cwiseAbs().maxCoeff()) unknown[static_cast<std::size_t>(i)] = true;
+      if (std::abs(relative[i]) > 1e-3 * relative.cwiseAbs().maxCoeff())
+        unknown[static_cast<std::size_t>(i)] = true;
     }
   }
   jacobian.row(natural - 1) *= at.noise_variance;  // from log sigma^2 to sigma^2
   for (Index i = 0; i < natural; ++i) {
     const bool fixed = jacobian.row(i).isZero(0);
-    const bool constant_weight = likelihood.model().regressors() == 0 || at.mixture.components() == 1;
+    const bool constant_weight =
+        likelihood.model().regressors() == 0 || at.mixture.components() == 1;
     if (fixed && !constant_weight) unknown[static_cast<std::size_t>(i)] = true;
   }
-  const MatrixXd natural_scores = parametrisation.jacobian(point.coordinates).transpose() * point.natural_scores;
+  const MatrixXd natural_scores =
+      parametrisation.jacobian(point.coordinates).transpose() * point.natural_scores;
   errors.covariance = jacobian * inverse * jacobian.transpose();
-  errors.robust_covariance =
-      jacobian * inverse * (natural_scores * natural_scores.transpose()) * inverse * jacobian.transpose();
+  errors.robust_covariance = jacobian * inverse * (natural_scores * natural_scores.transpose()) *
+                             inverse * jacobian.transpose();
   mark(unknown, &errors.covariance);
-  // fewer experiments than coordinates: the scores cannot span them, and the sandwich would be too small
+  // fewer experiments than coordinates: the scores cannot span them, and the sandwich would be too
+  // small
   if (likelihood.experiments() <= size) unknown.assign(unknown.size(), true);
   mark(unknown, &errors.robust_covariance);
   return errors;

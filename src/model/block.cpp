@@ -27,7 +27,8 @@ std::vector<Block> makeBlocks(const std::vector<Experiment>& experiments) {
   std::vector<int> order(experiments.size());
   std::iota(order.begin(), order.end(), 0);
   const auto samples = [&](int r) { return experiments[static_cast<std::size_t>(r)].samples(); };
-  std::stable_sort(order.begin(), order.end(), [&](int l, int r) { return samples(l) > samples(r); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int l, int r) { return samples(l) > samples(r); });
 
   std::vector<Block> blocks;
   for (std::size_t first = 0; first < order.size(); first += kLanes) {

@@ -6,7 +6,8 @@
 namespace uncertainty_identification {
 namespace {
 
-/// theta = [b; a; c; d] with c absent for output_error and arx, d absent for output_error or equal to a for arx, armax.
+/// theta = [b; a; c; d] with c absent for output_error and arx, d absent for output_error or equal
+/// to a for arx, armax.
 class BoxJenkins : public NominalModel {
  public:
   explicit BoxJenkins(const NominalModelOptions& options)
@@ -17,7 +18,8 @@ class BoxJenkins : public NominalModel {
         nc_(hasC() ? options.nc : 0),
         nd_(structure_ == Structure::box_jenkins ? options.nd : 0) {
     if (nb_ < 1 || na_ < 0 || nc_ < 0 || nd_ < 0 || delay_ < 0) {
-      throw ConfigurationError("nominal_model: nb must be at least 1 and na, nc, nd, delay at least 0");
+      throw ConfigurationError(
+          "nominal_model: nb must be at least 1 and na, nc, nd, delay at least 0");
     }
   }
 
@@ -67,7 +69,8 @@ class BoxJenkins : public NominalModel {
   Eigen::VectorXd toUnbounded(const Eigen::VectorXd& theta) const override {
     Eigen::VectorXd z = theta;
     z.segment(nb_, na_) = uncertainty_identification::toUnbounded(theta.segment(nb_, na_));
-    z.segment(nb_ + na_, nc_) = uncertainty_identification::toUnbounded(theta.segment(nb_ + na_, nc_));
+    z.segment(nb_ + na_, nc_) =
+        uncertainty_identification::toUnbounded(theta.segment(nb_ + na_, nc_));
     z.tail(nd_) = uncertainty_identification::toUnbounded(theta.tail(nd_));
     return z;
   }
@@ -75,14 +78,16 @@ class BoxJenkins : public NominalModel {
   Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& z) const override {
     Eigen::VectorXd theta = z;
     theta.segment(nb_, na_) = uncertainty_identification::fromUnbounded(z.segment(nb_, na_));
-    theta.segment(nb_ + na_, nc_) = uncertainty_identification::fromUnbounded(z.segment(nb_ + na_, nc_));
+    theta.segment(nb_ + na_, nc_) =
+        uncertainty_identification::fromUnbounded(z.segment(nb_ + na_, nc_));
     theta.tail(nd_) = uncertainty_identification::fromUnbounded(z.tail(nd_));
     return theta;
   }
 
   Eigen::MatrixXd unboundedJacobian(const Eigen::VectorXd& z) const override {
     Eigen::MatrixXd all = Eigen::MatrixXd::Identity(z.size(), z.size()), part;
-    for (const auto& [start, size] : {std::pair{nb_, na_}, {nb_ + na_, nc_}, {nb_ + na_ + nc_, nd_}}) {
+    for (const auto& [start, size] :
+         {std::pair{nb_, na_}, {nb_ + na_, nc_}, {nb_ + na_ + nc_, nd_}}) {
       uncertainty_identification::fromUnbounded(z.segment(start, size), &part);
       all.block(start, start, size, size) = part;
     }
@@ -96,7 +101,9 @@ class BoxJenkins : public NominalModel {
   }
 
  private:
-  bool hasC() const { return structure_ == Structure::armax || structure_ == Structure::box_jenkins; }
+  bool hasC() const {
+    return structure_ == Structure::armax || structure_ == Structure::box_jenkins;
+  }
   bool sharesA() const { return structure_ == Structure::arx || structure_ == Structure::armax; }
 
   static Eigen::VectorXd resized(const Eigen::VectorXd& from, int size) {

@@ -28,7 +28,8 @@ Eigen::VectorXd times(const Eigen::VectorXd& p, double f1, double f2, Eigen::Ind
 }
 
 /// Integral over [0, time] of e^(A s) b ds, and e^(A time), for sample time 1.
-std::pair<Eigen::MatrixXd, Eigen::VectorXd> hold(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, double time) {
+std::pair<Eigen::MatrixXd, Eigen::VectorXd> hold(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
+                                                 double time) {
   const Eigen::Index n = A.rows();
   Eigen::MatrixXd augmented = Eigen::MatrixXd::Zero(n + 1, n + 1);
   augmented.topLeftCorner(n, n) = time * A;
@@ -48,7 +49,8 @@ class Continuous : public NominalModel {
         extra_(options.dead_time ? options.max_delay + 1 : 0) {
     if (order_ < 1 || options.zeros >= order_ || delay_ < 1) {
       throw ConfigurationError(
-          "nominal_model: a continuous structure needs time_constants + 2 resonances >= 1, fewer zeros than that, "
+          "nominal_model: a continuous structure needs time_constants + 2 resonances >= 1, fewer "
+          "zeros than that, "
           "and delay >= 1 (the hold's own sample)");
     }
     list(options);
@@ -75,8 +77,9 @@ class Continuous : public NominalModel {
     return all;
   }
 
-  /// Zero-order hold of G(s), exact for a dead time of any length: state space in units of the sample time, then its
-  /// characteristic polynomial and numerator by the Faddeev-LeVerrier recursion.
+  /// Zero-order hold of G(s), exact for a dead time of any length: state space in units of the
+  /// sample time, then its characteristic polynomial and numerator by the Faddeev-LeVerrier
+  /// recursion.
   Polynomials polynomials(const Eigen::VectorXd& theta) const override {
     const std::vector<double> value = values(theta);
     Eigen::VectorXd numerator = Eigen::VectorXd::Ones(1), denominator = numerator;
@@ -113,14 +116,19 @@ class Continuous : public NominalModel {
     return p;
   }
 
-  Eigen::VectorXd toUnbounded(const Eigen::VectorXd& theta) const override { return mapped(theta, true); }
-  Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& z) const override { return mapped(z, false); }
+  Eigen::VectorXd toUnbounded(const Eigen::VectorXd& theta) const override {
+    return mapped(theta, true);
+  }
+  Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& z) const override {
+    return mapped(z, false);
+  }
 
   bool admissible(const Eigen::VectorXd& theta) const override {
     const std::vector<double> value = values(theta);
     for (std::size_t k = 0; k < physical_.size(); ++k) {
       if (isPositive(physical_[k].kind) && !(value[k] > 0)) return false;
-      if (physical_[k].kind == Physical::dead_time && !(value[k] >= 0 && value[k] <= maxDeadTime())) return false;
+      if (physical_[k].kind == Physical::dead_time && !(value[k] >= 0 && value[k] <= maxDeadTime()))
+        return false;
     }
     return NominalModel::admissible(theta);
   }
@@ -130,7 +138,8 @@ class Continuous : public NominalModel {
     std::vector<double> real;
     std::vector<std::complex<double>> pairs;
     for (const std::complex<double>& root : roots(p.a)) {
-      const std::complex<double> bounded = std::abs(root) > 1e-6 ? root : std::complex<double>(1e-6, 0);
+      const std::complex<double> bounded =
+          std::abs(root) > 1e-6 ? root : std::complex<double>(1e-6, 0);
       const std::complex<double> s = std::log(bounded) / sample_time_;
       if (std::abs(root.imag()) < 1e-9) {
         real.push_back(1 / std::max(-s.real(), 1e-6 / sample_time_));
@@ -142,16 +151,19 @@ class Continuous : public NominalModel {
     Eigen::VectorXd theta(parameterCount());
     Eigen::Index next = 0;
     std::size_t used_real = 0, used_pairs = 0;
-    const double longest = real.empty() ? (pairs.empty() ? sample_time_ : 1 / std::abs(pairs[0])) : real[0];
+    const double longest =
+        real.empty() ? (pairs.empty() ? sample_time_ : 1 / std::abs(pairs[0])) : real[0];
     for (const Physical& q : physical_) {
       double start = 0;
-      const std::complex<double> pair = used_pairs < pairs.size() ? pairs[used_pairs] : std::complex<double>(-1, 1) / longest;
+      const std::complex<double> pair =
+          used_pairs < pairs.size() ? pairs[used_pairs] : std::complex<double>(-1, 1) / longest;
       switch (q.kind) {
         case Physical::gain:
           start = p.b.sum() / (1 + p.a.sum());
           break;
         case Physical::time_constant:
-          start = used_real < real.size() ? real[used_real] : longest / (1.0 + static_cast<double>(used_real));
+          start = used_real < real.size() ? real[used_real]
+                                          : longest / (1.0 + static_cast<double>(used_real));
           ++used_real;
           break;
         case Physical::frequency:
@@ -171,7 +183,8 @@ class Continuous : public NominalModel {
       if (!q.fixed) theta[next++] = start;
     }
     theta.tail(nc_ + nd_).setZero();
-    const Eigen::Index c = std::min<Eigen::Index>(nc_, p.c.size()), d = std::min<Eigen::Index>(nd_, p.d.size());
+    const Eigen::Index c = std::min<Eigen::Index>(nc_, p.c.size()),
+                       d = std::min<Eigen::Index>(nd_, p.d.size());
     theta.segment(next, c) = p.c.head(c);
     theta.segment(next + nc_, d) = p.d.head(d);
     return theta;
@@ -185,7 +198,8 @@ class Continuous : public NominalModel {
       physical_.push_back({kind, name, unit, known ? fixed->second : 0.0, known});
     };
     add(Physical::gain, "gain", "");
-    for (int k = 1; k <= options.time_constants; ++k) add(Physical::time_constant, "tau" + std::to_string(k), "s");
+    for (int k = 1; k <= options.time_constants; ++k)
+      add(Physical::time_constant, "tau" + std::to_string(k), "s");
     for (int k = 1; k <= options.resonances; ++k) {
       add(Physical::frequency, "omega" + std::to_string(k), "rad/s");
       add(Physical::damping, "zeta" + std::to_string(k), "1");
@@ -198,13 +212,15 @@ class Continuous : public NominalModel {
       if (!known) {
         std::string allowed;
         for (const Physical& p : physical_) allowed += (allowed.empty() ? "" : ", ") + p.name;
-        throw ConfigurationError("nominal_model.fixed: no parameter '" + name + "'; this structure has " + allowed);
+        throw ConfigurationError("nominal_model.fixed: no parameter '" + name +
+                                 "'; this structure has " + allowed);
       }
     }
   }
 
   static bool isPositive(Physical::Kind kind) {
-    return kind == Physical::time_constant || kind == Physical::frequency || kind == Physical::damping;
+    return kind == Physical::time_constant || kind == Physical::frequency ||
+           kind == Physical::damping;
   }
 
   double maxDeadTime() const { return sample_time_ * (extra_ - 1); }
@@ -216,8 +232,8 @@ class Continuous : public NominalModel {
     return all;
   }
 
-  /// Positive parameters through the logarithm, the dead time through the logistic function, C and D through their
-  /// reflection coefficients.
+  /// Positive parameters through the logarithm, the dead time through the logistic function, C and
+  /// D through their reflection coefficients.
   Eigen::VectorXd mapped(const Eigen::VectorXd& from, bool to_unbounded) const {
     Eigen::VectorXd to = from;
     Eigen::Index next = 0;
@@ -226,22 +242,25 @@ class Continuous : public NominalModel {
       const double x = from[next];
       if (isPositive(p.kind)) to[next] = to_unbounded ? std::log(x) : std::exp(x);
       if (p.kind == Physical::dead_time) {
-        to[next] = to_unbounded ? std::log(x / (maxDeadTime() - x)) : maxDeadTime() / (1 + std::exp(-x));
+        to[next] =
+            to_unbounded ? std::log(x / (maxDeadTime() - x)) : maxDeadTime() / (1 + std::exp(-x));
       }
       ++next;
     }
     const auto convert = [&](const Eigen::VectorXd& v) {
-      return to_unbounded ? uncertainty_identification::toUnbounded(v) : uncertainty_identification::fromUnbounded(v);
+      return to_unbounded ? uncertainty_identification::toUnbounded(v)
+                          : uncertainty_identification::fromUnbounded(v);
     };
     to.segment(next, nc_) = convert(from.segment(next, nc_));
     to.tail(nd_) = convert(from.tail(nd_));
     return to;
   }
 
-  void discretise(const Eigen::VectorXd& numerator, const Eigen::VectorXd& denominator, double dead_samples,
-                  Polynomials* p) const {
+  void discretise(const Eigen::VectorXd& numerator, const Eigen::VectorXd& denominator,
+                  double dead_samples, Polynomials* p) const {
     const Eigen::Index n = order_;
-    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);  // controllable form, highest power scaled to 1
+    Eigen::MatrixXd A =
+        Eigen::MatrixXd::Zero(n, n);  // controllable form, highest power scaled to 1
     A.diagonal(1).setOnes();
     A.row(n - 1) = -denominator.head(n).transpose() / denominator[n];
     Eigen::VectorXd input = Eigen::VectorXd::Zero(n), output = Eigen::VectorXd::Zero(n);
@@ -250,7 +269,7 @@ class Continuous : public NominalModel {
 
     const int whole = static_cast<int>(dead_samples);
     const double fraction = dead_samples - whole;
-    const auto [unused, late] = hold(A, input, fraction);          // the older input acts first
+    const auto [unused, late] = hold(A, input, fraction);  // the older input acts first
     const auto [remaining, newest] = hold(A, input, 1 - fraction);
     const Eigen::VectorXd older = remaining * late;
     const Eigen::MatrixXd transition = hold(A, input, 1).first;
@@ -275,7 +294,8 @@ class Continuous : public NominalModel {
 
 }  // namespace
 
-std::shared_ptr<const NominalModel> makeContinuous(const NominalModelOptions& options, double sample_time) {
+std::shared_ptr<const NominalModel> makeContinuous(const NominalModelOptions& options,
+                                                   double sample_time) {
   return std::make_shared<Continuous>(options, sample_time);
 }
 

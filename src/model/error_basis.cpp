@@ -9,7 +9,8 @@
 namespace uncertainty_identification {
 namespace {
 
-/// An all-pass chain of basis filters: F_k = first[k mod m] * allpass^(k div m), all over `denominator`.
+/// An all-pass chain of basis filters: F_k = first[k mod m] * allpass^(k div m), all over
+/// `denominator`.
 struct Chain {
   std::vector<Eigen::VectorXd> first;  ///< numerators of the m filters of one section
   Eigen::VectorXd allpass;             ///< numerator of the all-pass section
@@ -19,10 +20,13 @@ struct Chain {
 Chain chainOf(const ErrorModelOptions& options) {
   if (options.basis == BasisKind::laguerre) {
     const double p = options.pole;
-    return {{Eigen::VectorXd::Constant(1, std::sqrt(1 - p * p))}, Eigen::Vector2d(-p, 1), Eigen::VectorXd::Constant(1, -p)};
+    return {{Eigen::VectorXd::Constant(1, std::sqrt(1 - p * p))},
+            Eigen::Vector2d(-p, 1),
+            Eigen::VectorXd::Constant(1, -p)};
   }
   if (options.basis == BasisKind::kautz) {
-    const double radius2 = options.pole_real * options.pole_real + options.pole_imag * options.pole_imag;
+    const double radius2 =
+        options.pole_real * options.pole_real + options.pole_imag * options.pole_imag;
     const double c = -radius2, b = 2 * options.pole_real / (1 + radius2);
     const double gain = std::sqrt(1 - c * c);
     return {{gain * Eigen::Vector2d(1, -b), gain * std::sqrt(1 - b * b) * Eigen::Vector2d(0, 1)},
@@ -32,17 +36,20 @@ Chain chainOf(const ErrorModelOptions& options) {
   return {{Eigen::VectorXd::Ones(1)}, Eigen::Vector2d(0, 1), Eigen::VectorXd()};
 }
 
-Eigen::MatrixXd constraintMatrix(const ErrorModelOptions& options, const Eigen::VectorXd& static_gains) {
+Eigen::MatrixXd constraintMatrix(const ErrorModelOptions& options,
+                                 const Eigen::VectorXd& static_gains) {
   const Eigen::Index taps = options.taps;
   if (options.constraint == Constraint::explicit_matrix) {
     if (options.T.rows() != taps || options.T.cols() < 1 || options.T.cols() > taps) {
       throw ConfigurationError("error_model.T: needs " + std::to_string(taps) +
                                " rows (taps) and between 1 and as many columns, found " +
-                               std::to_string(options.T.rows()) + " x " + std::to_string(options.T.cols()));
+                               std::to_string(options.T.rows()) + " x " +
+                               std::to_string(options.T.cols()));
     }
     return options.T;
   }
-  if (options.constraint != Constraint::zero_static_gain) return Eigen::MatrixXd::Identity(taps, taps);
+  if (options.constraint != Constraint::zero_static_gain)
+    return Eigen::MatrixXd::Identity(taps, taps);
   if (taps < 2) throw ConfigurationError("error_model: zero_static_gain needs at least 2 taps");
   Eigen::MatrixXd T = Eigen::MatrixXd::Zero(taps, taps - 1);
   T.topRows(taps - 1).setIdentity();
@@ -53,7 +60,8 @@ Eigen::MatrixXd constraintMatrix(const ErrorModelOptions& options, const Eigen::
 }  // namespace
 
 ErrorBasis::ErrorBasis(const ErrorModelOptions& options) : options_(options), taps_(options.taps) {
-  if (taps_ < 0) throw ConfigurationError("error_model.taps: must be chosen before a basis can be built");
+  if (taps_ < 0)
+    throw ConfigurationError("error_model.taps: must be chosen before a basis can be built");
   if (isStable(denominator()) == false) {
     throw ConfigurationError("error_model: the basis' pole must lie inside the unit circle");
   }
@@ -76,7 +84,8 @@ Eigen::VectorXd ErrorBasis::staticGains() const {
 Eigen::VectorXd ErrorBasis::denominator() const {
   const Chain chain = chainOf(options_);
   Eigen::VectorXd product;
-  for (int k = 0; k < taps_; k += static_cast<int>(chain.first.size())) product = multiply(product, chain.denominator);
+  for (int k = 0; k < taps_; k += static_cast<int>(chain.first.size()))
+    product = multiply(product, chain.denominator);
   return product;
 }
 

@@ -21,14 +21,18 @@ void accumulate(double factor, int delay, int samples, const Pack* in, Pack* out
   for (int t = delay; t < samples; ++t) out[t] += factor * in[t - delay];
 }
 
-/// sums[j] += left'right_j over the samples [first, last), four at a time to load `left` once for all of them.
+/// sums[j] += left'right_j over the samples [first, last), four at a time to load `left` once for
+/// all of them.
 UI_VECTOR_CLONES
-void accumulateProducts(const double* left, const double* const* right, int count, int first, int last, Pack* sums) {
+void accumulateProducts(const double* left, const double* const* right, int count, int first,
+                        int last, Pack* sums) {
   const Pack* l = reinterpret_cast<const Pack*>(left);
   int j = 0;
   for (; j + 3 < count; j += 4) {
-    const Pack *r0 = reinterpret_cast<const Pack*>(right[j]), *r1 = reinterpret_cast<const Pack*>(right[j + 1]);
-    const Pack *r2 = reinterpret_cast<const Pack*>(right[j + 2]), *r3 = reinterpret_cast<const Pack*>(right[j + 3]);
+    const Pack *r0 = reinterpret_cast<const Pack*>(right[j]),
+               *r1 = reinterpret_cast<const Pack*>(right[j + 1]);
+    const Pack *r2 = reinterpret_cast<const Pack*>(right[j + 2]),
+               *r3 = reinterpret_cast<const Pack*>(right[j + 3]);
     Pack s0 = sums[j], s1 = sums[j + 1], s2 = sums[j + 2], s3 = sums[j + 3];
     for (int t = first; t < last; ++t) {
       s0 += l[t] * r0[t];
@@ -51,15 +55,16 @@ void accumulateProducts(const double* left, const double* const* right, int coun
 
 }  // namespace
 
-void filter(const Eigen::VectorXd& numerator, const Eigen::VectorXd& monic_denominator, int delay, const Signals& in,
-            Signals* out) {
+void filter(const Eigen::VectorXd& numerator, const Eigen::VectorXd& monic_denominator, int delay,
+            const Signals& in, Signals* out) {
   const int samples = static_cast<int>(in.cols());
   out->setZero(kLanes, samples);
   for (Eigen::Index k = 0; k < numerator.size(); ++k) {
     addShifted(numerator[k], delay + static_cast<int>(k), in, out);
   }
   if (monic_denominator.size() > 0) {
-    recursion(monic_denominator.data(), static_cast<int>(monic_denominator.size()), samples, packs(out));
+    recursion(monic_denominator.data(), static_cast<int>(monic_denominator.size()), samples,
+              packs(out));
   }
 }
 
@@ -74,8 +79,10 @@ void addShifted(double factor, int delay, const Signals& in, Signals* out) {
   accumulate(factor, delay, static_cast<int>(in.cols()), packs(in), packs(out));
 }
 
-std::vector<Lanes> innerProducts(const std::vector<const Signals*>& left, const std::vector<const Signals*>& right) {
-  constexpr int kPiece = 64;  // samples; a piece of each of some dozens of signals fits the second-level cache
+std::vector<Lanes> innerProducts(const std::vector<const Signals*>& left,
+                                 const std::vector<const Signals*>& right) {
+  constexpr int kPiece =
+      64;  // samples; a piece of each of some dozens of signals fits the second-level cache
   std::vector<const double*> rights;
   std::vector<std::size_t> place;
   Eigen::Index samples = 0;
@@ -91,13 +98,15 @@ std::vector<Lanes> innerProducts(const std::vector<const Signals*>& left, const 
     const auto last = static_cast<int>(std::min<Eigen::Index>(first + kPiece, samples));
     for (std::size_t i = 0; i < left.size(); ++i) {
       if (left[i] == nullptr) continue;
-      accumulateProducts(left[i]->data(), rights.data(), static_cast<int>(count), static_cast<int>(first), last,
+      accumulateProducts(left[i]->data(), rights.data(), static_cast<int>(count),
+                         static_cast<int>(first), last,
                          reinterpret_cast<Pack*>(dense.data() + i * count));
     }
   }
   std::vector<Lanes> sums(left.size() * right.size(), Lanes::Zero());
   for (std::size_t i = 0; i < left.size(); ++i) {
-    for (std::size_t j = 0; j < count; ++j) sums[i * right.size() + place[j]] = dense[i * count + j];
+    for (std::size_t j = 0; j < count; ++j)
+      sums[i * right.size() + place[j]] = dense[i * count + j];
   }
   return sums;
 }

@@ -25,7 +25,9 @@ class HeldPlant : public NominalModel {
     return {all.end() - (nc_ + nd_), all.end()};
   }
 
-  Polynomials polynomials(const Eigen::VectorXd& theta) const override { return whole_->polynomials(whole(theta)); }
+  Polynomials polynomials(const Eigen::VectorXd& theta) const override {
+    return whole_->polynomials(whole(theta));
+  }
 
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& theta) const override {
     return whole_->jacobian(whole(theta)).rightCols(theta.size());

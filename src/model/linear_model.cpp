@@ -15,7 +15,8 @@ using Eigen::VectorXd;
 
 /// x = q^-delay B/A u and what its sensitivities to b_k and a_k are shifts of.
 struct Plant {
-  Plant(const Polynomials& p, const Signals& input) : delay(p.delay), nb(static_cast<int>(p.b.size())) {
+  Plant(const Polynomials& p, const Signals& input)
+      : delay(p.delay), nb(static_cast<int>(p.b.size())) {
     filter(VectorXd::Ones(1), p.a, 0, input, &input_over_a);
     filter(p.b, VectorXd(), p.delay, input_over_a, &x);
     filter(VectorXd::Ones(1), p.a, 0, x, &x_over_a);
@@ -40,8 +41,8 @@ struct Plant {
 /// Builds the response in the coordinates of the polynomials' coefficients [b; a; c; d].
 class Evaluation {
  public:
-  Evaluation(const Polynomials& p, const ErrorBasis& basis, const EstimationOptions& options, const Block& block,
-             bool derivatives)
+  Evaluation(const Polynomials& p, const ErrorBasis& basis, const EstimationOptions& options,
+             const Block& block, bool derivatives)
       : p_(p),
         basis_(basis),
         options_(options),
@@ -49,14 +50,16 @@ class Evaluation {
         derivatives_(derivatives),
         plants_(static_cast<int>(p.b.size() + p.a.size())),
         whitening_(p.c, p.d, options.noise_start,
-                   options.initial_state == InitialState::discard ? options.discard_samples : 0, block, derivatives),
+                   options.initial_state == InitialState::discard ? options.discard_samples : 0,
+                   block, derivatives),
         ones_(Signals::Ones(kLanes, block.samples)) {}
 
   /// Value, and derivatives to the coefficients and then to the common offset.
   void run(double offset, Response* response) {
     response->effective_samples = whitening_.effectiveSamples();
     response->value.log_jacobian = whitening_.logJacobian();
-    response->derivatives.assign(derivatives_ ? static_cast<std::size_t>(plants_ + whitening_.parameters()) : 0, {});
+    response->derivatives.assign(
+        derivatives_ ? static_cast<std::size_t>(plants_ + whitening_.parameters()) : 0, {});
     for (int j = 0; derivatives_ && j < whitening_.parameters(); ++j) {
       response->derivatives[static_cast<std::size_t>(plants_ + j)].log_jacobian =
           whitening_.logJacobianDerivatives()[static_cast<std::size_t>(j)];
@@ -67,7 +70,8 @@ class Evaluation {
     if (options_.initial_state == InitialState::estimate) initialState(response);
     if (options_.offsets == Offsets::per_experiment) ownOffset(response);
     if (options_.offsets == Offsets::estimate && derivatives_) commonOffset(response);
-    response->column_precision = VectorXd::Zero(static_cast<Eigen::Index>(response->value.columns.size()));
+    response->column_precision =
+        VectorXd::Zero(static_cast<Eigen::Index>(response->value.columns.size()));
   }
 
  private:
@@ -107,7 +111,8 @@ class Evaluation {
   }
 
   void simulation(const Plant& plant, double output_offset, Response* response) {
-    whiten(block_.y - plant.x - output_offset, response, [](WhitenedSignals* s) { return &s->residual; });
+    whiten(block_.y - plant.x - output_offset, response,
+           [](WhitenedSignals* s) { return &s->residual; });
     std::vector<Signals> raw;
     basis_.apply(plant.x, &raw);
     for (std::size_t i = 0; i < raw.size(); ++i) {
@@ -118,13 +123,15 @@ class Evaluation {
     }
   }
 
-  /// The free response of Go (1 + GDelta), whatever eta: q^-j/(A D_F), j = 0..K-1, with D_F the basis' denominator.
+  /// The free response of Go (1 + GDelta), whatever eta: q^-j/(A D_F), j = 0..K-1, with D_F the
+  /// basis' denominator.
   void initialState(Response* response) {
     const VectorXd of_basis = basis_.denominator();
     const int na = static_cast<int>(p_.a.size()), nb = static_cast<int>(p_.b.size());
     const int poles = static_cast<int>(of_basis.size());
     const int zeros = poles > 0 ? poles : std::max(basis_.taps() - 1, 0);
-    const int directions = std::min(std::max(na + poles, p_.delay + nb - 1 + zeros), block_.samples);
+    const int directions =
+        std::min(std::max(na + poles, p_.delay + nb - 1 + zeros), block_.samples);
     Signals impulse = Signals::Zero(kLanes, block_.samples), response_of_a, sensitivity, shifted;
     impulse.col(0).setOnes();
     filter(VectorXd::Ones(1), multiply(p_.a, of_basis), 0, impulse, &response_of_a);
@@ -135,7 +142,8 @@ class Evaluation {
     }
     if (!derivatives_) return;
     filter(VectorXd::Ones(1), p_.a, 0, -response_of_a, &sensitivity);
-    for (int lag = 1; lag < directions + na; ++lag) {  // column k's sensitivity to a_j depends on k + j only
+    for (int lag = 1; lag < directions + na;
+         ++lag) {  // column k's sensitivity to a_j depends on k + j only
       shift(lag, sensitivity, &shifted);
       const auto whitened = std::make_shared<Signals>();
       whitening_.apply(shifted, whitened.get());
@@ -157,7 +165,8 @@ class Evaluation {
     const Plant plant(p_, ones_);
     whiten(plant.x, response, slot);
     for (int k = 0; derivatives_ && k < plants_; ++k) {
-      whitening_.apply(plant.derivative(k), slot(&response->derivatives[static_cast<std::size_t>(k)]));
+      whitening_.apply(plant.derivative(k),
+                       slot(&response->derivatives[static_cast<std::size_t>(k)]));
     }
   }
 
@@ -189,7 +198,8 @@ void addScaled(double factor, const Signals& from, Signals* to) {
 void addScaled(double factor, const WhitenedSignals& from, WhitenedSignals* to) {
   addScaled(factor, from.residual, &to->residual);
   if (to->regressors.size() < from.regressors.size()) to->regressors.resize(from.regressors.size());
-  for (std::size_t i = 0; i < from.regressors.size(); ++i) addScaled(factor, from.regressors[i], &to->regressors[i]);
+  for (std::size_t i = 0; i < from.regressors.size(); ++i)
+    addScaled(factor, from.regressors[i], &to->regressors[i]);
   if (to->columns.size() < from.columns.size()) to->columns.resize(from.columns.size());
   for (std::size_t k = 0; k < from.columns.size(); ++k) {
     if (from.columns[k] == nullptr) continue;
@@ -208,7 +218,8 @@ void applyJacobian(const MatrixXd& jacobian, std::vector<WhitenedSignals>* deriv
   for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
     for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
       if (jacobian(i, j) == 0) continue;
-      addScaled(jacobian(i, j), (*derivatives)[static_cast<std::size_t>(i)], &combined[static_cast<std::size_t>(j)]);
+      addScaled(jacobian(i, j), (*derivatives)[static_cast<std::size_t>(i)],
+                &combined[static_cast<std::size_t>(j)]);
     }
   }
   for (auto i = static_cast<std::size_t>(jacobian.rows()); i < derivatives->size(); ++i) {
@@ -225,7 +236,8 @@ LinearModel::LinearModel(std::shared_ptr<const NominalModel> nominal, const Erro
 
 std::vector<std::string> LinearModel::names() const {
   std::vector<std::string> all = nominal_->names();
-  if (hasCommonOffset()) all.push_back(options_.offset_side == OffsetSide::input ? "offset_u" : "offset_y");
+  if (hasCommonOffset())
+    all.push_back(options_.offset_side == OffsetSide::input ? "offset_u" : "offset_y");
   return all;
 }
 
@@ -251,7 +263,8 @@ bool LinearModel::fusedStatistics(const Block& block, const VectorXd& parameters
   }
   const Polynomials p = nominal_->polynomials(parameters);
   if (options_.noise_start == NoiseStart::stationary && p.c.size() + p.d.size() > 0) return false;
-  return fusedBoxJenkins(block, p, basis_.T(), derivatives ? nominal_->jacobian(parameters) : MatrixXd(), statistics);
+  return fusedBoxJenkins(block, p, basis_.T(),
+                         derivatives ? nominal_->jacobian(parameters) : MatrixXd(), statistics);
 }
 
 bool LinearModel::admissible(const VectorXd& parameters) const {
@@ -282,7 +295,8 @@ MatrixXd LinearModel::unboundedJacobian(const VectorXd& unbounded) const {
 Signals LinearModel::simulate(const Block& block, const VectorXd& parameters) const {
   const double offset = hasCommonOffset() ? parameters[parameters.size() - 1] : 0.0;
   const bool at_input = options_.offset_side == OffsetSide::input;
-  const Plant plant(nominal_->polynomials(theta(parameters)), at_input ? Signals(block.u + offset) : block.u);
+  const Plant plant(nominal_->polynomials(theta(parameters)),
+                    at_input ? Signals(block.u + offset) : block.u);
   return plant.x + (at_input ? 0.0 : offset);
 }
 

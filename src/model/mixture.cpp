@@ -29,8 +29,8 @@ void Mixture::sortComponents() {
   std::vector<std::size_t> order(weights.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [this](std::size_t l, std::size_t r) {
-    return std::lexicographical_compare(means[l].data(), means[l].data() + means[l].size(), means[r].data(),
-                                        means[r].data() + means[r].size());
+    return std::lexicographical_compare(means[l].data(), means[l].data() + means[l].size(),
+                                        means[r].data(), means[r].data() + means[r].size());
   });
   Mixture sorted;
   for (std::size_t i : order) {
@@ -42,10 +42,13 @@ void Mixture::sortComponents() {
 }
 
 void Mixture::validate(const std::string& name) const {
-  const auto fail = [&name](const std::string& what) { throw ConfigurationError(name + ": " + what); };
+  const auto fail = [&name](const std::string& what) {
+    throw ConfigurationError(name + ": " + what);
+  };
   if (weights.size() != means.size() || weights.size() != covariances.size()) {
-    fail("weights, means and covariances must be of equal number, found " + std::to_string(weights.size()) + ", " +
-         std::to_string(means.size()) + " and " + std::to_string(covariances.size()));
+    fail("weights, means and covariances must be of equal number, found " +
+         std::to_string(weights.size()) + ", " + std::to_string(means.size()) + " and " +
+         std::to_string(covariances.size()));
   }
   double sum = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -56,7 +59,8 @@ void Mixture::validate(const std::string& name) const {
       fail("means" + at + " must hold " + std::to_string(dimension()) + " finite numbers");
     }
     const Eigen::MatrixXd& covariance = covariances[i];
-    if (covariance.rows() != dimension() || covariance.cols() != dimension() || !covariance.allFinite()) {
+    if (covariance.rows() != dimension() || covariance.cols() != dimension() ||
+        !covariance.allFinite()) {
       fail("covariances" + at + " must be a finite " + std::to_string(dimension()) + " x " +
            std::to_string(dimension()) + " matrix");
     }
@@ -69,7 +73,8 @@ void Mixture::validate(const std::string& name) const {
       fail("covariances" + at + " must be positive semidefinite");
     }
   }
-  if (!weights.empty() && std::abs(sum - 1) > 1e-6) fail("weights must sum to 1, found " + std::to_string(sum));
+  if (!weights.empty() && std::abs(sum - 1) > 1e-6)
+    fail("weights must sum to 1, found " + std::to_string(sum));
 }
 
 }  // namespace uncertainty_identification

@@ -14,18 +14,21 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// [Z Phi e] as a list; a signal that stands for zero is null.
-std::vector<const Signals*> listed(const WhitenedSignals& signals, std::size_t columns, std::size_t regressors) {
+std::vector<const Signals*> listed(const WhitenedSignals& signals, std::size_t columns,
+                                   std::size_t regressors) {
   std::vector<const Signals*> all(columns + regressors + 1, nullptr);
   const auto put = [&all](std::size_t at, const Signals& signal) {
     if (signal.cols() > 0) all[at] = &signal;
   };
   for (std::size_t k = 0; k < signals.columns.size(); ++k) all[k] = signals.columns[k].get();
-  for (std::size_t k = 0; k < signals.regressors.size(); ++k) put(columns + k, signals.regressors[k]);
+  for (std::size_t k = 0; k < signals.regressors.size(); ++k)
+    put(columns + k, signals.regressors[k]);
   put(columns + regressors, signals.residual);
   return all;
 }
 
-/// Inner products of the value's signals with themselves and with those of all derivatives, each distinct signal once.
+/// Inner products of the value's signals with themselves and with those of all derivatives, each
+/// distinct signal once.
 class Products {
  public:
   Products(const Response& response, bool derivatives)
@@ -38,7 +41,8 @@ class Products {
     for (const WhitenedSignals& tangent : response.derivatives) {
       tangents_.push_back(listed(tangent, columns_, regressors_));
       for (const Signals* signal : tangents_.back()) {
-        if (signal != nullptr && row_.emplace(signal, distinct.size()).second) distinct.push_back(signal);
+        if (signal != nullptr && row_.emplace(signal, distinct.size()).second)
+          distinct.push_back(signal);
       }
     }
     of_tangents_ = innerProducts(distinct, value_);
@@ -49,7 +53,8 @@ class Products {
     const auto size = static_cast<Index>(value_.size());
     MatrixXd gram(size, size);
     for (Index i = 0; i < size; ++i) {
-      for (Index j = 0; j < size; ++j) gram(i, j) = of_value_[static_cast<std::size_t>(i * size + j)][lane];
+      for (Index j = 0; j < size; ++j)
+        gram(i, j) = of_value_[static_cast<std::size_t>(i * size + j)][lane];
     }
     return gram;
   }
@@ -62,7 +67,8 @@ class Products {
       const Signals* signal = tangents_[j][i];
       if (signal == nullptr) continue;
       const std::size_t row = row_.at(signal) * size;
-      for (std::size_t k = 0; k < size; ++k) half(static_cast<Index>(i), static_cast<Index>(k)) = of_tangents_[row + k][lane];
+      for (std::size_t k = 0; k < size; ++k)
+        half(static_cast<Index>(i), static_cast<Index>(k)) = of_tangents_[row + k][lane];
     }
     return half + half.transpose();
   }
@@ -75,16 +81,18 @@ class Products {
   std::unordered_map<const Signals*, std::size_t> row_;
 };
 
-/// Absorbs the columns Z of one experiment into the Gram matrix of [Z Phi e]: integrating zeta out leaves the Schur
-/// complement of Z'Z + precision and the log-Jacobian -1/2 ln det(Z'Z + precision) + 1/2 ln det precision (the latter
-/// over the proper columns only); docs/method.md, section on random-effect columns.
+/// Absorbs the columns Z of one experiment into the Gram matrix of [Z Phi e]: integrating zeta out
+/// leaves the Schur complement of Z'Z + precision and the log-Jacobian -1/2 ln det(Z'Z + precision)
+/// + 1/2 ln det precision (the latter over the proper columns only); docs/method.md, section on
+/// random-effect columns.
 class Absorption {
  public:
   Absorption(const MatrixXd& gram, const VectorXd& precision)
       : columns_(precision.size()), rest_(gram.rows() - columns_) {
     MatrixXd inner = gram.topLeftCorner(columns_, columns_);
     inner.diagonal() += precision;
-    // a column that vanishes in this experiment (an experiment shorter than the column's delay) leaves no trace
+    // a column that vanishes in this experiment (an experiment shorter than the column's delay)
+    // leaves no trace
     for (Index k = 0; k < columns_; ++k) {
       if (inner(k, k) <= 0) {
         inner(k, k) = 1;
@@ -93,7 +101,8 @@ class Absorption {
     }
     inverse_ = inner.llt().solve(MatrixXd::Identity(columns_, columns_));
     projection_ = inverse_ * gram.topRightCorner(columns_, rest_);
-    gram_ = gram.bottomRightCorner(rest_, rest_) - gram.bottomLeftCorner(rest_, columns_) * projection_;
+    gram_ =
+        gram.bottomRightCorner(rest_, rest_) - gram.bottomLeftCorner(rest_, columns_) * projection_;
     log_jacobian_ = -inner.llt().matrixLLT().diagonal().array().log().sum();
     diffuse_ = -vanished_;
     for (Index k = 0; k < columns_; ++k) {
@@ -109,7 +118,8 @@ class Absorption {
   double logJacobian() const { return log_jacobian_; }
   double diffuse() const { return static_cast<double>(diffuse_); }
 
-  /// Derivative of gram() when the Gram matrix of [Z Phi e] and the precision change by `dgram`, `dprecision`.
+  /// Derivative of gram() when the Gram matrix of [Z Phi e] and the precision change by `dgram`,
+  /// `dprecision`.
   MatrixXd derivative(const MatrixXd& dgram, const VectorXd* dprecision) const {
     MatrixXd dinner = dgram.topLeftCorner(columns_, columns_);
     if (dprecision != nullptr) dinner.diagonal() += *dprecision;
@@ -118,7 +128,8 @@ class Absorption {
            projection_.transpose() * dinner * projection_;
   }
 
-  double logJacobianDerivative(const MatrixXd& dgram, const VectorXd& precision, const VectorXd* dprecision) const {
+  double logJacobianDerivative(const MatrixXd& dgram, const VectorXd& precision,
+                               const VectorXd* dprecision) const {
     double derivative = -0.5 * inverse_.cwiseProduct(dgram.topLeftCorner(columns_, columns_)).sum();
     for (Index k = 0; dprecision != nullptr && k < columns_; ++k) {
       derivative -= 0.5 * inverse_(k, k) * (*dprecision)[k];
@@ -144,8 +155,9 @@ void write(const Response& response, const Block& block, Statistics* statistics)
     statistics->logJacobian()[r] = response.value.log_jacobian[lane] + absorbed.logJacobian();
     for (int j = 0; j < statistics->parameters(); ++j) {
       const auto at = static_cast<std::size_t>(j);
-      const VectorXd* dprecision =
-          response.column_precision_derivatives.empty() ? nullptr : &response.column_precision_derivatives[at];
+      const VectorXd* dprecision = response.column_precision_derivatives.empty()
+                                       ? nullptr
+                                       : &response.column_precision_derivatives[at];
       const MatrixXd dgram = products.derivative(at, lane);
       statistics->gramDerivative(r, j) = absorbed.derivative(dgram, dprecision);
       statistics->logJacobianDerivatives()(j, r) =
@@ -157,7 +169,8 @@ void write(const Response& response, const Block& block, Statistics* statistics)
 
 }  // namespace
 
-void computeStatistics(const Model& model, const Block& block, const VectorXd& parameters, Statistics* statistics) {
+void computeStatistics(const Model& model, const Block& block, const VectorXd& parameters,
+                       Statistics* statistics) {
   const bool derivatives = statistics->parameters() > 0;
   if (model.fusedStatistics(block, parameters, derivatives, statistics)) return;
   Response response;

@@ -25,7 +25,8 @@ MatrixXd transition(const VectorXd& d) {
   return F;
 }
 
-/// Solution of P = F P F' + Q by doubling: after k steps P holds 2^k terms of the sum of F^j Q F'^j.
+/// Solution of P = F P F' + Q by doubling: after k steps P holds 2^k terms of the sum of F^j Q
+/// F'^j.
 MatrixXd lyapunov(MatrixXd F, MatrixXd Q) {
   for (int step = 0; step < 60; ++step) {
     const MatrixXd increment = F * Q * F.transpose();
@@ -66,10 +67,11 @@ struct RiccatiDerivative {
     dS = dP(0, 0);
     dgain = (base.F * dP.col(0) - dd * P(0, 0) + dK - gain * dS) / S;
     const MatrixXd moved = -dd * (P.row(0) * base.F.transpose());  // dF P F'
-    MatrixXd next = base.F * dP * base.F.transpose() + moved + moved.transpose() + dK * base.K.transpose() +
-                    base.K * dK.transpose();
+    MatrixXd next = base.F * dP * base.F.transpose() + moved + moved.transpose() +
+                    dK * base.K.transpose() + base.K * dK.transpose();
     if (measured) {
-      next -= S * (dgain * gain.transpose() + gain * dgain.transpose()) + dS * gain * gain.transpose();
+      next -=
+          S * (dgain * gain.transpose() + gain * dgain.transpose()) + dS * gain * gain.transpose();
     }
     dP = next;
   }
@@ -80,7 +82,7 @@ struct View {
   const double *c, *d;
   const double* const* gains;  ///< [i], packs over t < varying
   const Pack* scale;
-  const Pack* weight;        ///< 0 at missing samples
+  const Pack* weight;  ///< 0 at missing samples
   bool gaps;
 };
 
@@ -88,7 +90,8 @@ inline const Pack& at(const double* const* signals, int i, int t) {
   return reinterpret_cast<const Pack*>(signals[i])[t];
 }
 
-/// One signal through the filter; the innovations nu and the effective v are kept for the derivatives.
+/// One signal through the filter; the innovations nu and the effective v are kept for the
+/// derivatives.
 UI_VECTOR_CLONES
 void whiten(const View& f, const Pack* v, Pack* e, Pack* nu, Pack* effective, Pack* state) {
   const int m = f.order;
@@ -98,7 +101,8 @@ void whiten(const View& f, const Pack* v, Pack* e, Pack* nu, Pack* effective, Pa
     const Pack value = f.gaps ? predicted + f.weight[t] * (v[t] - predicted) : v[t];
     const Pack innovation = value - predicted;
     if (t < f.varying) {
-      for (int i = 0; i < m; ++i) state[i] = state[i + 1] + at(f.gains, i, t) * innovation - f.d[i] * value;
+      for (int i = 0; i < m; ++i)
+        state[i] = state[i + 1] + at(f.gains, i, t) * innovation - f.d[i] * value;
       e[t] = innovation * f.scale[t] * f.weight[t];
     } else {
       for (int i = 0; i < m; ++i) state[i] = state[i + 1] + f.c[i] * innovation - f.d[i] * value;
@@ -109,10 +113,12 @@ void whiten(const View& f, const Pack* v, Pack* e, Pack* nu, Pack* effective, Pa
   }
 }
 
-/// The derivative of whiten()'s result to one of c and d, `which` = index of the polynomial's coefficient.
+/// The derivative of whiten()'s result to one of c and d, `which` = index of the polynomial's
+/// coefficient.
 UI_VECTOR_CLONES
-void whitenDerivative(const View& f, bool of_c, int which, const double* const* dgains, const Pack* dscale,
-                      const Pack* nu, const Pack* effective, Pack* de, Pack* state) {
+void whitenDerivative(const View& f, bool of_c, int which, const double* const* dgains,
+                      const Pack* dscale, const Pack* nu, const Pack* effective, Pack* de,
+                      Pack* state) {
   const int m = f.order;
   for (int i = 0; i <= m; ++i) state[i] = Pack{};
   for (int t = f.first; t < f.samples; ++t) {
@@ -121,7 +127,8 @@ void whitenDerivative(const View& f, bool of_c, int which, const double* const* 
     const Pack dnu = dvalue - dpredicted;
     if (t < f.varying) {
       for (int i = 0; i < m; ++i) {
-        state[i] = state[i + 1] + at(f.gains, i, t) * dnu + at(dgains, i, t) * nu[t] - f.d[i] * dvalue;
+        state[i] =
+            state[i + 1] + at(f.gains, i, t) * dnu + at(dgains, i, t) * nu[t] - f.d[i] * dvalue;
       }
       de[t] = (dnu * f.scale[t] + nu[t] * dscale[t]) * f.weight[t];
     } else {
@@ -135,8 +142,8 @@ void whitenDerivative(const View& f, bool of_c, int which, const double* const* 
 
 }  // namespace
 
-NoiseWhitening::NoiseWhitening(const VectorXd& c, const VectorXd& d, NoiseStart start, int first, const Block& block,
-                               bool derivatives)
+NoiseWhitening::NoiseWhitening(const VectorXd& c, const VectorXd& d, NoiseStart start, int first,
+                               const Block& block, bool derivatives)
     : order_(static_cast<int>(std::max(c.size(), d.size()))),
       nc_(static_cast<int>(c.size())),
       nd_(static_cast<int>(d.size())),
@@ -148,7 +155,8 @@ NoiseWhitening::NoiseWhitening(const VectorXd& c, const VectorXd& d, NoiseStart 
       derivatives_(derivatives),
       log_jacobian_(Lanes::Zero()) {
   effective_samples_ = block.weight.rightCols(block.samples - first_).rowwise().sum();
-  if (derivatives_) log_jacobian_derivatives_.assign(static_cast<std::size_t>(nc_ + nd_), Lanes::Zero());
+  if (derivatives_)
+    log_jacobian_derivatives_.assign(static_cast<std::size_t>(nc_ + nd_), Lanes::Zero());
   if (order_ == 0 || (start_ == NoiseStart::zero && !block.gaps)) return;
 
   gains_.assign(static_cast<std::size_t>(order_), Signals(kLanes, block.samples));
@@ -161,7 +169,8 @@ NoiseWhitening::NoiseWhitening(const VectorXd& c, const VectorXd& d, NoiseStart 
       of_parameter.assign(static_cast<std::size_t>(order_), Signals::Zero(kLanes, block.samples));
       if (j < nc_) of_parameter[static_cast<std::size_t>(j)].setOnes();
     }
-    scale_derivatives_.assign(static_cast<std::size_t>(nc_ + nd_), Signals::Zero(kLanes, block.samples));
+    scale_derivatives_.assign(static_cast<std::size_t>(nc_ + nd_),
+                              Signals::Zero(kLanes, block.samples));
   }
   MatrixXd P0;
   std::vector<MatrixXd> dP0;
@@ -179,7 +188,8 @@ void NoiseWhitening::prepareStart(MatrixXd* P0, std::vector<MatrixXd>* dP0) cons
     dP0->push_back(MatrixXd::Zero(order_, order_));
     if (start_ != NoiseStart::stationary) continue;
     const bool of_c = j < nc_;
-    const VectorXd dd = of_c ? VectorXd(VectorXd::Zero(order_)) : VectorXd(VectorXd::Unit(order_, j - nc_));
+    const VectorXd dd =
+        of_c ? VectorXd(VectorXd::Zero(order_)) : VectorXd(VectorXd::Unit(order_, j - nc_));
     const VectorXd dK = of_c ? VectorXd(VectorXd::Unit(order_, j)) : VectorXd(-dd);
     const MatrixXd moved = -dd * (P0->row(0) * F.transpose());
     dP0->back() = lyapunov(F, moved + moved.transpose() + dK * K.transpose() + K * dK.transpose());
@@ -187,7 +197,8 @@ void NoiseWhitening::prepareStart(MatrixXd* P0, std::vector<MatrixXd>* dP0) cons
 }
 
 void NoiseWhitening::recursion(int lane, const MatrixXd& P0, const std::vector<MatrixXd>& dP0) {
-  if (lane > 0 && !block_.gaps) {  // without gaps all lanes share the gains of the first, which is the longest
+  if (lane > 0 &&
+      !block_.gaps) {  // without gaps all lanes share the gains of the first, which is the longest
     for (Signals& gain : gains_) gain.row(lane) = gain.row(0);
     scale_.row(lane) = scale_.row(0);
     const int end = std::min(varying_, block_.lengths[static_cast<std::size_t>(lane)]);
@@ -196,8 +207,9 @@ void NoiseWhitening::recursion(int lane, const MatrixXd& P0, const std::vector<M
     for (std::size_t j = 0; j < scale_derivatives_.size(); ++j) {
       for (Signals& gain : gain_derivatives_[j]) gain.row(lane) = gain.row(0);
       scale_derivatives_[j].row(lane) = scale_derivatives_[j].row(0);
-      log_jacobian_derivatives_[j][lane] =
-          (scale_derivatives_[j].row(0).segment(first_, count) / scale_.row(0).segment(first_, count)).sum();
+      log_jacobian_derivatives_[j][lane] = (scale_derivatives_[j].row(0).segment(first_, count) /
+                                            scale_.row(0).segment(first_, count))
+                                               .sum();
     }
     return;
   }
@@ -208,7 +220,8 @@ void NoiseWhitening::recursion(int lane, const MatrixXd& P0, const std::vector<M
   for (int j = 0; derivatives_ && j < nc_ + nd_; ++j) {
     const VectorXd unit = VectorXd::Unit(order_, j < nc_ ? j : j - nc_);
     const VectorXd dd = j < nc_ ? VectorXd(0 * unit) : unit;
-    tangents.push_back({dd, j < nc_ ? unit : VectorXd(-unit), dP0[static_cast<std::size_t>(j)], 0, VectorXd()});
+    tangents.push_back(
+        {dd, j < nc_ ? unit : VectorXd(-unit), dP0[static_cast<std::size_t>(j)], 0, VectorXd()});
   }
   const int end = block_.lengths[static_cast<std::size_t>(lane)];
   for (int t = first_; t < end; ++t) {
@@ -217,12 +230,14 @@ void NoiseWhitening::recursion(int lane, const MatrixXd& P0, const std::vector<M
     base.step(measured);
     scale_(lane, t) = 1 / std::sqrt(base.S);
     double change = base.P.cwiseAbs().maxCoeff();
-    for (int i = 0; i < order_; ++i) gains_[static_cast<std::size_t>(i)](lane, t) = base.gain[i] + d_[i];
+    for (int i = 0; i < order_; ++i)
+      gains_[static_cast<std::size_t>(i)](lane, t) = base.gain[i] + d_[i];
     if (measured) log_jacobian_[lane] -= 0.5 * std::log(base.S);
     for (std::size_t j = 0; j < tangents.size(); ++j) {
       const RiccatiDerivative& tangent = tangents[j];
       for (int i = 0; i < order_; ++i) {
-        gain_derivatives_[j][static_cast<std::size_t>(i)](lane, t) = tangent.dgain[i] + tangent.dd[i];
+        gain_derivatives_[j][static_cast<std::size_t>(i)](lane, t) =
+            tangent.dgain[i] + tangent.dd[i];
       }
       scale_derivatives_[j](lane, t) = -0.5 * tangent.dS / (base.S * std::sqrt(base.S));
       if (measured) log_jacobian_derivatives_[j][lane] -= 0.5 * tangent.dS / base.S;
@@ -243,8 +258,16 @@ void NoiseWhitening::apply(const Signals& v, Signals* e, std::vector<Signals>* d
   }
   std::vector<const double*> gains;
   for (const Signals& gain : gains_) gains.push_back(gain.data());
-  const View view{order_,    static_cast<int>(v.cols()), first_, varying_, c_.data(), d_.data(), gains.data(),
-                  packs(scale_), packs(block_.weight),   block_.gaps};
+  const View view{order_,
+                  static_cast<int>(v.cols()),
+                  first_,
+                  varying_,
+                  c_.data(),
+                  d_.data(),
+                  gains.data(),
+                  packs(scale_),
+                  packs(block_.weight),
+                  block_.gaps};
   Signals nu(kLanes, v.cols()), effective(kLanes, v.cols()), state(kLanes, order_ + 1);
   whiten(view, packs(v), packs(e), packs(&nu), packs(&effective), packs(&state));
   if (derivatives == nullptr) return;
@@ -258,8 +281,8 @@ void NoiseWhitening::apply(const Signals& v, Signals* e, std::vector<Signals>* d
       dscale = packs(scale_derivatives_[at]);
     }
     (*derivatives)[at].setZero(kLanes, v.cols());
-    whitenDerivative(view, j < nc_, j < nc_ ? j : j - nc_, dgains.data(), dscale, packs(nu), packs(effective),
-                     packs(&(*derivatives)[at]), packs(&state));
+    whitenDerivative(view, j < nc_, j < nc_ ? j : j - nc_, dgains.data(), dscale, packs(nu),
+                     packs(effective), packs(&(*derivatives)[at]), packs(&state));
   }
 }
 

@@ -11,8 +11,9 @@
 namespace uncertainty_identification {
 namespace {
 
-Eigen::MatrixXd centralDifferences(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& function,
-                                   const Eigen::VectorXd& at) {
+Eigen::MatrixXd centralDifferences(
+    const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& function,
+    const Eigen::VectorXd& at) {
   Eigen::MatrixXd jacobian(function(at).size(), at.size());
   for (Eigen::Index j = 0; j < at.size(); ++j) {
     const double step = 6e-6 * std::max(std::abs(at[j]), 1e-3);  // cube root of the rounding error
@@ -32,14 +33,18 @@ Eigen::VectorXd Polynomials::stacked() const {
   return all;
 }
 
-std::vector<std::string> NominalModel::units() const { return std::vector<std::string>(names().size()); }
+std::vector<std::string> NominalModel::units() const {
+  return std::vector<std::string>(names().size());
+}
 
 Eigen::MatrixXd NominalModel::jacobian(const Eigen::VectorXd& theta) const {
-  return centralDifferences([this](const Eigen::VectorXd& at) { return polynomials(at).stacked(); }, theta);
+  return centralDifferences([this](const Eigen::VectorXd& at) { return polynomials(at).stacked(); },
+                            theta);
 }
 
 Eigen::MatrixXd NominalModel::unboundedJacobian(const Eigen::VectorXd& unbounded) const {
-  return centralDifferences([this](const Eigen::VectorXd& at) { return fromUnbounded(at); }, unbounded);
+  return centralDifferences([this](const Eigen::VectorXd& at) { return fromUnbounded(at); },
+                            unbounded);
 }
 
 bool NominalModel::admissible(const Eigen::VectorXd& theta) const {
@@ -53,7 +58,8 @@ Eigen::VectorXd NominalModel::fromPolynomials(const Polynomials&) const {
                            "' cannot choose its own start; give `initial: {theta: [...]}`");
 }
 
-std::shared_ptr<const NominalModel> makeNominalModel(const NominalModelOptions& options, double sample_time) {
+std::shared_ptr<const NominalModel> makeNominalModel(const NominalModelOptions& options,
+                                                     double sample_time) {
   return options.structure == Structure::continuous ? makeContinuous(options, sample_time)
                                                     : makeBoxJenkins(options);
 }

@@ -50,9 +50,11 @@ Eigen::VectorXd fromReflection(const Eigen::VectorXd& reflection, Eigen::MatrixX
 bool isStable(const Eigen::VectorXd& monic, double radius) {
   if (!monic.allFinite()) return false;
   Eigen::VectorXd scaled = monic;  // roots divided by the radius
-  for (Eigen::Index k = 0; k < monic.size(); ++k) scaled[k] /= std::pow(radius, static_cast<double>(k + 1));
+  for (Eigen::Index k = 0; k < monic.size(); ++k)
+    scaled[k] /= std::pow(radius, static_cast<double>(k + 1));
   const Eigen::VectorXd reflection = reflectionCoefficients(scaled);
-  return reflection.size() == 0 || (reflection.allFinite() && reflection.cwiseAbs().maxCoeff() < 1.0);
+  return reflection.size() == 0 ||
+         (reflection.allFinite() && reflection.cwiseAbs().maxCoeff() < 1.0);
 }
 
 Eigen::VectorXcd roots(const Eigen::VectorXd& monic) {
@@ -80,7 +82,8 @@ Eigen::VectorXd multiply(const Eigen::VectorXd& left, const Eigen::VectorXd& rig
   Eigen::VectorXd product = Eigen::VectorXd::Zero(left.size() + right.size());
   product.head(left.size()) = left;
   product.head(right.size()) += right;
-  for (Eigen::Index i = 0; i < left.size(); ++i) product.segment(i + 1, right.size()) += left[i] * right;
+  for (Eigen::Index i = 0; i < left.size(); ++i)
+    product.segment(i + 1, right.size()) += left[i] * right;
   return product;
 }
 
@@ -93,8 +96,8 @@ Eigen::VectorXd toUnbounded(const Eigen::VectorXd& monic) {
 }
 
 Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& unbounded, Eigen::MatrixXd* jacobian) {
-  const Eigen::VectorXd reflection =
-      unbounded.unaryExpr([](double z) { return std::min(std::max(std::tanh(z), -kLimit), kLimit); });
+  const Eigen::VectorXd reflection = unbounded.unaryExpr(
+      [](double z) { return std::min(std::max(std::tanh(z), -kLimit), kLimit); });
   const Eigen::VectorXd p = fromReflection(reflection, jacobian);
   if (jacobian != nullptr) {
     *jacobian *= (1.0 - reflection.array().square()).matrix().asDiagonal();

@@ -19,95 +19,101 @@ std::string toString(Termination termination);
 
 /// A scalar parameter with its uncertainty.
 struct ParameterEstimate {
-  std::string name;                    ///< "b1", "tau1", "weight2", "mean1[1]", "covariance2[1,1]", "noise_variance", ...
-  std::string unit;                    ///< empty when it follows from the units of u and y
+  std::string
+      name;  ///< "b1", "tau1", "weight2", "mean1[1]", "covariance2[1,1]", "noise_variance", ...
+  std::string unit;  ///< empty when it follows from the units of u and y
   double value = 0;
-  double standard_error = 0;           ///< from the observed information; NaN where it is singular
-  double robust_standard_error = 0;    ///< sandwich form from per-experiment scores; valid when the model is wrong
+  double standard_error = 0;  ///< from the observed information; NaN where it is singular
+  double robust_standard_error =
+      0;  ///< sandwich form from per-experiment scores; valid when the model is wrong
 };
 
 /// Go = q^-delay B/A and H = C/D as polynomials in q^-1, and where they come from.
 struct NominalModelEstimate {
-  std::string structure;               ///< as in the configuration
-  double sample_time = 0;              ///< [s]
-  int delay = 0;                       ///< nk [samples]
-  Eigen::VectorXd b;                   ///< b1..b_nb: B = b1 + b2 q^-1 + ... behind the delay
-  Eigen::VectorXd a, c, d;             ///< without the leading 1
+  std::string structure;                      ///< as in the configuration
+  double sample_time = 0;                     ///< [s]
+  int delay = 0;                              ///< nk [samples]
+  Eigen::VectorXd b;                          ///< b1..b_nb: B = b1 + b2 q^-1 + ... behind the delay
+  Eigen::VectorXd a, c, d;                    ///< without the leading 1
   std::vector<ParameterEstimate> parameters;  ///< theta
-  Eigen::MatrixXd covariance;          ///< of `parameters`, from the observed information
+  Eigen::MatrixXd covariance;                 ///< of `parameters`, from the observed information
 };
 
 /// The relative error model GDelta(eta) = sum_k eta_k F_k, eta = T xi.
 struct ErrorModelEstimate {
-  ErrorModelOptions options;           ///< basis and constraint; taps as used
-  Eigen::MatrixXd T;                   ///< taps x n
-  Mixture mixture;                     ///< of xi, components in order
-  std::vector<ParameterEstimate> parameters;  ///< weights, means, covariance entries with standard errors
+  ErrorModelOptions options;  ///< basis and constraint; taps as used
+  Eigen::MatrixXd T;          ///< taps x n
+  Mixture mixture;            ///< of xi, components in order
+  std::vector<ParameterEstimate>
+      parameters;  ///< weights, means, covariance entries with standard errors
 };
 
 /// What the model says of one experiment it was fitted to.
 struct ExperimentEstimate {
   std::string id;
-  int samples = 0;                     ///< measured ones
-  std::vector<double> responsibilities;  ///< posterior probability of each component, zeta_ir of (23)
-  Eigen::VectorXd error_mean;          ///< posterior mean of xi, from (31)
+  int samples = 0;  ///< measured ones
+  std::vector<double>
+      responsibilities;        ///< posterior probability of each component, zeta_ir of (23)
+  Eigen::VectorXd error_mean;  ///< posterior mean of xi, from (31)
   double log_likelihood = 0;
 };
 
 /// A candidate tried by an automatic choice.
 struct Candidate {
-  std::string choice;                  ///< "orders", "components", "taps"
-  std::string description;             ///< e.g. "output_error nb=2 na=2 delay=1"
-  int parameters = 0;                  ///< number of free parameters
-  double log_likelihood = 0;           ///< NaN where the criterion is not likelihood based
+  std::string choice;         ///< "orders", "components", "taps"
+  std::string description;    ///< e.g. "output_error nb=2 na=2 delay=1"
+  int parameters = 0;         ///< number of free parameters
+  double log_likelihood = 0;  ///< NaN where the criterion is not likelihood based
   double bic = 0;
-  double validation_fit = 0;           ///< held-out simulation fit [%]; NaN where not used
+  double validation_fit = 0;  ///< held-out simulation fit [%]; NaN where not used
   bool chosen = false;
 };
 
 /// Fit on experiments not used for fitting (or, without any, absent: `experiments` empty).
 struct Validation {
-  std::vector<std::string> experiments;        ///< ids
-  std::vector<double> simulation_fit_percent;  ///< 100 (1 - |y - ysim| / |y - mean y|), free simulation of Go
-  double simulation_fit_percent_pooled = 0;    ///< the same with the mean over all of them
-  double log_density_per_experiment = 0;       ///< mean log predictive density [nats]
+  std::vector<std::string> experiments;  ///< ids
+  std::vector<double>
+      simulation_fit_percent;  ///< 100 (1 - |y - ysim| / |y - mean y|), free simulation of Go
+  double simulation_fit_percent_pooled = 0;  ///< the same with the mean over all of them
+  double log_density_per_experiment = 0;     ///< mean log predictive density [nats]
 };
 
 /// One accepted iterate.
 struct TracePoint {
   int iteration = 0;
-  int passes = 0;                      ///< sweeps over all samples so far
+  int passes = 0;  ///< sweeps over all samples so far
   double log_likelihood = 0;
 };
 
 /// The result of an identification: a value that carries what is needed to use and to reproduce it.
 struct Estimate {
-  Configuration configuration;         ///< as used: automatic choices replaced by what was chosen
+  Configuration configuration;  ///< as used: automatic choices replaced by what was chosen
   std::string version;
-  std::string data_fingerprint;        ///< of the experiments used, independent of their order
-  int experiment_count = 0;            ///< M, experiments used
-  long sample_count = 0;               ///< measured output samples used
+  std::string data_fingerprint;  ///< of the experiments used, independent of their order
+  int experiment_count = 0;      ///< M, experiments used
+  long sample_count = 0;         ///< measured output samples used
   std::vector<RejectedExperiment> rejected;
 
   NominalModelEstimate nominal_model;
   ErrorModelEstimate error_model;
   ParameterEstimate noise_variance{"noise_variance", "", 0, 0, 0};
-  double offset_u = 0, offset_y = 0;   ///< common offsets (0 where not estimated)
+  double offset_u = 0, offset_y = 0;  ///< common offsets (0 where not estimated)
 
-  double log_likelihood = 0;           ///< observed, without penalty
-  double bic = 0;                      ///< -2 log-likelihood + penalty (docs/method.md)
+  double log_likelihood = 0;  ///< observed, without penalty
+  double bic = 0;             ///< -2 log-likelihood + penalty (docs/method.md)
   Termination termination = Termination::not_run;
   std::string message = "the estimation was not run";
   int iterations = 0;
-  int passes = 0;                      ///< sweeps over all samples
-  double seconds = 0;                  ///< [s] wall time
+  int passes = 0;      ///< sweeps over all samples
+  double seconds = 0;  ///< [s] wall time
   std::vector<TracePoint> trace;
   std::vector<ExperimentEstimate> experiments;
   std::vector<Candidate> candidates;
   Validation validation;
   std::vector<std::string> warnings;
 
-  /// Whether the model may be used: it converged, or stopped at the iteration limit with finite parameters.
+  /// Whether the model may be used: it converged, or stopped at the iteration limit with finite
+  /// parameters.
   bool usable() const;
 };
 

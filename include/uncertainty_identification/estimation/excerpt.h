@@ -12,7 +12,8 @@ constexpr int kEnoughSamples = 15000;
 /// `count` samples of an experiment from sample `first` on, without its per-sample covariates.
 Experiment excerpt(const Experiment& whole, int first, int count);
 
-/// About `enough` samples: the head of each experiment, or, of many short ones, some whole experiments.
+/// About `enough` samples: the head of each experiment, or, of many short ones, some whole
+/// experiments.
 std::vector<Experiment> thinned(const std::vector<Experiment>& experiments, int enough);
 
 }  // namespace uncertainty_identification

@@ -15,7 +15,8 @@ struct ModelParameters {
   double noise_variance = 1;   ///< sigma^2
 };
 
-/// The E-step for all experiments r and components i; columns of `means` and `covariances` are ordered r kappa + i.
+/// The E-step for all experiments r and components i; columns of `means` and `covariances` are
+/// ordered r kappa + i.
 struct Expectation {
   Eigen::VectorXd log_likelihood;    ///< of each experiment, log-Jacobian included (M)
   Eigen::MatrixXd responsibilities;  ///< zeta_ir, equation (23), kappa x M
@@ -26,9 +27,10 @@ struct Expectation {
   double total() const { return log_likelihood.sum(); }
 };
 
-/// Equations (16)-(18), (23), (31)-(33) through the sufficient statistics (docs/method.md), with Gamma = L L':
-/// never an N x N matrix, and no inverse of Gamma.
-Expectation expectation(const Statistics& statistics, const Mixture& mixture, double noise_variance, WorkerPool* pool);
+/// Equations (16)-(18), (23), (31)-(33) through the sufficient statistics (docs/method.md), with
+/// Gamma = L L': never an N x N matrix, and no inverse of Gamma.
+Expectation expectation(const Statistics& statistics, const Mixture& mixture, double noise_variance,
+                        WorkerPool* pool);
 
 /// A matrix L with covariance = L L', also where the covariance is singular.
 Eigen::MatrixXd squareRoot(const Eigen::MatrixXd& covariance);
@@ -42,7 +44,9 @@ LatentMoments latentMoments(const Expectation& expectation);
 
 /// Scores: derivatives of each experiment's log-likelihood (columns) to the natural coordinates
 ///   [parameters; weights; means; covariances (lower triangles, row by row); log sigma^2],
-/// weights taken as unconstrained, by Fisher's identity (docs/method.md). Needs statistics with derivatives.
-Eigen::MatrixXd scores(const Statistics& statistics, const ModelParameters& at, const Expectation& expectation);
+/// weights taken as unconstrained, by Fisher's identity (docs/method.md). Needs statistics with
+/// derivatives.
+Eigen::MatrixXd scores(const Statistics& statistics, const ModelParameters& at,
+                       const Expectation& expectation);
 
 }  // namespace uncertainty_identification

@@ -8,25 +8,32 @@
 
 namespace uncertainty_identification {
 
-/// Starts for the nominal model in the manner of the paper's section 5: prediction-error fits (least squares, refined by
-/// Steiglitz-McBride) pooled over all experiments, and of each experiment alone with the median of their coefficients
-/// taken; the noise model from what they leave (Hannan-Rissanen, and fixed guesses beside it). In the model's parameters.
-std::vector<Eigen::VectorXd> nominalStarts(const LinearModel& model, const NominalModelOptions& options,
+/// Starts for the nominal model in the manner of the paper's section 5: prediction-error fits
+/// (least squares, refined by Steiglitz-McBride) pooled over all experiments, and of each
+/// experiment alone with the median of their coefficients taken; the noise model from what they
+/// leave (Hannan-Rissanen, and fixed guesses beside it). In the model's parameters.
+std::vector<Eigen::VectorXd> nominalStarts(const LinearModel& model,
+                                           const NominalModelOptions& options,
                                            const std::vector<Experiment>& experiments);
 
-/// Starts for a model around a given Go (its b, a, delay) and offset: the noise model from what Go leaves.
-std::vector<Eigen::VectorXd> noiseStarts(const LinearModel& model, const Polynomials& plant, double offset,
-                                         const std::vector<Experiment>& experiments);
+/// Starts for a model around a given Go (its b, a, delay) and offset: the noise model from what Go
+/// leaves.
+std::vector<Eigen::VectorXd> noiseStarts(const LinearModel& model, const Polynomials& plant,
+                                         double offset, const std::vector<Experiment>& experiments);
 
-/// The start among `starts` that leads highest with a single Gaussian component, a few scoring steps on.
-ModelParameters bestSingleComponent(const Likelihood& likelihood, const std::vector<Eigen::VectorXd>& starts,
+/// The start among `starts` that leads highest with a single Gaussian component, a few scoring
+/// steps on.
+ModelParameters bestSingleComponent(const Likelihood& likelihood,
+                                    const std::vector<Eigen::VectorXd>& starts,
                                     ClimbOptions options);
 
-/// A mixture of kappa components for given statistics, grown from a fit with one: the paper's evenly spread means, and
-/// `restarts` seeded draws from the experiments' posterior means, each followed by EM without a sweep; the highest
-/// likelihood wins, components that hold fewer than two experiments counting against it.
+/// A mixture of kappa components for given statistics, grown from a fit with one: the paper's
+/// evenly spread means, and `restarts` seeded draws from the experiments' posterior means, each
+/// followed by EM without a sweep; the highest likelihood wins, components that hold fewer than two
+/// experiments counting against it.
 ModelParameters spreadComponents(const Likelihood& likelihood, const Statistics& statistics,
-                                 const ModelParameters& single, int components, int restarts, std::uint64_t seed,
-                                 const ClimbOptions& options, double* log_likelihood);
+                                 const ModelParameters& single, int components, int restarts,
+                                 std::uint64_t seed, const ClimbOptions& options,
+                                 double* log_likelihood);
 
 }  // namespace uncertainty_identification

@@ -8,14 +8,15 @@
 
 namespace uncertainty_identification {
 
-/// Information matrices of [parameters; common shift of all means] (p + n), by Gauss-Newton at the latent moments.
+/// Information matrices of [parameters; common shift of all means] (p + n), by Gauss-Newton at the
+/// latent moments.
 struct ScoringInformation {
   Eigen::MatrixXd complete;  ///< sum of d_j'd_k/sigma^2: the curvature of EM's Q, (34)
   Eigen::MatrixXd observed;  ///< less what not knowing xi costs: - (Phi'd_j)' P (Phi'd_k)/sigma^4
 };
 
-/// The observed likelihood (16) of a set of experiments under a model, and all that climbing it needs. Counts its
-/// sweeps over the samples.
+/// The observed likelihood (16) of a set of experiments under a model, and all that climbing it
+/// needs. Counts its sweeps over the samples.
 class Likelihood {
  public:
   /// The model and the blocks must outlive this object; `experiments` of them in all.

@@ -11,16 +11,18 @@
 namespace uncertainty_identification {
 
 /// Unbounded coordinates of all parameters, in which the likelihood is climbed without constraints:
-///   model parameters through Model::toUnbounded; weights through the logarithm of their ratio to the last;
-///   means as they are (under zero_mean the last follows from the others); covariances as
+///   model parameters through Model::toUnbounded; weights through the logarithm of their ratio to
+///   the last; means as they are (under zero_mean the last follows from the others); covariances as
 ///   Gamma_i = floor + L_i L_i'; log sigma^2.
 /// and natural coordinates [parameters; weights; means; covariances; log sigma^2] as of scores().
 class Parametrisation {
  public:
-  /// `floor` (n x n, positive semidefinite) is the smallest covariance a component may take in a climb.
-  Parametrisation(const Model& model, Constraint constraint, int components, const Eigen::MatrixXd& floor);
+  /// `floor` (n x n, positive semidefinite) is the smallest covariance a component may take in a
+  /// climb.
+  Parametrisation(const Model& model, Constraint constraint, int components,
+                  const Eigen::MatrixXd& floor);
 
-  int size() const;         ///< unbounded coordinates
+  int size() const;  ///< unbounded coordinates
   int naturalSize() const;
 
   Eigen::VectorXd toCoordinates(const ModelParameters& parameters) const;
@@ -35,7 +37,8 @@ class Parametrisation {
   /// Natural coordinates' values, the last one sigma^2 itself.
   Eigen::VectorXd natural(const ModelParameters& parameters) const;
 
-  /// Index of the first coordinate that no sweep is needed for: those before it are the model's parameters.
+  /// Index of the first coordinate that no sweep is needed for: those before it are the model's
+  /// parameters.
   int modelCoordinates() const { return p_; }
 
  private:

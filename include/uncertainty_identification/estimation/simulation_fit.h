@@ -7,16 +7,19 @@
 
 namespace uncertainty_identification {
 
-/// Fit of the nominal model's free simulation, 100 (1 - |y - ysim|/|y - mean y|) [%] over the measured samples.
+/// Fit of the nominal model's free simulation, 100 (1 - |y - ysim|/|y - mean y|) [%] over the
+/// measured samples.
 struct SimulationFit {
   std::vector<double> percent;  ///< of each experiment, mean y its own
   double pooled = 0;            ///< of all together, with the mean over all of them
 };
 
-/// Go u plus the common offset, from rest where initial_state is zero; else from the initial state (and, under
-/// per_experiment, the experiment's own offset) that fits the first samples best: 20 and three per unknown. More of them
-/// would let the free response of a slow pole follow a drift, and the simulation look better than it is.
-SimulationFit simulationFit(const NominalModel& nominal, const Eigen::VectorXd& theta, double offset,
-                            const EstimationOptions& options, const std::vector<Experiment>& experiments);
+/// Go u plus the common offset, from rest where initial_state is zero; else from the initial state
+/// (and, under per_experiment, the experiment's own offset) that fits the first samples best: 20
+/// and three per unknown. More of them would let the free response of a slow pole follow a drift,
+/// and the simulation look better than it is.
+SimulationFit simulationFit(const NominalModel& nominal, const Eigen::VectorXd& theta,
+                            double offset, const EstimationOptions& options,
+                            const std::vector<Experiment>& experiments);
 
 }  // namespace uncertainty_identification

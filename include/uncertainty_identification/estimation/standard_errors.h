@@ -7,14 +7,17 @@
 
 namespace uncertainty_identification {
 
-/// Covariances of all natural coordinates [parameters; weights; means; covariances; sigma^2] at a maximum.
+/// Covariances of all natural coordinates [parameters; weights; means; covariances; sigma^2] at a
+/// maximum.
 ///
-/// WARNING: these describe the error of the estimate when the model is true (observed) or of its best approximation
-/// (robust), for many experiments. They are not the spread of the plant: that is the mixture. Where the information is
-/// singular the coordinates concerned get NaN, and `singular` says in words which ones the data cannot tell apart.
+/// WARNING: these describe the error of the estimate when the model is true (observed) or of its
+/// best approximation (robust), for many experiments. They are not the spread of the plant: that is
+/// the mixture. Where the information is singular the coordinates concerned get NaN, and `singular`
+/// says in words which ones the data cannot tell apart.
 struct StandardErrors {
   Eigen::MatrixXd covariance;         ///< J H^-1 J', H the observed information
-  Eigen::MatrixXd robust_covariance;  ///< sandwich J H^-1 (sum of score score') H^-1 J'; NaN for fewer experiments than coordinates
+  Eigen::MatrixXd robust_covariance;  ///< sandwich J H^-1 (sum of score score') H^-1 J'; NaN for
+                                      ///< fewer experiments than coordinates
   std::vector<std::string> singular;  ///< one sentence per direction
 };
 

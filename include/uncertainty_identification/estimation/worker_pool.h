@@ -9,8 +9,9 @@
 
 namespace uncertainty_identification {
 
-/// Threads that share a loop. Which thread does which turn is left open, so turns must write to places of their own
-/// and whoever adds up does so in a fixed order: then the number of threads never changes a result.
+/// Threads that share a loop. Which thread does which turn is left open, so turns must write to
+/// places of their own and whoever adds up does so in a fixed order: then the number of threads
+/// never changes a result.
 class WorkerPool {
  public:
   /// `threads` at least 1, the caller's included.
@@ -19,7 +20,8 @@ class WorkerPool {
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
 
-  /// Calls task(i) for i = 0..count-1 and returns when all are done; an exception of a task is thrown here.
+  /// Calls task(i) for i = 0..count-1 and returns when all are done; an exception of a task is
+  /// thrown here.
   void forEach(int count, const std::function<void(int)>& task);
 
  private:

@@ -8,7 +8,8 @@
 
 namespace uncertainty_identification {
 
-/// The basis filters F_1..F_L of the relative error model and its constraint eta = T xi, equation (12).
+/// The basis filters F_1..F_L of the relative error model and its constraint eta = T xi, equation
+/// (12).
 ///   fir:       F_k = q^-(k-1)
 ///   laguerre:  F_k = sqrt(1 - p^2)/(1 - p q^-1) ((q^-1 - p)/(1 - p q^-1))^(k-1)
 ///   kautz:     two-parameter Kautz functions of the pole pair (pole_real, +-pole_imag)

@@ -8,13 +8,16 @@
 
 namespace uncertainty_identification {
 
-/// The paper's model (2), (13): y = Go (1 + GDelta(eta_r)) u + H omega with the nuisances of real records, an unknown
-/// initial state of Go, noise that was running before the first sample, missing outputs, an operating point.
-/// Parameters: theta of the nominal model, then `offset_y` or `offset_u` where a common offset is estimated.
+/// The paper's model (2), (13): y = Go (1 + GDelta(eta_r)) u + H omega with the nuisances of real
+/// records, an unknown initial state of Go, noise that was running before the first sample, missing
+/// outputs, an operating point. Parameters: theta of the nominal model, then `offset_y` or
+/// `offset_u` where a common offset is estimated.
 class LinearModel : public Model {
  public:
-  /// Only the nuisance options of `options` are used (initial_state, discard_samples, noise_start, offsets, offset_side).
-  LinearModel(std::shared_ptr<const NominalModel> nominal, const ErrorBasis& basis, const EstimationOptions& options);
+  /// Only the nuisance options of `options` are used (initial_state, discard_samples, noise_start,
+  /// offsets, offset_side).
+  LinearModel(std::shared_ptr<const NominalModel> nominal, const ErrorBasis& basis,
+              const EstimationOptions& options);
 
   const NominalModel& nominal() const { return *nominal_; }
   const ErrorBasis& basis() const { return basis_; }
@@ -30,7 +33,8 @@ class LinearModel : public Model {
   Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& unbounded) const override;
   Eigen::MatrixXd unboundedJacobian(const Eigen::VectorXd& unbounded) const override;
 
-  /// Free simulation Go u of one block (plus the offset), from rest: what the nominal model alone predicts.
+  /// Free simulation Go u of one block (plus the offset), from rest: what the nominal model alone
+  /// predicts.
   Signals simulate(const Block& block, const Eigen::VectorXd& parameters) const;
 
  private:

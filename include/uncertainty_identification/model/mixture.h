@@ -8,9 +8,9 @@ namespace uncertainty_identification {
 
 /// Finite Gaussian mixture of the free error parameters xi (eta = T xi), equation (4) of the paper.
 struct Mixture {
-  std::vector<double> weights;                ///< alpha_i, kappa of them, positive, summing to 1
-  std::vector<Eigen::VectorXd> means;         ///< mu_i, n each
-  std::vector<Eigen::MatrixXd> covariances;   ///< Gamma_i, n x n, symmetric, positive semidefinite
+  std::vector<double> weights;               ///< alpha_i, kappa of them, positive, summing to 1
+  std::vector<Eigen::VectorXd> means;        ///< mu_i, n each
+  std::vector<Eigen::MatrixXd> covariances;  ///< Gamma_i, n x n, symmetric, positive semidefinite
 
   /// Number of components kappa.
   int components() const { return static_cast<int>(weights.size()); }
@@ -24,11 +24,12 @@ struct Mixture {
   /// Covariance of the whole mixture (n x n).
   Eigen::MatrixXd covariance() const;
 
-  /// Orders the components by the first entry of the mean, ties by the next, so that equal models print equal.
+  /// Orders the components by the first entry of the mean, ties by the next, so that equal models
+  /// print equal.
   void sortComponents();
 
-  /// Throws ConfigurationError, naming the entry, unless sizes agree, weights are a distribution and covariances
-  /// are symmetric and positive semidefinite.
+  /// Throws ConfigurationError, naming the entry, unless sizes agree, weights are a distribution
+  /// and covariances are symmetric and positive semidefinite.
   void validate(const std::string& name) const;
 };
 

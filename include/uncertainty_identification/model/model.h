@@ -10,12 +10,14 @@
 
 namespace uncertainty_identification {
 
-/// The whitened signals of a block, or their derivatives to one parameter. A signal without samples stands for zero.
+/// The whitened signals of a block, or their derivatives to one parameter. A signal without samples
+/// stands for zero.
 struct WhitenedSignals {
   Signals residual;                 ///< e = H^-1 (y - Go u)
   std::vector<Signals> regressors;  ///< Phi, n signals: e = Phi xi + omega
-  /// Z, random effects of each experiment: e = Phi xi + Z zeta + omega. Shared, because one signal may be the
-  /// derivative of several columns: its inner products are then computed once. Null stands for zero.
+  /// Z, random effects of each experiment: e = Phi xi + Z zeta + omega. Shared, because one signal
+  /// may be the derivative of several columns: its inner products are then computed once. Null
+  /// stands for zero.
   std::vector<std::shared_ptr<const Signals>> columns;
   Lanes log_jacobian = Lanes::Zero();
 };
@@ -24,17 +26,18 @@ struct WhitenedSignals {
 struct Response {
   WhitenedSignals value;
   std::vector<WhitenedSignals> derivatives;  ///< to each parameter; empty when not asked for
-  /// Precision of each column's coefficient relative to 1/sigma^2: zeta_k ~ N(0, sigma^2/precision_k); 0 = diffuse
-  /// (projected out, with -1/2 ln det Z'Z).
+  /// Precision of each column's coefficient relative to 1/sigma^2: zeta_k ~ N(0,
+  /// sigma^2/precision_k); 0 = diffuse (projected out, with -1/2 ln det Z'Z).
   Eigen::VectorXd column_precision;
   std::vector<Eigen::VectorXd> column_precision_derivatives;  ///< per parameter; empty = all zero
-  Lanes effective_samples = Lanes::Zero();   ///< measured samples in the likelihood
+  Lanes effective_samples = Lanes::Zero();  ///< measured samples in the likelihood
 };
 
-/// The interface that every model implements and that every effect decorates: parameters (theta of the nominal model
-/// and whatever a nuisance or effect adds) in; residual, regressors, random-effect columns, log-Jacobian, effective
-/// sample counts and their sensitivities out, for a block of experiments at a time. A plain model is the case with
-/// nothing extra. Implementations are immutable and may be called from several threads.
+/// The interface that every model implements and that every effect decorates: parameters (theta of
+/// the nominal model and whatever a nuisance or effect adds) in; residual, regressors,
+/// random-effect columns, log-Jacobian, effective sample counts and their sensitivities out, for a
+/// block of experiments at a time. A plain model is the case with nothing extra. Implementations
+/// are immutable and may be called from several threads.
 class Model {
  public:
   virtual ~Model() = default;
@@ -49,9 +52,10 @@ class Model {
   virtual void evaluate(const Block& block, const Eigen::VectorXd& parameters, bool derivatives,
                         Response* response) const = 0;
 
-  /// Statistics by a faster way than through evaluate(), where the model has one for this block; false where not.
-  virtual bool fusedStatistics(const Block& /*block*/, const Eigen::VectorXd& /*parameters*/, bool /*derivatives*/,
-                               Statistics* /*statistics*/) const {
+  /// Statistics by a faster way than through evaluate(), where the model has one for this block;
+  /// false where not.
+  virtual bool fusedStatistics(const Block& /*block*/, const Eigen::VectorXd& /*parameters*/,
+                               bool /*derivatives*/, Statistics* /*statistics*/) const {
     return false;
   }
 
@@ -66,8 +70,8 @@ class Model {
   int parameterCount() const { return static_cast<int>(names().size()); }
 };
 
-/// Writes the statistics of the block's experiments to their places in `statistics` (whose parameters() says whether
-/// derivatives are wanted).
+/// Writes the statistics of the block's experiments to their places in `statistics` (whose
+/// parameters() says whether derivatives are wanted).
 void computeStatistics(const Model& model, const Block& block, const Eigen::VectorXd& parameters,
                        Statistics* statistics);
 

@@ -8,20 +8,24 @@
 
 namespace uncertainty_identification {
 
-/// Whitens any signal v of a block by the inverse noise model H^-1 = D/C, exactly: also where the noise was running
-/// before the first sample (NoiseStart::stationary) and where outputs are missing.
+/// Whitens any signal v of a block by the inverse noise model H^-1 = D/C, exactly: also where the
+/// noise was running before the first sample (NoiseStart::stationary) and where outputs are
+/// missing.
 ///
-/// H in innovations form, s' = F s + K w, v = s_1 + w, is followed by a Kalman filter with sigma^2 = 1. Its gain
-/// and innovation variance depend on C, D and the mask only, so that one recursion serves all signals:
+/// H in innovations form, s' = F s + K w, v = s_1 + w, is followed by a Kalman filter with sigma^2
+/// = 1. Its gain and innovation variance depend on C, D and the mask only, so that one recursion
+/// serves all signals:
 ///     nu_t = v_t - s_1,   s_i' = s_(i+1) + g_i(t) nu_t - d_i v_t,   e_t = nu_t / sqrt(S_t)
-/// with g_i(t) -> c_i as the start is forgotten; at a missing sample nu_t = 0 and v_t is replaced by its prediction
-/// s_1. Equivalent to the start and gap columns of docs/method.md; log_jacobian = -1/2 sum ln S_t over measured t.
+/// with g_i(t) -> c_i as the start is forgotten; at a missing sample nu_t = 0 and v_t is replaced
+/// by its prediction s_1. Equivalent to the start and gap columns of docs/method.md; log_jacobian =
+/// -1/2 sum ln S_t over measured t.
 class NoiseWhitening {
  public:
-  /// `first` leading samples are left out of the likelihood; the noise starts at sample `first`. With `derivatives`
-  /// the sensitivities to c1.., d1.. are prepared too. The block must outlive this object.
-  NoiseWhitening(const Eigen::VectorXd& c, const Eigen::VectorXd& d, NoiseStart start, int first, const Block& block,
-                 bool derivatives);
+  /// `first` leading samples are left out of the likelihood; the noise starts at sample `first`.
+  /// With `derivatives` the sensitivities to c1.., d1.. are prepared too. The block must outlive
+  /// this object.
+  NoiseWhitening(const Eigen::VectorXd& c, const Eigen::VectorXd& d, NoiseStart start, int first,
+                 const Block& block, bool derivatives);
 
   /// e = whitened v.
   void apply(const Signals& v, Signals* e) const;
@@ -39,18 +43,17 @@ class NoiseWhitening {
   int parameters() const { return nc_ + nd_; }
 
  private:
-
   void recursion(int lane, const Eigen::MatrixXd& P0, const std::vector<Eigen::MatrixXd>& dP0);
   void prepareStart(Eigen::MatrixXd* P0, std::vector<Eigen::MatrixXd>* dP0) const;
 
   int order_, nc_, nd_, first_;
   NoiseStart start_;
-  Eigen::VectorXd c_, d_;             ///< padded to order_
+  Eigen::VectorXd c_, d_;  ///< padded to order_
   const Block& block_;
   bool derivatives_;
-  int varying_ = 0;                   ///< samples until the gains have converged
-  std::vector<Signals> gains_;        ///< order_ signals of `varying_` samples: g_i(t)
-  Signals scale_;                     ///< 1/sqrt(S_t)
+  int varying_ = 0;             ///< samples until the gains have converged
+  std::vector<Signals> gains_;  ///< order_ signals of `varying_` samples: g_i(t)
+  Signals scale_;               ///< 1/sqrt(S_t)
   std::vector<std::vector<Signals>> gain_derivatives_;  ///< [parameter][i]
   std::vector<Signals> scale_derivatives_;              ///< [parameter]
   Lanes log_jacobian_, effective_samples_;

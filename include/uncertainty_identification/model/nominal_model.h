@@ -19,8 +19,9 @@ struct Polynomials {
   Eigen::VectorXd stacked() const;
 };
 
-/// A parametrised linear model: parameters theta in, polynomials and their Jacobian out. Derive from this to identify
-/// a model of your own (docs/adding_a_nominal_model.md; examples/motor_model.cpp).
+/// A parametrised linear model: parameters theta in, polynomials and their Jacobian out. Derive
+/// from this to identify a model of your own (docs/adding_a_nominal_model.md;
+/// examples/motor_model.cpp).
 class NominalModel {
  public:
   virtual ~NominalModel() = default;
@@ -40,10 +41,12 @@ class NominalModel {
   /// d[b; a; c; d]/dtheta, (nb + na + nc + nd) x p. Default: central differences.
   virtual Eigen::MatrixXd jacobian(const Eigen::VectorXd& theta) const;
 
-  /// Unbounded coordinates of theta in which an unconstrained climb stays admissible (stable A and D, minimum-phase C,
-  /// positive time constants, ...), and back. Default: theta itself.
+  /// Unbounded coordinates of theta in which an unconstrained climb stays admissible (stable A and
+  /// D, minimum-phase C, positive time constants, ...), and back. Default: theta itself.
   virtual Eigen::VectorXd toUnbounded(const Eigen::VectorXd& theta) const { return theta; }
-  virtual Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& unbounded) const { return unbounded; }
+  virtual Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& unbounded) const {
+    return unbounded;
+  }
 
   /// dtheta/d(unbounded), p x p. Default: central differences of fromUnbounded().
   virtual Eigen::MatrixXd unboundedJacobian(const Eigen::VectorXd& unbounded) const;
@@ -51,14 +54,16 @@ class NominalModel {
   /// Whether A, C and D have their roots inside the unit circle at theta (and theta is finite).
   virtual bool admissible(const Eigen::VectorXd& theta) const;
 
-  /// Parameters that reproduce given polynomials of this model's sizes as nearly as possible: a start for the climb.
-  /// Throws ConfigurationError where the model cannot be started from polynomials (then `initial: theta` is needed).
+  /// Parameters that reproduce given polynomials of this model's sizes as nearly as possible: a
+  /// start for the climb. Throws ConfigurationError where the model cannot be started from
+  /// polynomials (then `initial: theta` is needed).
   virtual Eigen::VectorXd fromPolynomials(const Polynomials& polynomials) const;
 
   int parameterCount() const { return static_cast<int>(names().size()); }
 };
 
 /// The model that the options name; sample_time [s] is used by the continuous structure.
-std::shared_ptr<const NominalModel> makeNominalModel(const NominalModelOptions& options, double sample_time);
+std::shared_ptr<const NominalModel> makeNominalModel(const NominalModelOptions& options,
+                                                     double sample_time);
 
 }  // namespace uncertainty_identification

@@ -4,15 +4,18 @@
 
 namespace uncertainty_identification {
 
-/// Monic polynomials in q^-1 are stored without their leading 1: p = [p1..pn] is 1 + p1 q^-1 + ... + pn q^-n.
+/// Monic polynomials in q^-1 are stored without their leading 1: p = [p1..pn] is 1 + p1 q^-1 + ...
+/// + pn q^-n.
 
-/// Reflection coefficients k1..kn of a monic polynomial (Levinson's step-down recursion); its roots lie inside the
-/// unit circle exactly when all are below 1 in magnitude. Entries are NaN when the recursion breaks down.
+/// Reflection coefficients k1..kn of a monic polynomial (Levinson's step-down recursion); its roots
+/// lie inside the unit circle exactly when all are below 1 in magnitude. Entries are NaN when the
+/// recursion breaks down.
 Eigen::VectorXd reflectionCoefficients(const Eigen::VectorXd& monic);
 
-/// The monic polynomial with given reflection coefficients (step-up recursion), and, when asked for, its Jacobian
-/// d(polynomial)/d(reflection), n x n.
-Eigen::VectorXd fromReflection(const Eigen::VectorXd& reflection, Eigen::MatrixXd* jacobian = nullptr);
+/// The monic polynomial with given reflection coefficients (step-up recursion), and, when asked
+/// for, its Jacobian d(polynomial)/d(reflection), n x n.
+Eigen::VectorXd fromReflection(const Eigen::VectorXd& reflection,
+                               Eigen::MatrixXd* jacobian = nullptr);
 
 /// Whether all roots of the monic polynomial lie inside the circle of `radius`.
 bool isStable(const Eigen::VectorXd& monic, double radius = 1.0);
@@ -30,7 +33,9 @@ Eigen::VectorXd multiply(const Eigen::VectorXd& left, const Eigen::VectorXd& rig
 /// std::domain_error when it is not stable.
 Eigen::VectorXd toUnbounded(const Eigen::VectorXd& monic);
 
-/// Inverse of toUnbounded(): any vector gives a stable polynomial; Jacobian d(polynomial)/d(unbounded) when asked for.
-Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& unbounded, Eigen::MatrixXd* jacobian = nullptr);
+/// Inverse of toUnbounded(): any vector gives a stable polynomial; Jacobian
+/// d(polynomial)/d(unbounded) when asked for.
+Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& unbounded,
+                              Eigen::MatrixXd* jacobian = nullptr);
 
 }  // namespace uncertainty_identification

@@ -4,10 +4,11 @@
 
 namespace uncertainty_identification {
 
-/// What one sweep over the samples leaves of every experiment r, and its derivatives to the model's p parameters:
-/// the Gram matrix of [Phi e] after random-effect columns have been absorbed,
+/// What one sweep over the samples leaves of every experiment r, and its derivatives to the model's
+/// p parameters: the Gram matrix of [Phi e] after random-effect columns have been absorbed,
 ///     [S v; v' s],  S = Phi'Phi (n x n), v = Phi'e (n), s = e'e,
-/// the number of samples N_r in the likelihood and its log-Jacobian. After it, mixture updates never see a sample.
+/// the number of samples N_r in the likelihood and its log-Jacobian. After it, mixture updates
+/// never see a sample.
 class Statistics {
  public:
   Statistics() = default;
@@ -49,7 +50,9 @@ class Statistics {
   const Eigen::MatrixXd& logJacobianDerivatives() const { return log_jacobian_derivatives_; }
 
  private:
-  Eigen::Index entries() const { return static_cast<Eigen::Index>(regressors_ + 1) * (regressors_ + 1); }
+  Eigen::Index entries() const {
+    return static_cast<Eigen::Index>(regressors_ + 1) * (regressors_ + 1);
+  }
 
   int regressors_ = 0, parameters_ = 0;
   Eigen::MatrixXd grams_, gram_derivatives_;  // one column per experiment
