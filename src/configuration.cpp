@@ -65,8 +65,10 @@ void validateExplicitMatrix(const ErrorModelOptions& options) {
 }  // namespace
 
 void NominalModelOptions::validate() const {
-  require(fit == PlantFit::likelihood || structure == Structure::output_error || structure == Structure::box_jenkins,
-          "nominal_model.fit", "simulation", "likelihood, or structure output_error or box_jenkins");
+  require(fit == PlantFit::likelihood || structure == Structure::output_error ||
+              structure == Structure::box_jenkins,
+          "nominal_model.fit", "simulation",
+          "likelihood, or structure output_error or box_jenkins");
   const std::string at = "nominal_model.";
   requireRange(at + "max_order", max_order, 1, 20);
   requireRange(at + "max_delay", max_delay, 0, kMaxDelay);
