@@ -1,8 +1,7 @@
 #include "uncertainty_identification/estimation/likelihood.h"
 
-#include <Eigen/Cholesky>
-
 #include "uncertainty_identification/model/filter.h"
+#include "uncertainty_identification/model/pseudo_inverse.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -54,9 +53,8 @@ MatrixXd columnCoefficients(const Response& response, const Signals& unexplained
   for (int lane = 0; lane < lanes; ++lane) {
     MatrixXd inner = grams[static_cast<std::size_t>(lane)].topLeftCorner(columns, columns);
     inner.diagonal() += response.column_precision;
-    inner.diagonal() = (inner.diagonal().array() > 0).select(inner.diagonal(), 1.0);
-    zeta.col(lane) =
-        inner.llt().solve(grams[static_cast<std::size_t>(lane)].topRightCorner(columns, 1));
+    zeta.col(lane) = PseudoInverse(inner).inverse *
+                     grams[static_cast<std::size_t>(lane)].topRightCorner(columns, 1);
   }
   return zeta;
 }
@@ -104,10 +102,9 @@ ScoringInformation informationOf(const Model& model, const Block& block, const M
     const MatrixXd& gram = grams[static_cast<std::size_t>(lane)];
     MatrixXd inner = gram.topLeftCorner(columns, columns);
     inner.diagonal() += response.column_precision;
-    inner.diagonal() = (inner.diagonal().array() > 0).select(inner.diagonal(), 1.0);
     const auto cross = gram.topRightCorner(columns, n + p);
-    const MatrixXd rest =
-        gram.bottomRightCorner(n + p, n + p) - cross.transpose() * inner.llt().solve(cross);
+    const MatrixXd rest = gram.bottomRightCorner(n + p, n + p) -
+                          cross.transpose() * PseudoInverse(inner).inverse * cross;
     MatrixXd all(p + n, p + n), to_phi(n, p + n);  // [d, -Phi], and Phi'[d, -Phi]
     all << rest.bottomRightCorner(p, p), -rest.bottomLeftCorner(p, n), -rest.topRightCorner(n, p),
         rest.topLeftCorner(n, n);

@@ -1,10 +1,10 @@
 #include "uncertainty_identification/model/model.h"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <unordered_map>
 
 #include "uncertainty_identification/model/filter.h"
+#include "uncertainty_identification/model/pseudo_inverse.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -91,20 +91,13 @@ class Absorption {
       : columns_(precision.size()), rest_(gram.rows() - columns_) {
     MatrixXd inner = gram.topLeftCorner(columns_, columns_);
     inner.diagonal() += precision;
-    // a column that vanishes in this experiment (an experiment shorter than the column's delay)
-    // leaves no trace
-    for (Index k = 0; k < columns_; ++k) {
-      if (inner(k, k) <= 0) {
-        inner(k, k) = 1;
-        ++vanished_;
-      }
-    }
-    inverse_ = inner.llt().solve(MatrixXd::Identity(columns_, columns_));
+    const PseudoInverse pseudo(inner);
+    inverse_ = pseudo.inverse;
     projection_ = inverse_ * gram.topRightCorner(columns_, rest_);
     gram_ =
         gram.bottomRightCorner(rest_, rest_) - gram.bottomLeftCorner(rest_, columns_) * projection_;
-    log_jacobian_ = -inner.llt().matrixLLT().diagonal().array().log().sum();
-    diffuse_ = -vanished_;
+    log_jacobian_ = -0.5 * pseudo.log_determinant;
+    diffuse_ = pseudo.rank - columns_;
     for (Index k = 0; k < columns_; ++k) {
       if (precision[k] > 0) {
         log_jacobian_ += 0.5 * std::log(precision[k]);
@@ -140,7 +133,7 @@ class Absorption {
 
  private:
   Index columns_, rest_;
-  Index vanished_ = 0, diffuse_ = 0;
+  Index diffuse_ = 0;
   MatrixXd inverse_, projection_, gram_;
   double log_jacobian_ = 0;
 };

@@ -140,6 +140,30 @@ ModelParameters fromNaturalCoordinates(const VectorXd& coordinates, const ModelP
   return at;
 }
 
+RandomSystem example1(std::uint64_t seed, int experiments) {
+  RandomSystemOptions options;
+  options.experiments = experiments;
+  options.min_samples = options.max_samples = 100;
+  options.input_deviation = std::sqrt(10.0);
+  dense::Model truth = randomSystem(options, 1).truth;
+  truth.b = vectorOf({1.0});
+  truth.a = vectorOf({0.5});
+  truth.c = vectorOf({0.1});
+  truth.d = vectorOf({0.8});
+  truth.noise_variance = 0.1;
+  truth.mixture = {{0.5, 0.5},
+                   {vectorOf({-1.0}), vectorOf({1.0})},
+                   {MatrixXd::Constant(1, 1, 0.2), MatrixXd::Constant(1, 1, 0.2)}};
+  return simulateSystem(truth, options, seed);
+}
+
+Configuration example1Configuration() {
+  Configuration configuration = atRest(1, 1, 1, 1, 1);
+  configuration.error_model.taps = 2;
+  configuration.error_model.components = 2;
+  return configuration;
+}
+
 VectorXd vectorOf(std::initializer_list<double> values) {
   return Eigen::Map<const VectorXd>(values.begin(), static_cast<Index>(values.size()));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <functional>
 #include <initializer_list>
 #include <memory>
@@ -74,6 +75,12 @@ Eigen::MatrixXd differences(const VectorFunction& function, const Eigen::VectorX
 Eigen::VectorXd naturalCoordinates(const ModelParameters& at);
 ModelParameters fromNaturalCoordinates(const Eigen::VectorXd& coordinates,
                                        const ModelParameters& sizes);
+
+/// The paper's Example 1, (36) and (37): M = N = 100, a mixture of two components, at rest.
+RandomSystem example1(std::uint64_t seed, int experiments = 100);
+
+/// Its configuration with two components.
+Configuration example1Configuration();
 
 /// An explicit list as a vector.
 Eigen::VectorXd vectorOf(std::initializer_list<double> values);

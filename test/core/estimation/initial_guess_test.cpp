@@ -1,0 +1,99 @@
+#include "uncertainty_identification/estimation/initial_guess.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/core_setup.h"
+#include "uncertainty_identification/identifier.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::VectorXd;
+
+class Example1 : public testing::TestWithParam<std::uint64_t> {};
+
+/// From no start at all the identification ends at the optimum that is reached from the truth.
+TEST_P(Example1, AutomaticStartReachesTheOptimumNextToTheTruth) {
+  const auto system = test::example1(GetParam());
+  const Configuration configuration = test::example1Configuration();
+  const test::CoreSetup setup(configuration, system.experiments);
+  const ModelParameters truth = test::parametersOf(system.truth);
+  const Climb from_truth = maximumLikelihood(
+      setup.likelihood(), truth, test::climbOptions(configuration, truth.mixture, 1e-7));
+  ASSERT_EQ(from_truth.termination, Termination::converged);
+  const Estimate estimate = Identifier(configuration).identify(system.experiments);
+  EXPECT_EQ(estimate.termination, Termination::converged) << estimate.message;
+  EXPECT_GT(estimate.log_likelihood, from_truth.log_likelihood - 1e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(DataSets, Example1, testing::Values(1, 2, 3, 4, 5, 6));
+
+TEST(NominalStarts, AreAdmissibleAndNearTheTruth) {
+  const auto system = test::example1(3);
+  const Configuration configuration = test::example1Configuration();
+  const test::CoreSetup setup(configuration, system.experiments);
+  const auto starts = nominalStarts(setup.model(), configuration.nominal_model, system.experiments);
+  ASSERT_FALSE(starts.empty());
+  for (const VectorXd& start : starts) {
+    ASSERT_EQ(start.size(), 4);
+    EXPECT_TRUE(setup.model().admissible(start));
+  }
+  const ModelParameters best =
+      bestSingleComponent(setup.likelihood(), starts, test::climbOptions(configuration, {}, 1e-6));
+  EXPECT_EQ(best.mixture.components(), 1);
+  EXPECT_LT((best.parameters - test::parametersOf(system.truth).parameters).norm(), 0.1)
+      << best.parameters.transpose();
+}
+
+TEST(NominalStarts, HoldTheOffset) {
+  auto system = test::example1(3, 20);
+  for (Experiment& experiment : system.experiments) experiment.y.array() += 5;
+  Configuration configuration = test::example1Configuration();
+  configuration.estimation.offsets = Offsets::estimate;
+  const test::CoreSetup setup(configuration, system.experiments);
+  const auto starts = nominalStarts(setup.model(), configuration.nominal_model, system.experiments);
+  ASSERT_FALSE(starts.empty());
+  EXPECT_NEAR(starts[0][4], 5, 0.5);
+}
+
+/// Of few experiments, with gaps, of unequal length: some start must be found.
+TEST(NominalStarts, AreFoundForShortAndSpoiledRecords) {
+  test::RandomSystemOptions options;
+  options.na = options.nb = options.nc = options.nd = 2;
+  options.experiments = 5;
+  options.min_samples = 25;
+  options.missing = 0.3;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const auto system = test::randomSystem(options, seed);
+    const Configuration configuration = test::configurationOf(options);
+    const test::CoreSetup setup(configuration, system.experiments);
+    const auto starts =
+        nominalStarts(setup.model(), configuration.nominal_model, system.experiments);
+    EXPECT_FALSE(starts.empty()) << seed;
+    for (const VectorXd& start : starts) EXPECT_TRUE(setup.model().admissible(start));
+  }
+}
+
+TEST(SpreadComponents, FindsTheTwoComponentsOfExample1) {
+  const auto system = test::example1(3);
+  const Configuration configuration = test::example1Configuration();
+  const test::CoreSetup setup(configuration, system.experiments);
+  ModelParameters single = test::parametersOf(system.truth);
+  single.mixture = {{1.0}, {system.truth.mixture.mean()}, {system.truth.mixture.covariance()}};
+  const Statistics statistics = setup.likelihood().statistics(single.parameters, false);
+  const int passes = setup.likelihood().passes();
+  double reached = 0;
+  const ModelParameters two =
+      spreadComponents(setup.likelihood(), statistics, single, 2, 4, 1,
+                       test::climbOptions(configuration, single.mixture, 1e-6), &reached);
+  EXPECT_EQ(setup.likelihood().passes(), passes) << "no sweep is needed";
+  ASSERT_EQ(two.mixture.components(), 2);
+  EXPECT_NEAR(reached, setup.logLikelihood(two), 1e-8);
+  EXPECT_GT(reached, setup.logLikelihood(single) + 10);
+  EXPECT_NEAR(std::abs(two.mixture.means[0][0] - two.mixture.means[1][0]), 2, 0.4);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification

@@ -1,0 +1,108 @@
+#include "uncertainty_identification/estimation/selection.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/core_setup.h"
+
+namespace uncertainty_identification {
+namespace {
+
+TEST(Bic, CountsSamplesForTheModelAndExperimentsForTheMixture) {
+  EXPECT_NEAR(bic(-100, 5, 3, 2000, 40), 200 + 5 * std::log(2000.0) + 3 * std::log(40.0), 1e-12);
+}
+
+TEST(MixtureParameters, AreTheFreeOnes) {
+  EXPECT_EQ(mixtureParameters(Constraint::zero_static_gain, 0, 1), 0);
+  EXPECT_EQ(mixtureParameters(Constraint::zero_static_gain, 1, 2), 1 + 2 + 2);
+  EXPECT_EQ(mixtureParameters(Constraint::free, 3, 2), 1 + 6 + 12);
+  EXPECT_EQ(mixtureParameters(Constraint::zero_mean, 3, 2), 1 + 3 + 12);
+  EXPECT_EQ(mixtureParameters(Constraint::zero_mean, 2, 1), 3);
+}
+
+class SelectOrders : public testing::Test {
+ protected:
+  SelectOrders() {
+    options_.nb = options_.na = 2;
+    options_.nc = options_.nd = options_.taps = 0;
+    options_.delay = 3;
+    options_.experiments = 9;
+    options_.min_samples = options_.max_samples = 250;
+    options_.noise_variance = 0.3;
+    auto system = test::randomSystem(options_, 2);
+    system.truth.b = test::vectorOf({0.5, 0.4});
+    system.truth.a = test::vectorOf({-1.4, 0.65});
+    system_ = test::simulateSystem(system.truth, options_, 3);
+    configuration_ = test::configurationOf(options_);
+    configuration_.nominal_model.orders_auto = true;
+    configuration_.nominal_model.max_order = 4;
+    configuration_.nominal_model.max_delay = 6;
+  }
+
+  NominalModelOptions select() {
+    candidates_.clear();
+    return selectOrders(configuration_, 1, system_.experiments, 1, &candidates_, {});
+  }
+
+  test::RandomSystemOptions options_;
+  test::RandomSystem system_;
+  Configuration configuration_;
+  std::vector<Candidate> candidates_;
+};
+
+TEST_F(SelectOrders, FindsOrderTwoAndDelayThree) {
+  const NominalModelOptions chosen = select();
+  EXPECT_EQ(chosen.na, 2);
+  EXPECT_EQ(chosen.nb, 2);
+  EXPECT_EQ(chosen.delay, 3);
+  EXPECT_GE(candidates_.size(), 4u);
+  for (const Candidate& candidate : candidates_) {
+    EXPECT_EQ(candidate.choice, "orders");
+    EXPECT_FALSE(candidate.description.empty());
+  }
+}
+
+TEST_F(SelectOrders, ByPredictionFindsThemToo) {
+  configuration_.nominal_model.focus = Focus::prediction;
+  const NominalModelOptions chosen = select();
+  EXPECT_EQ(chosen.na, 2);
+  EXPECT_EQ(chosen.delay, 3);
+  EXPECT_EQ(chosen.structure, Structure::output_error);
+  int marked = 0;
+  double lowest = candidates_[0].bic, of_marked = 0;
+  for (const Candidate& candidate : candidates_) {
+    marked += candidate.chosen ? 1 : 0;
+    if (candidate.chosen) of_marked = candidate.bic;
+    lowest = std::min(lowest, candidate.bic);
+  }
+  EXPECT_EQ(marked, 1);
+  EXPECT_EQ(of_marked, lowest);
+}
+
+TEST_F(SelectOrders, ByPredictionFindsColouredNoise) {
+  system_.truth.d = test::vectorOf({-0.9});
+  options_.nd = 1;
+  options_.noise_run_up = 100;
+  system_ = test::simulateSystem(system_.truth, options_, 5);
+  configuration_.nominal_model.focus = Focus::prediction;
+  configuration_.estimation.noise_start = NoiseStart::stationary;
+  const NominalModelOptions chosen = select();
+  EXPECT_EQ(chosen.structure, Structure::box_jenkins);
+  EXPECT_EQ(chosen.na, 2);
+  EXPECT_EQ(chosen.nd, 1);
+}
+
+TEST_F(SelectOrders, StopsWhenAskedTo) {
+  int calls = 0;
+  selectOrders(configuration_, 1, system_.experiments, 1, &candidates_, [&](double share) {
+    EXPECT_GE(share, 0);
+    EXPECT_LE(share, 1);
+    return ++calls < 2;
+  });
+  EXPECT_LE(candidates_.size(), 4u);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
