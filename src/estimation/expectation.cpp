@@ -100,6 +100,66 @@ void expectAll(const Statistics& statistics, const Mixture& mixture, double nois
   });
 }
 
+/// Scores of experiment r to the mixture's entries and log sigma^2.
+template <int n>
+void scoreMixture(const Statistics& statistics, int r, const ModelParameters& at,
+                  const Expectation& expectation, Eigen::Ref<VectorXd> score) {
+  const Statistics::ConstGram gram = statistics.gram(r);
+  const Index size = statistics.regressors(), p = statistics.parameters();
+  const Index kappa = at.mixture.components(), triangle = size * (size + 1) / 2;
+  const double variance = at.noise_variance;
+  const Square<n> S = gram.topLeftCorner(size, size);
+  double misfit = 0;
+  for (Index i = 0; i < kappa; ++i) {
+    const double z = expectation.responsibilities(i, r);
+    const Index column = r * kappa + i;
+    const Square<n> posterior =
+        Eigen::Map<const Square<n>>(expectation.covariances.col(column).data(), size, size);
+    const Column<n> mean = expectation.means.col(column);
+    const Column<n> g = (gram.topRightCorner(size, 1) - S * mean) / variance;
+    const Square<n> explained = S * posterior * S;
+    score[p + i] = z / at.mixture.weights[static_cast<std::size_t>(i)];
+    score.segment(p + kappa + i * size, size) = z * g;
+    Index entry = p + kappa * (1 + size) + i * triangle;
+    for (Index row = 0; row < size; ++row) {
+      for (Index col = 0; col <= row; ++col) {
+        const double of_covariance =
+            0.5 * z * (g[row] * g[col] - (S(row, col) - explained(row, col) / variance) / variance);
+        score[entry++] = (row == col ? 1 : 2) * of_covariance;
+      }
+    }
+    misfit += z * expectation.misfits(i, r);
+  }
+  score[score.size() - 1] = 0.5 * (misfit / variance - statistics.samples()[r]);
+}
+
+template <int n>
+void scoreAll(const Statistics& statistics, const ModelParameters& at,
+              const Expectation& expectation, const LatentMoments& moments, MatrixXd* all) {
+  constexpr int kSize = n == Dynamic ? Dynamic : n + 1;
+  constexpr int kMost = n == Dynamic ? kMostRegressors + 1 : n + 1;
+  using Weight = Eigen::Matrix<double, kSize, kSize, 0, kMost, kMost>;
+  const Index size = statistics.regressors();
+  Weight weight(size + 1, size + 1);  // dl/dgram: -1/2 sigma^-2 [M -m; -m' 1]
+  weight(size, size) = 1;
+  for (int r = 0; r < statistics.experiments(); ++r) {
+    const auto m = moments.means.col(r);
+    const auto P = moments.covariances.col(r);
+    for (Index col = 0; col < size; ++col) {
+      for (Index row = 0; row < size; ++row)
+        weight(row, col) = P[row + col * size] + m[row] * m[col];
+      weight(col, size) = weight(size, col) = -m[col];
+    }
+    for (int j = 0; j < statistics.parameters(); ++j) {
+      const Eigen::Map<const Weight> derivative(statistics.gramDerivative(r, j).data(), size + 1,
+                                                size + 1);
+      (*all)(j, r) = -0.5 / at.noise_variance * derivative.cwiseProduct(weight).sum() +
+                     statistics.logJacobianDerivatives()(j, r);
+    }
+    scoreMixture<n>(statistics, r, at, expectation, all->col(r));
+  }
+}
+
 }  // namespace
 
 MatrixXd squareRoot(const MatrixXd& covariance) {
@@ -156,50 +216,22 @@ LatentMoments latentMoments(const Expectation& expectation) {
 
 MatrixXd scores(const Statistics& statistics, const ModelParameters& at,
                 const Expectation& expectation) {
-  const Index n = statistics.regressors(), p = statistics.parameters(),
-              kappa = at.mixture.components();
-  const Index triangle = n * (n + 1) / 2, experiments = statistics.experiments();
-  const double variance = at.noise_variance;
+  const Index n = statistics.regressors(), p = statistics.parameters();
+  const Index kappa = at.mixture.components();
   const LatentMoments moments = latentMoments(expectation);
-  MatrixXd all(p + kappa * (1 + n + triangle) + 1, experiments);
-  MatrixXd weight(n + 1, n + 1);  // dl/dgram: -1/2 sigma^-2 [M -m; -m' 1]
-  for (Index r = 0; r < experiments; ++r) {
-    const auto m = moments.means.col(r);
-    weight.topLeftCorner(n, n) =
-        Eigen::Map<const MatrixXd>(moments.covariances.col(r).data(), n, n) + m * m.transpose();
-    weight.topRightCorner(n, 1) = -m;
-    weight.bottomLeftCorner(1, n) = -m.transpose();
-    weight(n, n) = 1;
-    for (Index j = 0; j < p; ++j) {
-      all(j, r) = -0.5 / variance *
-                      statistics.gramDerivative(static_cast<int>(r), static_cast<int>(j))
-                          .cwiseProduct(weight)
-                          .sum() +
-                  statistics.logJacobianDerivatives()(j, r);
-    }
-    const Statistics::ConstGram gram = statistics.gram(static_cast<int>(r));
-    const auto S = gram.topLeftCorner(n, n);
-    double misfit = 0;
-    for (Index i = 0; i < kappa; ++i) {
-      const auto component = static_cast<std::size_t>(i);
-      const double z = expectation.responsibilities(i, r);
-      const Eigen::Map<const MatrixXd> posterior(expectation.covariances.col(r * kappa + i).data(),
-                                                 n, n);
-      const VectorXd g =
-          (gram.topRightCorner(n, 1) - S * expectation.means.col(r * kappa + i)) / variance;
-      const MatrixXd of_covariance =
-          0.5 * z * (g * g.transpose() - (S - S * posterior * S / variance) / variance);
-      all(p + i, r) = z / at.mixture.weights[component];
-      all.col(r).segment(p + kappa + i * n, n) = z * g;
-      Index entry = p + kappa * (1 + n) + i * triangle;
-      for (Index row = 0; row < n; ++row) {
-        for (Index col = 0; col <= row; ++col) {
-          all(entry++, r) = (row == col ? 1 : 2) * of_covariance(row, col);
-        }
-      }
-      misfit += z * expectation.misfits(i, r);
-    }
-    all(all.rows() - 1, r) = 0.5 * (misfit / variance - statistics.samples()[r]);
+  MatrixXd all(p + kappa * (1 + n + n * (n + 1) / 2) + 1, statistics.experiments());
+  switch (n) {
+    case 1:
+      scoreAll<1>(statistics, at, expectation, moments, &all);
+      break;
+    case 2:
+      scoreAll<2>(statistics, at, expectation, moments, &all);
+      break;
+    case 3:
+      scoreAll<3>(statistics, at, expectation, moments, &all);
+      break;
+    default:
+      scoreAll<Dynamic>(statistics, at, expectation, moments, &all);
   }
   return all;
 }
