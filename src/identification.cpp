@@ -44,7 +44,12 @@ Estimate Identification::run(const std::vector<Experiment>& experiments,
   checkSizes();
   climb(start(previous));
   describe();
-  if (!cancelled_) validate(validation);
+  if (cancelled_) {
+    estimate_.termination = Termination::cancelled;
+    estimate_.message = "cancelled";
+  } else {
+    validate(validation);
+  }
   estimate_.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
   return std::move(estimate_);

@@ -55,8 +55,6 @@ class Run {
     }
   }
 
-  bool cancelled() const { return cancelled_; }
-
   /// Gain that a Newton step in the whitened coordinates predicts [nats].
   double predictedGain(const ScoredPoint& at) const {
     return 0.5 * (W_->transpose() * at.gradient).squaredNorm();
@@ -84,7 +82,6 @@ class Run {
       *best_ = std::move(point);
       climb_->trace.push_back({climb_->iterations, likelihood_.passes(), value});
       if (options_.on_iterate && !options_.on_iterate(climb_->trace.back())) {
-        cancelled_ = true;
         throw nlopt::forced_stop();
       }
       if (0.5 * whitened.squaredNorm() < 0.1 * options_.tolerance) throw nlopt::forced_stop();
@@ -99,7 +96,6 @@ class Run {
   VectorXd origin_;
   const MatrixXd* W_ = nullptr;
   ScoredPoint* best_ = nullptr;
-  bool cancelled_ = false;
 };
 
 void finish(const ScoredPoint& best, Termination termination, const std::string& message,
@@ -116,7 +112,13 @@ Climb maximumLikelihood(const Likelihood& likelihood, const ModelParameters& sta
                         const ClimbOptions& options) {
   constexpr int kScoringSteps = 5, kRounds = 8;
   Climb climb;
-  ModelParameters near = scoringSteps(likelihood, start, options, kScoringSteps, options.tolerance);
+  bool cancelled = false;
+  ClimbOptions asking = options;
+  asking.on_iterate = [&](const TracePoint& point) {
+    cancelled = cancelled || (options.on_iterate && !options.on_iterate(point));
+    return !cancelled;
+  };
+  ModelParameters near = scoringSteps(likelihood, start, asking, kScoringSteps, options.tolerance);
   pruneComponents(options.constraint, &near.mixture);
   const Parametrisation parametrisation(likelihood.model(), options.constraint,
                                         near.mixture.components(), options.floor);
@@ -127,15 +129,12 @@ Climb maximumLikelihood(const Likelihood& likelihood, const ModelParameters& sta
     return climb;
   }
   climb.trace.push_back({climb.iterations, likelihood.passes(), best.log_likelihood});
-  Run run(likelihood, parametrisation, options, &climb);
+  Run run(likelihood, parametrisation, asking, &climb);
   double last = -std::numeric_limits<double>::infinity();
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kRounds && !cancelled; ++round) {
     const MatrixXd W = whitener(observedInformation(likelihood, parametrisation, best, false));
     run.climb(&best, W);
-    if (run.cancelled()) {
-      finish(best, Termination::cancelled, "cancelled", &climb);
-      return climb;
-    }
+    if (cancelled) break;
     if (run.predictedGain(best) < options.tolerance) {
       finish(best, Termination::converged, "the gain predicted to be left fell below the tolerance",
              &climb);
@@ -148,6 +147,10 @@ Climb maximumLikelihood(const Likelihood& likelihood, const ModelParameters& sta
     }
     if (best.log_likelihood - last < options.tolerance) break;
     last = best.log_likelihood;
+  }
+  if (cancelled) {
+    finish(best, Termination::cancelled, "cancelled", &climb);
+    return climb;
   }
   finish(best, Termination::stalled,
          "the climb stopped making progress before the gradient vanished; the likelihood may be "

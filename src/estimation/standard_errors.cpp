@@ -14,6 +14,9 @@ using Eigen::VectorXd;
 /// An eigenvalue below this share of a typical one (the diagonal is scaled to 1) counts as zero.
 constexpr double kSingular = 1e-9;
 
+/// Below this share the differences' own error could pass for information, or hide it.
+constexpr double kSuspicious = 1e-6;
+
 /// "b1, mean1[1] and mean2[1] cannot be told apart: ..."
 std::string sentence(const VectorXd& direction, const std::vector<std::string>& names) {
   const double largest = direction.cwiseAbs().maxCoeff();
@@ -50,6 +53,20 @@ void mark(const std::vector<bool>& unknown, MatrixXd* covariance) {
   }
 }
 
+/// Curvature of the log-likelihood along a direction, by differences of the gradient extrapolated
+/// to zero step. Four sweeps.
+double curvature(const Likelihood& likelihood, const Parametrisation& parametrisation,
+                 const ScoredPoint& at, const VectorXd& direction) {
+  constexpr double kStep = 1e-2;
+  const auto slope = [&](double distance) {
+    const VectorXd there = at.coordinates + distance * direction;
+    const VectorXd gradient = scoredPoint(likelihood, parametrisation, there).gradient;
+    return gradient.size() > 0 ? direction.dot(gradient) : std::numeric_limits<double>::quiet_NaN();
+  };
+  const auto difference = [&](double step) { return (slope(-step) - slope(step)) / (2 * step); };
+  return (4 * difference(kStep / 2) - difference(kStep)) / 3;
+}
+
 }  // namespace
 
 StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisation& parametrisation,
@@ -71,16 +88,20 @@ StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisatio
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit);
 
   MatrixXd inverse = MatrixXd::Zero(size, size);
-  VectorXd values = parametrisation.natural(at).cwiseAbs().cwiseMax(1e-12);
-  values[natural - 1] = 1;  // the coordinate there is the logarithm
+  // errors that the natural coordinates would have if all others were known: the measure of a move
+  const VectorXd alone = (jacobian * scale.asDiagonal()).rowwise().norm().cwiseMax(1e-300);
   for (Index k = 0; k < size; ++k) {
     const VectorXd direction = scale.cwiseProduct(eigen.eigenvectors().col(k));
-    if (eigen.eigenvalues()[k] > kSingular) {
-      inverse += direction * direction.transpose() / eigen.eigenvalues()[k];
+    double strength = eigen.eigenvalues()[k];
+    if (std::abs(strength) < kSuspicious) {
+      strength = curvature(likelihood, parametrisation, point, direction);
+    }
+    if (strength > kSingular) {
+      inverse += direction * direction.transpose() / strength;
       continue;
     }
     const VectorXd moved = jacobian * direction;
-    const VectorXd relative = moved.cwiseQuotient(values);
+    const VectorXd relative = moved.cwiseQuotient(alone);
     errors.singular.push_back(sentence(relative, parametrisation.naturalNames()));
     for (Index i = 0; i < natural; ++i) {
       if (std::abs(relative[i]) > 1e-3 * relative.cwiseAbs().maxCoeff())
