@@ -57,7 +57,7 @@ YAML::Node documentWith(const std::string& path, const YAML::Node& value) {
 Configuration unusual() {
   return parseConfiguration(YAML::Load(R"(
 sample_time: 0.012345678901234567
-nominal_model: {structure: armax, orders: auto, focus: prediction, max_order: 5, max_delay: 7, nb: 3, na: 4, nc: 2,
+nominal_model: {structure: output_error, orders: auto, focus: prediction, fit: simulation, max_order: 5, max_delay: 7, nb: 3, na: 4, nc: 2,
                 nd: 0, delay: 6, time_constants: 2, resonances: 1, zeros: 2, dead_time: true, fixed: {gain: 0.1, tau1: 3}}
 error_model: {basis: kautz, taps: 3, constraint: explicit, T: [[1, 0], [0, 0.3], [-1, -1]], components: 3, pole: -0.1,
               pole_real: 0.2, pole_imag: 0.7, max_taps: 6, max_components: 5}
