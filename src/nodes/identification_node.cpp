@@ -10,8 +10,9 @@
 int main(int argc, char** argv) {
   namespace ui = uncertainty_identification;
   ros::init(argc, argv, "identification");
+  const ros::NodeHandle node,
+      private_node("~");  // outlive the try: without a node nothing is logged
   try {
-    const ros::NodeHandle node, private_node("~");
     const ui::IdentificationServer server(node, private_node, ui::loadParameters(private_node));
     ros::spin();
   } catch (const std::exception& error) {

@@ -8,7 +8,9 @@
 
 #include "support/example1.h"
 #include "support/node_client.h"
+#include "support/temporary_folder.h"
 #include "uncertainty_identification/identifier.h"
+#include "uncertainty_identification/io/read_file.h"
 #include "uncertainty_identification/ros/message_conversions.h"
 #include "uncertainty_identification/ros/parameters.h"
 
@@ -145,16 +147,30 @@ TEST_F(ServicesTest, LongRequestsBlockNeitherRecordingNorQueries) {
   requester.join();
 }
 
+// What the node says, and how it ends, when started with these parameters.
+std::pair<int, std::string> runNode(const std::string& parameters) {
+  const TemporaryFolder folder;
+  const std::string log = folder / "log";
+  const int status =
+      std::system((std::string(TOOLS_FOLDER) + "/identification_node __name:=broken " + parameters +
+                   " > " + log + " 2>&1")
+                      .c_str());
+  ros::param::del("/broken");
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readFile(log)};
+}
+
 TEST(BadParameters, EndTheNodeWithAMessage) {
-  const std::string node = std::string(TOOLS_FOLDER) + "/identification_node __name:=broken ";
-  for (const std::string parameters :
-       {"", "_sample_time:=-1", "_estimation/tolerence:=0.1", "_nominal_model/nb:=many",
-        "_nominal_model/orders:=auto _store_directory:=/tmp",
-        "_nominal_model/orders:=auto _input/topic:=bad~name"}) {
-    const int status = std::system((node + parameters + " 2> /dev/null > /dev/null").c_str());
-    ASSERT_TRUE(WIFEXITED(status)) << parameters;
-    EXPECT_EQ(WEXITSTATUS(status), 2) << parameters;
-    ros::param::del("/broken");
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"", "no parameters under '/broken'"},
+      {"_sample_time:=-1", "sample_time: found -1"},
+      {"_estimation/tolerence:=0.1", "did you mean estimation.tolerance?"},
+      {"_nominal_model/nb:=many", "nominal_model.nb: found 'many'"},
+      {"_nominal_model/orders:=auto _store_directory:=/tmp", "store_directory: found '/tmp'"},
+      {"_nominal_model/orders:=auto _input/topic:=bad~name", "bad~name"}};
+  for (const auto& [parameters, message] : cases) {
+    const auto [status, output] = runNode(parameters);
+    EXPECT_EQ(status, 2) << parameters;
+    EXPECT_NE(output.find(message), std::string::npos) << output;
   }
 }
 
