@@ -160,6 +160,27 @@ TEST_F(BagReaderTest, ReadsTwoSignalsFromOneTopic) {
       << data.warnings[0];
 }
 
+TEST_F(BagReaderTest, OrderInTheFileDoesNotMatter) {
+  {
+    rosbag::Bag bag(path_, rosbag::bagmode::Write);
+    bag.setChunkThreshold(1000);
+    std_msgs::Float64 value;
+    for (const int first : {1, 2})
+      for (int k = first; k <= 100; k += 2) {
+        value.data = k;
+        bag.write("/actuator/command", ros::Time(k, 0), value);
+        bag.write("/sensor/measurement", ros::Time(k, 0), value);
+      }
+  }
+  Configuration configuration;
+  configuration.experiment.mode = ExperimentMode::gap;
+  configuration.experiment.gap = 5;
+  const auto data = readBag(path_, configuration);
+  ASSERT_EQ(data.experiments.size(), 1U);
+  ASSERT_EQ(data.experiments[0].samples(), 100);
+  EXPECT_EQ(data.experiments[0].y, Eigen::VectorXd::LinSpaced(100, 1, 100));
+}
+
 TEST_F(BagReaderTest, ReadsCompleteExperiments) {
   const auto written = experiments();
   {
