@@ -35,7 +35,7 @@ class Run {
   /// Climbs from `best` and leaves the best point there.
   void climb(ScoredPoint* best, const MatrixXd& W) {
     origin_ = best->coordinates;
-    W_ = &W;
+    scaling_ = &W;
     best_ = best;
     nlopt::opt optimiser(nlopt::LD_LBFGS, static_cast<unsigned>(W.cols()));
     optimiser.set_max_objective(&Run::evaluate, this);
@@ -57,7 +57,7 @@ class Run {
 
   /// Gain that a Newton step in the whitened coordinates predicts [nats].
   double predictedGain(const ScoredPoint& at) const {
-    return 0.5 * (W_->transpose() * at.gradient).squaredNorm();
+    return 0.5 * (scaling_->transpose() * at.gradient).squaredNorm();
   }
 
  private:
@@ -67,13 +67,13 @@ class Run {
   }
 
   double evaluate(const VectorXd& x, std::vector<double>* gradient) {
-    ScoredPoint point = scoredPoint(likelihood_, parametrisation_, origin_ + *W_ * x);
+    ScoredPoint point = scoredPoint(likelihood_, parametrisation_, origin_ + *scaling_ * x);
     if (!std::isfinite(point.log_likelihood)) {  // outside the domain: a finite wall, so that line
                                                  // searches come back
       if (!gradient->empty()) Eigen::Map<VectorXd>(gradient->data(), x.size()) = -x;
       return -1e100;
     }
-    const VectorXd whitened = W_->transpose() * point.gradient;
+    const VectorXd whitened = scaling_->transpose() * point.gradient;
     if (!gradient->empty()) Eigen::Map<VectorXd>(gradient->data(), x.size()) = whitened;
     const double value = point.log_likelihood;
     ++climb_->iterations;
@@ -94,7 +94,7 @@ class Run {
   const ClimbOptions& options_;
   Climb* climb_;
   VectorXd origin_;
-  const MatrixXd* W_ = nullptr;
+  const MatrixXd* scaling_ = nullptr;
   ScoredPoint* best_ = nullptr;
 };
 
