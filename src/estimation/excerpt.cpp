@@ -21,17 +21,15 @@ std::vector<Experiment> thinned(const std::vector<Experiment>& experiments, int 
   if (total <= enough) return experiments;
   std::vector<Experiment> fewer;
   constexpr int kShortest = 500;  // samples; shorter heads show too little of slow dynamics
-  const int each = enough / static_cast<int>(experiments.size());
-  const double share = static_cast<double>(enough) / static_cast<double>(total);
-  double credit = 0;
+  const double share = static_cast<double>(enough) / static_cast<double>(experiments.size());
+  const int head = std::max(static_cast<int>(share), kShortest);
+  double credit = 0;  // samples that may be taken so far
   for (const Experiment& experiment : experiments) {
+    const int taken = std::min(experiment.samples(), head);
     credit += share;
-    if (each > kShortest) {
-      fewer.push_back(excerpt(experiment, 0, std::min(experiment.samples(), each)));
-    } else if (credit >= 1) {
-      credit -= 1;
-      fewer.push_back(experiment);
-    }
+    if (credit < taken) continue;
+    credit -= taken;
+    fewer.push_back(excerpt(experiment, 0, taken));
   }
   return fewer;
 }
