@@ -273,6 +273,50 @@ TEST(Identifier, FindsOrderAndDelayByItself) {
                           [](const Candidate& c) { return c.choice == "orders" && c.chosen; }));
 }
 
+/// Go of least simulation error, the noise and the mixture around it.
+TEST(Identifier, FitsGoToItsSimulation) {
+  const std::vector<Experiment> experiments = example1(40);
+  Configuration configuration = test::example1Configuration();
+  configuration.nominal_model.fit = PlantFit::simulation;
+  const Estimate held = identify(configuration, experiments);
+  EXPECT_TRUE(held.usable()) << held.message;
+  Configuration plain = test::example1Configuration();
+  plain.nominal_model.structure = Structure::output_error;
+  plain.error_model.taps = 0;
+  plain.error_model.components = 1;
+  const Estimate simulation = identify(plain, experiments);
+  EXPECT_LT((held.nominal_model.b - simulation.nominal_model.b).norm(), 1e-5);
+  EXPECT_LT((held.nominal_model.a - simulation.nominal_model.a).norm(), 1e-5);
+  ASSERT_EQ(held.nominal_model.parameters.size(), 4u);
+  EXPECT_EQ(held.nominal_model.parameters[0].name, "b1");
+  EXPECT_EQ(held.nominal_model.parameters[3].name, "d1");
+  for (const ParameterEstimate& parameter : held.nominal_model.parameters) {
+    EXPECT_GT(parameter.standard_error, 0) << parameter.name;
+  }
+  EXPECT_EQ(held.error_model.mixture.components(), 2);
+  EXPECT_LT(held.log_likelihood,
+            identify(test::example1Configuration(), experiments).log_likelihood);
+}
+
+TEST(Identifier, ClimbsFromAZeroDeadTime) {
+  test::RandomSystemOptions options;
+  options.nc = options.nd = options.taps = 0;
+  auto system = test::randomSystem(options, 2);
+  system.truth.b = test::vectorOf({0.3});
+  system.truth.a = test::vectorOf({-0.7});
+  system = test::simulateSystem(system.truth, options, 3);
+  Configuration configuration = test::configurationOf(options);
+  NominalModelOptions& nominal = configuration.nominal_model;
+  nominal.structure = Structure::continuous;
+  nominal.dead_time = true;
+  nominal.max_delay = 3;
+  configuration.initial.theta = test::vectorOf({1.0, 2.0, 0.0});
+  const Estimate estimate = identify(configuration, system.experiments);
+  EXPECT_TRUE(std::isfinite(estimate.log_likelihood)) << estimate.message;
+  EXPECT_NEAR(estimate.nominal_model.parameters[0].value, 1, 0.05);
+  EXPECT_NEAR(estimate.nominal_model.parameters[1].value, -1 / std::log(0.7), 0.1);
+}
+
 TEST(Identifier, FindsTheNumberOfComponentsInClearCases) {
   Configuration configuration = test::example1Configuration();
   configuration.error_model.components = kAutomatic;

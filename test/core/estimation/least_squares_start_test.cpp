@@ -57,6 +57,23 @@ TEST(LeastSquaresStart, FindsTheOffsetOfTheOutput) {
   EXPECT_NEAR(found.offset, 4, 1e-6);
 }
 
+/// The constant is filtered as the signals are.
+TEST(LeastSquaresStart, SteiglitzMcBrideFindsTheOffsetToo) {
+  test::RandomSystemOptions options = secondOrder();
+  options.output_offset = 4;
+  options.noise_variance = 0.01;
+  options.experiments = 20;
+  options.input_run_up = 0;  // the prefilter starts at rest
+  auto system = test::randomSystem(options, 2);
+  system.truth.a = test::vectorOf({-1.7, 0.75});
+  system.truth.b = test::vectorOf({0.5, 0.3});
+  system = test::simulateSystem(system.truth, options, 3);
+  const LeastSquaresModel found =
+      LeastSquaresStart(pointersTo(system.experiments), true).steiglitzMcBride(2, 2, 3, 3);
+  expectTruth(found, system.truth, 0.1);
+  EXPECT_NEAR(found.offset, 4, 0.5);
+}
+
 /// White noise on the output biases ARX; the Steiglitz-McBride iteration removes the bias.
 TEST(LeastSquaresStart, SteiglitzMcBrideHasLittleBiasInOutputNoise) {
   test::RandomSystemOptions options = secondOrder();

@@ -104,6 +104,31 @@ TEST(MaximumLikelihood, EndsAtAMaximum) {
   EXPECT_LT(0.5 * top.gradient.dot(factor.solve(top.gradient)), 1e-7);  // gain left [nats]
 }
 
+/// From starts where a full step overshoots, too.
+TEST(ScoringSteps, NeverDescend) {
+  for (Constraint constraint : {Constraint::zero_static_gain, Constraint::zero_mean}) {
+    for (double distance : {0.9, 0.5, 0.1}) {
+      Problem problem = problemOf(constraint, false);
+      problem.start.parameters *= distance;
+      problem.start.noise_variance = 1e-3;
+      const test::CoreSetup setup(problem.configuration, problem.experiments);
+      ClimbOptions options = test::climbOptions(problem.configuration, problem.start.mixture, 1e-9);
+      double last = setup.logLikelihood(problem.start);
+      int steps = 0;
+      options.on_iterate = [&](const TracePoint& point) {
+        EXPECT_GE(point.log_likelihood, last) << "distance " << distance;
+        last = point.log_likelihood;
+        ++steps;
+        return true;
+      };
+      const ModelParameters near =
+          scoringSteps(setup.likelihood(), problem.start, options, 12, 1e-9);
+      EXPECT_NEAR(setup.logLikelihood(near), last, 1e-8 * std::abs(last));
+      EXPECT_GE(steps, 3);
+    }
+  }
+}
+
 TEST(MaximumLikelihood, SaysHowItEnded) {
   const Problem problem = problemOf(Constraint::zero_static_gain, false);
   const test::CoreSetup setup(problem.configuration, problem.experiments);
