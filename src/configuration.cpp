@@ -1,5 +1,6 @@
 #include "uncertainty_identification/configuration.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -142,6 +143,26 @@ void ExperimentOptions::validate() const {
   if (mode == ExperimentMode::gap) requirePositive("experiment.gap", gap);
 }
 
+void BoundsOptions::validate() const {
+  for (double level : levels)
+    require(level > 0 && level < 1, "bounds.levels", level, "levels above 0 and below 1");
+  require(!levels.empty() && std::is_sorted(levels.begin(), levels.end()), "bounds.levels",
+          levels.empty() ? "none" : "levels out of order", "at least one level, ascending");
+  if (frequencies != 0) requireRange("bounds.frequencies", frequencies, 10, 100000, "0");
+  for (Eigen::Index k = 0; k < grid.size(); ++k) {
+    require(grid[k] > (k == 0 ? 0.0 : grid[k - 1]) && std::isfinite(grid[k]), "bounds.grid",
+            grid[k], "ascending frequencies above 0 [rad/s]");
+  }
+  requireRangeOrAutomatic("bounds.steps", steps, 2, 100000);
+  const double tail = (1 - std::max(levels.back(), weight_level)) / 2;
+  requireRange("bounds.samples", samples, static_cast<int>(std::ceil(2 / tail)), 1000000,
+               "fewer for lower levels");
+  requireRangeOrAutomatic("bounds.weight_order", weight_order, 0, 8);
+  require(weight_level > 0 && weight_level < 1, "bounds.weight_level", weight_level,
+          "a level above 0 and below 1");
+  if (folds != 0) requireRange("bounds.folds", folds, 2, 1000, "0");
+}
+
 void LimitOptions::validate() const {
   constexpr int kMost = std::numeric_limits<int>::max();
   requireRange("limits.max_experiments", max_experiments, 1, kMost);
@@ -159,6 +180,7 @@ void Configuration::validate() const {
   estimation.validate();
   initial.validate();
   resampling.validate();
+  bounds.validate();
   validateSignal("input", input);
   validateSignal("output", output);
   validateCovariates(covariates);

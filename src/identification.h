@@ -43,6 +43,7 @@ class Identification {
   void describe();
   void describeExperiments();
   void describeParameters();
+  Eigen::MatrixXd jointCovariance(const Eigen::MatrixXd& coordinate_covariance) const;
   void reportFloor(const Eigen::MatrixXd& floor);
   void validate(const std::vector<Experiment>& validation);
 
@@ -65,7 +66,8 @@ class Identification {
   std::optional<Polynomials> plant_;  ///< Go where it is fitted to its simulation
   double plant_offset_ = 0;
   std::vector<ParameterEstimate> plant_parameters_;
-  Eigen::MatrixXd plant_covariance_;
+  Eigen::MatrixXd plant_covariance_;             ///< of plant_parameters_
+  Eigen::MatrixXd plant_coordinate_covariance_;  ///< of plantCoordinates()
 };
 
 }  // namespace uncertainty_identification

@@ -3,6 +3,7 @@
 #include "identification.h"
 #include "uncertainty_identification/estimation/excerpt.h"
 #include "uncertainty_identification/estimation/initial_guess.h"
+#include "uncertainty_identification/estimation/plant_coordinates.h"
 #include "uncertainty_identification/estimation/selection.h"
 #include "uncertainty_identification/estimation/standard_errors.h"
 #include "uncertainty_identification/model/held_plant.h"
@@ -44,6 +45,14 @@ void Identification::fitPlant(const Estimate* previous) {
                                  std::sqrt(errors.robust_covariance(k, k))});
   }
   plant_covariance_ = errors.covariance.topLeftCorner(own, own);
+  // the residual of a simulation is not white: the sandwich form is the honest one, where there is
+  // one
+  const Eigen::MatrixXd& covariance = likelihood.experiments() > parametrisation.size()
+                                          ? errors.robust_coordinate_covariance
+                                          : errors.coordinate_covariance;
+  const Eigen::MatrixXd J =
+      plantCoordinatesJacobian(model.nominal(), climb.at.parameters.head(own));
+  plant_coordinate_covariance_ = J * covariance.topLeftCorner(own, own) * J.transpose();
   estimate_.passes += likelihood.passes();
   if (choose_noise_) chooseNoiseOrders();
 }

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "identification.h"
+#include "uncertainty_identification/estimation/plant_coordinates.h"
 #include "uncertainty_identification/estimation/selection.h"
 #include "uncertainty_identification/estimation/standard_errors.h"
 
@@ -66,10 +67,11 @@ void Identification::describeParameters() {
   const Index own = model_->nominal().parameterCount(), last = values.size() - 1;
   Eigen::MatrixXd nothing =
       Eigen::MatrixXd::Constant(last + 1, last + 1, std::numeric_limits<double>::quiet_NaN());
-  StandardErrors errors{nothing, nothing, {}};
+  StandardErrors errors{nothing, nothing, {}, {}, {}};
   if (estimate_.termination != Termination::cancelled &&
       report("standard errors", 0.95, estimate_.log_likelihood)) {
     errors = standardErrors(*likelihood_, parametrisation, at_);
+    estimate_.joint_covariance = jointCovariance(errors.coordinate_covariance);
   }
   for (const std::string& sentence : errors.singular) estimate_.warnings.push_back(sentence);
   const auto describe = [&](Index k) {
@@ -94,6 +96,23 @@ void Identification::describeParameters() {
       estimate_.error_model.parameters.push_back(describe(k));
   }
   estimate_.noise_variance = describe(last);
+}
+
+/// From the coordinates of the climb to those of Estimate::joint_covariance.
+Eigen::MatrixXd Identification::jointCovariance(
+    const Eigen::MatrixXd& coordinate_covariance) const {
+  const NominalModel& nominal = model_->nominal();
+  const Index own = nominal.parameterCount(), parameters = model_->parameterCount();
+  const Index mixture =
+      model_->regressors() > 0 ? coordinate_covariance.rows() - parameters - 1 : 0;
+  const Eigen::MatrixXd to_plant = plantCoordinatesJacobian(nominal, at_.parameters.head(own));
+  const Index plant = to_plant.rows();
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(plant + mixture, coordinate_covariance.rows());
+  J.topLeftCorner(plant, own) = to_plant;
+  J.block(plant, parameters, mixture, mixture).setIdentity();
+  Eigen::MatrixXd joint = J * coordinate_covariance * J.transpose();
+  if (plant_.has_value()) joint.topLeftCorner(plant, plant) = plant_coordinate_covariance_;
+  return joint;
 }
 
 }  // namespace uncertainty_identification

@@ -136,6 +136,21 @@ struct ExperimentOptions {
   void validate() const;
 };
 
+/// How sure: what is computed of the identified plant's distribution.
+struct BoundsOptions {
+  std::vector<double> levels = {0.5, 0.9, 0.95, 0.99};  ///< shares of plants, each in (0, 1)
+  int frequencies = 500;   ///< points of the automatic grid; 0 = no bounds are computed
+  Eigen::VectorXd grid;    ///< [rad/s] ascending, up to the Nyquist frequency; empty = automatic
+  int steps = kAutomatic;  ///< samples of the step responses; kAutomatic: until Go has settled
+  int samples = 2000;      ///< plants drawn
+  int weight_order = kAutomatic;  ///< of the robust-control weight, 0 to 8; kAutomatic: the lowest
+                                  ///< that over-bounds by at most a tenth (median)
+  double weight_level = 0.95;     ///< share of plants that the weight covers at all frequencies
+  int folds = 10;                 ///< of the calibration of prediction intervals (CV+); 0 = none
+
+  void validate() const;
+};
+
 /// Bounds on what is kept and accepted.
 struct LimitOptions {
   int max_experiments = 1000;  ///< the newest so many are identified from
@@ -158,6 +173,7 @@ struct Configuration {
   SignalOptions output{"", "sensor/measurement", "auto"};
   std::vector<SignalOptions> covariates;
   ExperimentOptions experiment;
+  BoundsOptions bounds;
   LimitOptions limits;
   std::string bag_directory;  ///< folder that bag names in requests resolve in; empty = such names
                               ///< are refused

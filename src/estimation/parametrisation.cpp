@@ -3,45 +3,10 @@
 #include <cmath>
 
 namespace uncertainty_identification {
-namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-MatrixXd lowerTriangle(const VectorXd& entries, Index n) {
-  MatrixXd L = MatrixXd::Zero(n, n);
-  Index entry = 0;
-  for (Index row = 0; row < n; ++row) {
-    for (Index col = 0; col <= row; ++col) L(row, col) = entries[entry++];
-  }
-  return L;
-}
-
-VectorXd entriesOf(const MatrixXd& L) {
-  VectorXd entries(L.rows() * (L.rows() + 1) / 2);
-  Index entry = 0;
-  for (Index row = 0; row < L.rows(); ++row) {
-    for (Index col = 0; col <= row; ++col) entries[entry++] = L(row, col);
-  }
-  return entries;
-}
-
-/// A lower triangular L with L L' = A for positive semidefinite A (what is lost to rounding counts
-/// as zero).
-MatrixXd lowerRoot(const MatrixXd& A) {
-  MatrixXd L = MatrixXd::Zero(A.rows(), A.cols());
-  for (Index j = 0; j < A.rows(); ++j) {
-    const double pivot = A(j, j) - L.row(j).head(j).squaredNorm();
-    if (pivot <= 1e-14 * std::abs(A(j, j))) continue;
-    L(j, j) = std::sqrt(pivot);
-    for (Index i = j + 1; i < A.rows(); ++i)
-      L(i, j) = (A(i, j) - L.row(i).head(j).dot(L.row(j).head(j))) / L(j, j);
-  }
-  return L;
-}
-
-}  // namespace
 
 Parametrisation::Parametrisation(const Model& model, Constraint constraint, int components,
                                  const MatrixXd& floor)
@@ -51,52 +16,22 @@ Parametrisation::Parametrisation(const Model& model, Constraint constraint, int 
       n_(model.regressors()),
       kappa_(components),
       triangle_(n_ * (n_ + 1) / 2),
-      floor_(floor) {}
+      mixture_(components, n_, constraint == Constraint::zero_mean, floor) {}
 
-int Parametrisation::size() const {
-  return p_ + (kappa_ - 1) + freeMeans() * n_ + kappa_ * triangle_ + 1;
-}
+int Parametrisation::size() const { return p_ + mixture_.size() + 1; }
 
 int Parametrisation::naturalSize() const { return p_ + kappa_ * (1 + n_ + triangle_) + 1; }
 
 VectorXd Parametrisation::toCoordinates(const ModelParameters& at) const {
   VectorXd z(size());
-  z.head(p_) = model_.toUnbounded(at.parameters);
-  Index next = p_;
-  for (int i = 0; i + 1 < kappa_; ++i)
-    z[next++] =
-        std::log(at.mixture.weights[static_cast<std::size_t>(i)] / at.mixture.weights.back());
-  for (int i = 0; i < freeMeans(); ++i, next += n_)
-    z.segment(next, n_) = at.mixture.means[static_cast<std::size_t>(i)];
-  for (const MatrixXd& covariance : at.mixture.covariances) {
-    z.segment(next, triangle_) = entriesOf(lowerRoot(covariance - floor_));
-    next += triangle_;
-  }
-  z[next] = std::log(at.noise_variance);
+  z << model_.toUnbounded(at.parameters), mixture_.toCoordinates(at.mixture),
+      std::log(at.noise_variance);
   return z;
 }
 
 ModelParameters Parametrisation::fromCoordinates(const VectorXd& z) const {
-  ModelParameters at;
-  at.parameters = model_.fromUnbounded(z.head(p_));
-  VectorXd ratios = VectorXd::Zero(kappa_);
-  ratios.head(kappa_ - 1) = z.segment(p_, kappa_ - 1);
-  ratios = (ratios.array() - ratios.maxCoeff()).exp();
-  ratios /= ratios.sum();
-  at.mixture.weights.assign(ratios.data(), ratios.data() + kappa_);
-  Index next = p_ + kappa_ - 1;
-  VectorXd sum = VectorXd::Zero(n_);
-  for (int i = 0; i < freeMeans(); ++i, next += n_) {
-    at.mixture.means.push_back(z.segment(next, n_));
-    sum += ratios[i] * at.mixture.means.back();
-  }
-  if (zeroMean()) at.mixture.means.push_back(-sum / ratios[kappa_ - 1]);
-  for (int i = 0; i < kappa_; ++i, next += triangle_) {
-    const MatrixXd L = lowerTriangle(z.segment(next, triangle_), n_);
-    at.mixture.covariances.push_back(floor_ + L * L.transpose());
-  }
-  at.noise_variance = std::exp(z[next]);
-  return at;
+  return {model_.fromUnbounded(z.head(p_)),
+          mixture_.fromCoordinates(z.segment(p_, mixture_.size())), std::exp(z[z.size() - 1])};
 }
 
 MatrixXd Parametrisation::jacobian(const VectorXd& z) const {
@@ -124,7 +59,7 @@ MatrixXd Parametrisation::jacobian(const VectorXd& z) const {
     const MatrixXd L = lowerTriangle(z.segment(col, triangle_), n_);
     for (Index e = 0; e < triangle_; ++e) {
       const MatrixXd dL = lowerTriangle(VectorXd::Unit(triangle_, e), n_);
-      J.block(row, col + e, triangle_, 1) = entriesOf(dL * L.transpose() + L * dL.transpose());
+      J.block(row, col + e, triangle_, 1) = lowerEntries(dL * L.transpose() + L * dL.transpose());
     }
   }
   J(row, col) = 1;
@@ -159,7 +94,7 @@ VectorXd Parametrisation::natural(const ModelParameters& at) const {
     next += n_;
   }
   for (const MatrixXd& covariance : at.mixture.covariances) {
-    values.segment(next, triangle_) = entriesOf(covariance);
+    values.segment(next, triangle_) = lowerEntries(covariance);
     next += triangle_;
   }
   values[next] = at.noise_variance;

@@ -79,6 +79,8 @@ StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisatio
   if (!std::isfinite(point.log_likelihood)) {
     errors.covariance = errors.robust_covariance =
         MatrixXd::Constant(natural, natural, std::numeric_limits<double>::quiet_NaN());
+    errors.coordinate_covariance = errors.robust_coordinate_covariance =
+        MatrixXd::Constant(size, size, std::numeric_limits<double>::quiet_NaN());
     return errors;
   }
   MatrixXd jacobian = parametrisation.jacobian(point.coordinates);
@@ -117,9 +119,11 @@ StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisatio
   }
   const MatrixXd natural_scores =
       parametrisation.jacobian(point.coordinates).transpose() * point.natural_scores;
+  errors.coordinate_covariance = inverse;
+  errors.robust_coordinate_covariance =
+      inverse * (natural_scores * natural_scores.transpose()) * inverse;
   errors.covariance = jacobian * inverse * jacobian.transpose();
-  errors.robust_covariance = jacobian * inverse * (natural_scores * natural_scores.transpose()) *
-                             inverse * jacobian.transpose();
+  errors.robust_covariance = jacobian * errors.robust_coordinate_covariance * jacobian.transpose();
   mark(unknown, &errors.covariance);
   // fewer experiments than coordinates: the scores cannot span them, and the sandwich would be too
   // small

@@ -116,6 +116,7 @@ void bind(Archive& archive, Estimate& estimate) {
   });
   archive("nominal_model", estimate.nominal_model);
   archive("error_model", estimate.error_model);
+  archive("joint_covariance", estimate.joint_covariance);
   archive.section("noise_variance",
                   [&estimate](auto& section) { bindScalar(section, estimate.noise_variance); });
   archive.section("offsets", [&estimate](auto& section) {

@@ -68,18 +68,25 @@ ErrorBasis::ErrorBasis(const ErrorModelOptions& options) : options_(options), ta
   T_ = taps_ == 0 ? Eigen::MatrixXd(0, 0) : constraintMatrix(options_, staticGains());
 }
 
-Eigen::VectorXd ErrorBasis::staticGains() const {
+Eigen::VectorXcd ErrorBasis::responses(std::complex<double> z_inverse) const {
   const Chain chain = chainOf(options_);
-  const double section = 1 + chain.denominator.sum();
-  Eigen::VectorXd gains(taps_);
-  double allpass = 1;
+  const auto at = [z_inverse](const Eigen::VectorXd& p) {
+    std::complex<double> value = 0;
+    for (Eigen::Index k = p.size() - 1; k >= 0; --k) value = value * z_inverse + p[k];
+    return value;
+  };
+  const std::complex<double> section = 1.0 + z_inverse * at(chain.denominator);
+  Eigen::VectorXcd values(taps_);
+  std::complex<double> allpass = 1;
   for (int k = 0; k < taps_; ++k) {
     const std::size_t within = static_cast<std::size_t>(k) % chain.first.size();
-    if (k > 0 && within == 0) allpass *= chain.allpass.sum() / section;
-    gains[k] = allpass * chain.first[within].sum() / section;
+    if (k > 0 && within == 0) allpass *= at(chain.allpass) / section;
+    values[k] = allpass * at(chain.first[within]) / section;
   }
-  return gains;
+  return values;
 }
+
+Eigen::VectorXd ErrorBasis::staticGains() const { return responses(1).real(); }
 
 Eigen::VectorXd ErrorBasis::denominator() const {
   const Chain chain = chainOf(options_);

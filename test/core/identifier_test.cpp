@@ -298,6 +298,27 @@ TEST(Identifier, FitsGoToItsSimulation) {
             identify(test::example1Configuration(), experiments).log_likelihood);
 }
 
+/// What bounds rest on: the plant's part is the nominal model's covariance in other coordinates.
+TEST(Identifier, GivesTheJointCovarianceOfPlantAndMixture) {
+  const Estimate estimate = identify(test::example1Configuration(), example1(40));
+  const Eigen::MatrixXd& joint = estimate.joint_covariance;
+  ASSERT_EQ(joint.rows(), 2 + 1 + 2 + 2);  // b1, a1; a weight, two means, two variances
+  const Eigen::MatrixXd& covariance = estimate.nominal_model.covariance;
+  const double slope = 1 - std::pow(estimate.nominal_model.a[0], 2);  // da/dz
+  EXPECT_NEAR(joint(0, 0), covariance(0, 0), 1e-9 * covariance(0, 0));
+  EXPECT_NEAR(joint(1, 1) * slope * slope, covariance(1, 1), 1e-9 * covariance(1, 1));
+  for (int k = 0; k < 2; ++k) {
+    const double error =
+        estimate.error_model.parameters[2 + static_cast<std::size_t>(k)].standard_error;
+    EXPECT_NEAR(std::sqrt(joint(3 + k, 3 + k)), error, 1e-9 * error);
+  }
+  Configuration simulation = test::example1Configuration();
+  simulation.nominal_model.fit = PlantFit::simulation;
+  const Estimate held = identify(simulation, example1(40));
+  EXPECT_GT(held.joint_covariance(0, 0), 0);
+  EXPECT_EQ(held.joint_covariance.rows(), joint.rows());
+}
+
 TEST(Identifier, ClimbsFromAZeroDeadTime) {
   test::RandomSystemOptions options;
   options.nc = options.nd = options.taps = 0;

@@ -6,14 +6,14 @@
 
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/estimation/expectation.h"
+#include "uncertainty_identification/model/mixture_coordinates.h"
 #include "uncertainty_identification/model/model.h"
 
 namespace uncertainty_identification {
 
 /// Unbounded coordinates of all parameters, in which the likelihood is climbed without constraints:
-///   model parameters through Model::toUnbounded; weights through the logarithm of their ratio to
-///   the last; means as they are (under zero_mean the last follows from the others); covariances as
-///   Gamma_i = floor + L_i L_i'; log sigma^2.
+///   model parameters through Model::toUnbounded; the mixture through MixtureCoordinates;
+///   log sigma^2.
 /// and natural coordinates [parameters; weights; means; covariances; log sigma^2] as of scores().
 class Parametrisation {
  public:
@@ -48,7 +48,7 @@ class Parametrisation {
   const Model& model_;
   Constraint constraint_;
   int p_, n_, kappa_, triangle_;
-  Eigen::MatrixXd floor_;
+  MixtureCoordinates mixture_;
 };
 
 }  // namespace uncertainty_identification

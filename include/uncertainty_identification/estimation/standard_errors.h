@@ -18,6 +18,9 @@ struct StandardErrors {
   Eigen::MatrixXd covariance;         ///< J H^-1 J', H the observed information
   Eigen::MatrixXd robust_covariance;  ///< sandwich J H^-1 (sum of score score') H^-1 J'; NaN for
                                       ///< fewer experiments than coordinates
+  /// The same in the unbounded coordinates, where the singular directions are left out instead.
+  Eigen::MatrixXd coordinate_covariance;
+  Eigen::MatrixXd robust_coordinate_covariance;
   std::vector<std::string> singular;  ///< one sentence per direction
 };
 

@@ -102,6 +102,18 @@ void bind(Archive& archive, ExperimentOptions& options) {
 }
 
 template <class Archive>
+void bind(Archive& archive, BoundsOptions& options) {
+  archive("levels", options.levels);
+  archive("frequencies", options.frequencies);
+  archive("grid", options.grid);
+  archive("steps", orAutomatic(options.steps, kAutomatic));
+  archive("samples", options.samples);
+  archive("weight_order", orAutomatic(options.weight_order, kAutomatic));
+  archive("weight_level", options.weight_level);
+  archive("folds", options.folds);
+}
+
+template <class Archive>
 void bind(Archive& archive, LimitOptions& options) {
   archive("max_experiments", options.max_experiments);
   archive("max_samples", options.max_samples);
@@ -127,6 +139,7 @@ void bind(Archive& archive, Configuration& configuration) {
   signal("output", configuration.output);
   archive("covariates", configuration.covariates);
   archive("experiment", configuration.experiment);
+  archive("bounds", configuration.bounds);
   archive("limits", configuration.limits);
   archive("bag_directory", configuration.bag_directory);
   archive("store_directory", configuration.store_directory);

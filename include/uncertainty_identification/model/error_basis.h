@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <complex>
 #include <vector>
 
 #include "uncertainty_identification/configuration.h"
@@ -31,6 +32,9 @@ class ErrorBasis {
 
   /// Static gains F_k(1) (taps).
   Eigen::VectorXd staticGains() const;
+
+  /// F_k(z) of all basis filters (taps) at z given by its inverse.
+  Eigen::VectorXcd responses(std::complex<double> z_inverse) const;
 
   /// Monic denominator common to all basis filters, without the leading 1 (empty for FIR).
   Eigen::VectorXd denominator() const;

@@ -9,7 +9,13 @@ namespace uncertainty_identification {
 /// What random numbers are drawn for. Every purpose has its own stream, so that switching one on
 /// leaves the numbers of the others as they were. Values are part of what a seed means: append,
 /// never renumber.
-enum class RandomPurpose : std::uint32_t { input = 1, system = 2, noise = 3, missing = 4 };
+enum class RandomPurpose : std::uint32_t {
+  input = 1,
+  system = 2,
+  noise = 3,
+  missing = 4,
+  plant = 5
+};
 
 /// The random numbers of one purpose in experiment r: they depend on nothing else, the number of
 /// experiments included.

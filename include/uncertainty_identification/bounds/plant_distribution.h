@@ -1,0 +1,68 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "uncertainty_identification/estimation/estimate.h"
+#include "uncertainty_identification/model/error_basis.h"
+#include "uncertainty_identification/model/mixture_coordinates.h"
+
+namespace uncertainty_identification {
+
+/// Plants G = q^-delay B/A (1 + sum_k eta_k F_k(q)), one per row.
+struct PlantSamples {
+  double sample_time = 0;  ///< [s]
+  int delay = 0;           ///< [samples]
+  Eigen::MatrixXd b;       ///< draws x nb
+  Eigen::MatrixXd a;       ///< draws x na, without the leading 1, stable
+  Eigen::MatrixXd eta;     ///< draws x taps; no columns = no error model
+  ErrorModelOptions basis; ///< what the filters F_k are
+
+  int count() const { return static_cast<int>(b.rows()); }
+};
+
+/// What the draws differ by.
+enum class Uncertainty {
+  mixture,  ///< the spread of the plant, with nominal model and mixture as estimated
+  total     ///< the errors of these estimates too (Estimate::joint_covariance)
+};
+
+/// The distribution of the plant that an estimate stands for: what the next experiment's G may be.
+class PlantDistribution {
+ public:
+  /// Throws DataError when the estimate's plant is not stable.
+  explicit PlantDistribution(const Estimate& estimate);
+
+  /// Go as the only row, without error model.
+  const PlantSamples& nominal() const { return nominal_; }
+
+  /// Whether the estimate's errors are known, which Uncertainty::total needs.
+  bool hasEstimationErrors() const { return root_.size() > 0; }
+
+  /// A Latin hypercube of `count` draws, each exactly distributed, together more even than
+  /// independent ones; the same seed gives the same draws. Throws DataError when the estimate's
+  /// errors are asked for but not known.
+  PlantSamples draw(int count, Uncertainty uncertainty, std::uint64_t seed) const;
+
+ private:
+  PlantSamples nominal_;
+  ErrorModelOptions basis_;
+  Eigen::MatrixXd T_;
+  MixtureCoordinates mixture_coordinates_;
+  Eigen::VectorXd center_;  ///< plant and mixture in unbounded coordinates
+  Eigen::MatrixXd root_;    ///< of their covariance; empty = not known
+};
+
+/// Real and imaginary parts, draws x frequencies.
+struct ComplexResponses {
+  Eigen::ArrayXXd real, imaginary;
+};
+
+/// G(e^(j omega Ts))/e^(-j omega Ts delay) of every draw, omega [rad/s]: the delay, which all have
+/// in common, turns the phase of all alike.
+ComplexResponses frequencyResponses(const PlantSamples& plants, const Eigen::VectorXd& omega);
+
+/// Responses of the output to a unit step of the input, from rest: draws x steps samples.
+Eigen::ArrayXXd stepResponses(const PlantSamples& plants, int steps);
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,174 @@
+#include "uncertainty_identification/bounds/plant_distribution.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <boost/math/special_functions/erf.hpp>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/estimation/plant_coordinates.h"
+#include "uncertainty_identification/model/polynomial.h"
+#include "uncertainty_identification/simulation/random_stream.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Uniform numbers in (0, 1), count x dimensions: each column holds one in each of `count` equal
+/// intervals, in random order (McKay, Beckman, Conover 1979).
+MatrixXd latinHypercube(int count, Index dimensions, std::mt19937_64* random) {
+  std::uniform_real_distribution<double> within(1e-12, 1);
+  MatrixXd cube(count, dimensions);
+  std::vector<int> order(static_cast<std::size_t>(count));
+  std::iota(order.begin(), order.end(), 0);
+  for (Index k = 0; k < dimensions; ++k) {
+    std::shuffle(order.begin(), order.end(), *random);
+    for (int i = 0; i < count; ++i)
+      cube(i, k) = (order[static_cast<std::size_t>(i)] + within(*random)) / count;
+  }
+  return cube;
+}
+
+double normalQuantile(double probability) {
+  using boost::math::policies::policy;
+  using boost::math::policies::promote_double;
+  return -std::sqrt(2.0) * boost::math::erfc_inv(2 * probability, policy<promote_double<false>>());
+}
+
+/// A square root of a covariance whose negative eigenvalues are rounding.
+MatrixXd rootOf(const MatrixXd& covariance) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(covariance);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+}
+
+/// xi of the mixture: `uniform` picks the component, `normals` (n) its deviation.
+VectorXd drawError(const Mixture& mixture, double uniform, const VectorXd& normals) {
+  std::size_t i = 0;
+  while (i + 1 < mixture.weights.size() && uniform >= mixture.weights[i])
+    uniform -= mixture.weights[i++];
+  return mixture.means[i] + lowerRoot(mixture.covariances[i]) * normals;
+}
+
+VectorXd joined(const VectorXd& head, const VectorXd& tail) {
+  VectorXd all(head.size() + tail.size());
+  all << head, tail;
+  return all;
+}
+
+PlantSamples nominalPlant(const Estimate& estimate) {
+  const NominalModelEstimate& go = estimate.nominal_model;
+  if (!isStable(go.a)) throw DataError("the nominal model is not stable: it has no bounds");
+  return {go.sample_time, go.delay,        go.b.transpose(), go.a.transpose(), MatrixXd(1, 0),
+          estimate.error_model.options};
+}
+
+/// Values at z^-1 of polynomials in rows, by the real and imaginary parts of the powers.
+void evaluate(const MatrixXd& coefficients, int first_power, const VectorXd& angles,
+              Eigen::ArrayXXd* real, Eigen::ArrayXXd* imaginary) {
+  const Index powers = coefficients.cols();
+  MatrixXd cosines(powers, angles.size()), sines(powers, angles.size());
+  for (Index k = 0; k < powers; ++k) {
+    const Eigen::ArrayXd turned = angles.array() * static_cast<double>(first_power + k);
+    cosines.row(k) = turned.cos().matrix().transpose();
+    sines.row(k) = -turned.sin().matrix().transpose();
+  }
+  *real = (coefficients * cosines).array();
+  *imaginary = (coefficients * sines).array();
+}
+
+}  // namespace
+
+PlantDistribution::PlantDistribution(const Estimate& estimate)
+    : nominal_(nominalPlant(estimate)),
+      basis_(estimate.error_model.options),
+      T_(estimate.error_model.T),
+      mixture_coordinates_(estimate.error_model.mixture.components(),
+                           estimate.error_model.mixture.dimension(),
+                           basis_.constraint == Constraint::zero_mean) {
+  const Mixture& mixture = estimate.error_model.mixture;
+  const VectorXd plant = plantCoordinates(estimate.nominal_model.b, estimate.nominal_model.a);
+  center_ = mixture.dimension() > 0 ? joined(plant, mixture_coordinates_.toCoordinates(mixture))
+                                    : plant;
+  if (basis_.constraint == Constraint::explicit_matrix) basis_.T = T_;
+  const MatrixXd& covariance = estimate.joint_covariance;
+  if (covariance.rows() == center_.size() && covariance.allFinite()) root_ = rootOf(covariance);
+}
+
+PlantSamples PlantDistribution::draw(int count, Uncertainty uncertainty,
+                                     std::uint64_t seed) const {
+  const bool total = uncertainty == Uncertainty::total;
+  if (total && !hasEstimationErrors()) {
+    throw DataError(
+        "the errors of the estimate are not known (it was cancelled, or the data leave them "
+        "undetermined): only the bounds of the mixture alone can be had");
+  }
+  const Index nb = nominal_.b.cols(), na = nominal_.a.cols(), plant = nb + na, n = T_.cols();
+  std::mt19937_64 random = randomStream(seed, 0, RandomPurpose::plant);
+  // the plant's own draws come first: they are the same for both kinds of uncertainty
+  MatrixXd own = latinHypercube(count, n > 0 ? n + 1 : 0, &random);
+  if (n > 0) own.rightCols(n) = own.rightCols(n).unaryExpr(&normalQuantile);
+  MatrixXd errors;
+  if (total)
+    errors = latinHypercube(count, center_.size(), &random).unaryExpr(&normalQuantile) *
+             root_.transpose();
+  PlantSamples drawn{nominal_.sample_time, nominal_.delay,     MatrixXd(count, nb),
+                     MatrixXd(count, na),  MatrixXd(count, T_.rows()), basis_};
+  for (Index i = 0; i < count; ++i) {
+    const VectorXd at = total ? VectorXd(center_ + errors.row(i).transpose()) : center_;
+    drawn.b.row(i) = at.head(nb).transpose();
+    drawn.a.row(i) = fromUnbounded(at.segment(nb, na)).transpose();
+    if (n == 0) continue;
+    const Mixture mixture = mixture_coordinates_.fromCoordinates(at.tail(at.size() - plant));
+    drawn.eta.row(i) =
+        (T_ * drawError(mixture, own(i, 0), own.row(i).tail(n).transpose())).transpose();
+  }
+  return drawn;
+}
+
+ComplexResponses frequencyResponses(const PlantSamples& plants, const VectorXd& omega) {
+  const VectorXd angles = omega * plants.sample_time;
+  Eigen::ArrayXXd br, bi, ar, ai;
+  evaluate(plants.b, 0, angles, &br, &bi);
+  evaluate(plants.a, 1, angles, &ar, &ai);
+  ar += 1;
+  if (plants.eta.cols() > 0) {
+    const ErrorBasis basis(plants.basis);
+    MatrixXd fr(plants.eta.cols(), omega.size()), fi(plants.eta.cols(), omega.size());
+    for (Index k = 0; k < omega.size(); ++k) {
+      const Eigen::VectorXcd f = basis.responses(std::polar(1.0, -angles[k]));
+      fr.col(k) = f.real();
+      fi.col(k) = f.imag();
+    }
+    const Eigen::ArrayXXd dr = (plants.eta * fr).array() + 1, di = (plants.eta * fi).array();
+    const Eigen::ArrayXXd product = br * dr - bi * di;
+    bi = br * di + bi * dr;
+    br = product;
+  }
+  const Eigen::ArrayXXd scale = (ar * ar + ai * ai).inverse();
+  return {(br * ar + bi * ai) * scale, (bi * ar - br * ai) * scale};
+}
+
+Eigen::ArrayXXd stepResponses(const PlantSamples& plants, int steps) {
+  Eigen::ArrayXXd input = Eigen::ArrayXXd::Ones(plants.count(), steps);
+  if (plants.eta.cols() > 0) {  // the basis filters come first: their outputs are common to all
+    const std::vector<Signals> of_basis =
+        ErrorBasis(plants.basis).filtered(Signals::Ones(kLanes, steps));
+    for (std::size_t k = 0; k < of_basis.size(); ++k)
+      input.matrix() += plants.eta.col(static_cast<Index>(k)) * of_basis[k].row(0).matrix();
+  }
+  Eigen::ArrayXXd y = Eigen::ArrayXXd::Zero(plants.count(), steps);
+  for (Index t = plants.delay; t < steps; ++t) {
+    for (Index k = 0; k < std::min(plants.b.cols(), t - plants.delay + 1); ++k)
+      y.col(t) += plants.b.col(k).array() * input.col(t - plants.delay - k);
+    for (Index k = 0; k < std::min(plants.a.cols(), t); ++k)
+      y.col(t) -= plants.a.col(k).array() * y.col(t - 1 - k);
+  }
+  return y;
+}
+
+}  // namespace uncertainty_identification
