@@ -63,22 +63,22 @@ VectorXd joined(const VectorXd& head, const VectorXd& tail) {
 PlantSamples nominalPlant(const Estimate& estimate) {
   const NominalModelEstimate& go = estimate.nominal_model;
   if (!isStable(go.a)) throw DataError("the nominal model is not stable: it has no bounds");
-  return {go.sample_time, go.delay,        go.b.transpose(), go.a.transpose(), MatrixXd(1, 0),
-          estimate.error_model.options};
+  return {go.sample_time,   go.delay,       go.b.transpose(),
+          go.a.transpose(), MatrixXd(1, 0), estimate.error_model.options};
 }
 
-/// Values at z^-1 of polynomials in rows, by the real and imaginary parts of the powers.
-void evaluate(const MatrixXd& coefficients, int first_power, const VectorXd& angles,
-              Eigen::ArrayXXd* real, Eigen::ArrayXXd* imaginary) {
+/// Values at z^-1 of polynomials in rows, from the power `first` on.
+void evaluate(const MatrixXd& coefficients, int first, const VectorXd& angles,
+              ComplexResponses* values) {
   const Index powers = coefficients.cols();
   MatrixXd cosines(powers, angles.size()), sines(powers, angles.size());
   for (Index k = 0; k < powers; ++k) {
-    const Eigen::ArrayXd turned = angles.array() * static_cast<double>(first_power + k);
+    const Eigen::ArrayXd turned = angles.array() * static_cast<double>(first + k);
     cosines.row(k) = turned.cos().matrix().transpose();
     sines.row(k) = -turned.sin().matrix().transpose();
   }
-  *real = (coefficients * cosines).array();
-  *imaginary = (coefficients * sines).array();
+  values->real.noalias() = coefficients * cosines;
+  values->imaginary.noalias() = coefficients * sines;
 }
 
 }  // namespace
@@ -92,15 +92,14 @@ PlantDistribution::PlantDistribution(const Estimate& estimate)
                            basis_.constraint == Constraint::zero_mean) {
   const Mixture& mixture = estimate.error_model.mixture;
   const VectorXd plant = plantCoordinates(estimate.nominal_model.b, estimate.nominal_model.a);
-  center_ = mixture.dimension() > 0 ? joined(plant, mixture_coordinates_.toCoordinates(mixture))
-                                    : plant;
+  center_ =
+      mixture.dimension() > 0 ? joined(plant, mixture_coordinates_.toCoordinates(mixture)) : plant;
   if (basis_.constraint == Constraint::explicit_matrix) basis_.T = T_;
   const MatrixXd& covariance = estimate.joint_covariance;
   if (covariance.rows() == center_.size() && covariance.allFinite()) root_ = rootOf(covariance);
 }
 
-PlantSamples PlantDistribution::draw(int count, Uncertainty uncertainty,
-                                     std::uint64_t seed) const {
+PlantSamples PlantDistribution::draw(int count, Uncertainty uncertainty, std::uint64_t seed) const {
   const bool total = uncertainty == Uncertainty::total;
   if (total && !hasEstimationErrors()) {
     throw DataError(
@@ -116,8 +115,9 @@ PlantSamples PlantDistribution::draw(int count, Uncertainty uncertainty,
   if (total)
     errors = latinHypercube(count, center_.size(), &random).unaryExpr(&normalQuantile) *
              root_.transpose();
-  PlantSamples drawn{nominal_.sample_time, nominal_.delay,     MatrixXd(count, nb),
-                     MatrixXd(count, na),  MatrixXd(count, T_.rows()), basis_};
+  PlantSamples drawn{nominal_.sample_time,       nominal_.delay,
+                     MatrixXd(count, nb),        MatrixXd(count, na),
+                     MatrixXd(count, T_.rows()), basis_};
   for (Index i = 0; i < count; ++i) {
     const VectorXd at = total ? VectorXd(center_ + errors.row(i).transpose()) : center_;
     drawn.b.row(i) = at.head(nb).transpose();
@@ -130,27 +130,35 @@ PlantSamples PlantDistribution::draw(int count, Uncertainty uncertainty,
   return drawn;
 }
 
-ComplexResponses frequencyResponses(const PlantSamples& plants, const VectorXd& omega) {
-  const VectorXd angles = omega * plants.sample_time;
-  Eigen::ArrayXXd br, bi, ar, ai;
-  evaluate(plants.b, 0, angles, &br, &bi);
-  evaluate(plants.a, 1, angles, &ar, &ai);
-  ar += 1;
-  if (plants.eta.cols() > 0) {
-    const ErrorBasis basis(plants.basis);
-    MatrixXd fr(plants.eta.cols(), omega.size()), fi(plants.eta.cols(), omega.size());
-    for (Index k = 0; k < omega.size(); ++k) {
-      const Eigen::VectorXcd f = basis.responses(std::polar(1.0, -angles[k]));
-      fr.col(k) = f.real();
-      fi.col(k) = f.imag();
-    }
-    const Eigen::ArrayXXd dr = (plants.eta * fr).array() + 1, di = (plants.eta * fi).array();
-    const Eigen::ArrayXXd product = br * dr - bi * di;
-    bi = br * di + bi * dr;
-    br = product;
+const ComplexResponses& ResponseSweep::at(const VectorXd& omega) {
+  const VectorXd angles = omega * plants_.sample_time;
+  evaluate(plants_.b, 0, angles, &numerator_);
+  evaluate(plants_.a, 1, angles, &denominator_);
+  denominator_.real.array() += 1;
+  const auto br = numerator_.real.array(), bi = numerator_.imaginary.array();
+  const auto ar = denominator_.real.array(), ai = denominator_.imaginary.array();
+  scale_ = (ar * ar + ai * ai).inverse();
+  response_.real = ((br * ar + bi * ai) * scale_).matrix();
+  response_.imaginary = ((bi * ar - br * ai) * scale_).matrix();
+  if (plants_.eta.cols() == 0) return response_;
+  MatrixXd fr(plants_.eta.cols(), omega.size()), fi(plants_.eta.cols(), omega.size());
+  for (Index k = 0; k < omega.size(); ++k) {
+    const Eigen::VectorXcd f = basis_.responses(std::polar(1.0, -angles[k]));
+    fr.col(k) = f.real();
+    fi.col(k) = f.imag();
   }
-  const Eigen::ArrayXXd scale = (ar * ar + ai * ai).inverse();
-  return {(br * ar + bi * ai) * scale, (bi * ar - br * ai) * scale};
+  error_.real.noalias() = plants_.eta * fr;
+  error_.imaginary.noalias() = plants_.eta * fi;
+  error_.real.array() += 1;
+  const auto er = error_.real.array(), ei = error_.imaginary.array();
+  scale_ = response_.real.array() * er - response_.imaginary.array() * ei;
+  response_.imaginary = (response_.real.array() * ei + response_.imaginary.array() * er).matrix();
+  response_.real = scale_.matrix();
+  return response_;
+}
+
+ComplexResponses frequencyResponses(const PlantSamples& plants, const VectorXd& omega) {
+  return ResponseSweep(plants).at(omega);
 }
 
 Eigen::ArrayXXd stepResponses(const PlantSamples& plants, int steps) {

@@ -15,10 +15,11 @@ using Eigen::ArrayXf;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr Index kAtOnce = 8;           // frequencies whose responses stay in the cache
-constexpr float kResolution = 1e-5F;   // of nepers, radians, relative errors
+constexpr Index kAtOnce = 8;          // frequencies whose responses stay in the cache
+constexpr float kResolution = 1e-5F;  // of nepers, radians, relative errors
 
-/// A monotone function of the angle of re + j im that needs no arc tangent, from -2 (-pi) to 2 (pi).
+/// A monotone function of the angle of re + j im that needs no arc tangent, from -2 (-pi) to 2
+/// (pi).
 ArrayXf diamondAngle(const ArrayXf& re, const ArrayXf& im) {
   const ArrayXf s = im / (re.abs() + im.abs()).max(1e-30F);
   const ArrayXf behind = (im < 0).select(-2 - s, 2 - s);
@@ -55,17 +56,21 @@ ResponseBands ratioBands(const PlantSamples& drawn, const PlantSamples& nominal,
   BandBuilder magnitude(levels, draws, omega.size(), Sides::two, kResolution);
   BandBuilder phase(levels, draws, omega.size(), Sides::two, kResolution);
   BandBuilder error(levels, draws, omega.size(), Sides::upper, kResolution);
+  ResponseSweep sweep(drawn), nominal_sweep(nominal);
+  ArrayXf re, im;
   for (Index first = 0; first < omega.size(); first += kAtOnce) {
     const VectorXd at = omega.segment(first, std::min(kAtOnce, omega.size() - first));
-    const ComplexResponses all = frequencyResponses(drawn, at);
-    const ComplexResponses of_nominal = frequencyResponses(nominal, at);
+    const ComplexResponses& all = sweep.at(at);
+    const ComplexResponses& of_nominal = nominal_sweep.at(at);
     for (Index k = 0; k < at.size(); ++k) {
       const std::complex<double> inverse =
           1.0 / std::complex<double>(of_nominal.real(0, k), of_nominal.imaginary(0, k));
-      const ArrayXf re =
-          (all.real.col(k) * inverse.real() - all.imaginary.col(k) * inverse.imag()).cast<float>();
-      const ArrayXf im =
-          (all.real.col(k) * inverse.imag() + all.imaginary.col(k) * inverse.real()).cast<float>();
+      re =
+          (all.real.col(k).array() * inverse.real() - all.imaginary.col(k).array() * inverse.imag())
+              .cast<float>();
+      im =
+          (all.real.col(k).array() * inverse.imag() + all.imaginary.col(k).array() * inverse.real())
+              .cast<float>();
       magnitude.add(0.5F * (re * re + im * im).max(1e-36F).log());
       phase.add(diamondAngle(re, im));
       error.add(((re - 1).square() + im.square()).sqrt());
@@ -89,7 +94,7 @@ void describeNominal(const PlantSamples& nominal, FrequencyBounds* bounds) {
   const ComplexResponses response = frequencyResponses(nominal, bounds->omega);
   const Index points = bounds->omega.size();
   bounds->magnitude =
-      (response.real.square() + response.imaginary.square()).sqrt().row(0).transpose();
+      (response.real.array().square() + response.imaginary.array().square()).sqrt().matrix().row(0);
   bounds->phase.resize(points);
   const double turn = 2 * std::acos(-1.0);
   double last = 0;
@@ -137,8 +142,7 @@ FrequencyBounds frequencyBounds(const PlantDistribution& plants, const VectorXd&
 
 StepBounds stepBounds(const PlantDistribution& plants, const BoundsOptions& options,
                       std::uint64_t seed) {
-  const int steps =
-      options.steps == kAutomatic ? settlingSteps(plants.nominal()) : options.steps;
+  const int steps = options.steps == kAutomatic ? settlingSteps(plants.nominal()) : options.steps;
   StepBounds bounds;
   bounds.time = VectorXd::LinSpaced(steps, 0, steps - 1) * plants.nominal().sample_time;
   bounds.nominal = stepResponses(plants.nominal(), steps).row(0).transpose();

@@ -29,8 +29,8 @@ enum class Sides { two, upper };  ///< upper: the lower limit is 0
 ///
 /// Pointwise limits are order statistics: of S draws the k-th smallest is exceeded by a further
 /// plant with probability 1 - k/(S + 1), whatever the distribution. A simultaneous band is the
-/// pointwise one stretched about the median, by the same factor at all points, until a share `level`
-/// of the draws never leaves it.
+/// pointwise one stretched about the median, by the same factor at all points, until a share
+/// `level` of the draws never leaves it.
 class BandBuilder {
  public:
   /// Differences below `resolution` count as none: rounding must not stretch a band where all

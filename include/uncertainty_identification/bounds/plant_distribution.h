@@ -11,12 +11,12 @@ namespace uncertainty_identification {
 
 /// Plants G = q^-delay B/A (1 + sum_k eta_k F_k(q)), one per row.
 struct PlantSamples {
-  double sample_time = 0;  ///< [s]
-  int delay = 0;           ///< [samples]
-  Eigen::MatrixXd b;       ///< draws x nb
-  Eigen::MatrixXd a;       ///< draws x na, without the leading 1, stable
-  Eigen::MatrixXd eta;     ///< draws x taps; no columns = no error model
-  ErrorModelOptions basis; ///< what the filters F_k are
+  double sample_time = 0;   ///< [s]
+  int delay = 0;            ///< [samples]
+  Eigen::MatrixXd b;        ///< draws x nb
+  Eigen::MatrixXd a;        ///< draws x na, without the leading 1, stable
+  Eigen::MatrixXd eta;      ///< draws x taps; no columns = no error model
+  ErrorModelOptions basis;  ///< what the filters F_k are
 
   int count() const { return static_cast<int>(b.rows()); }
 };
@@ -55,11 +55,27 @@ class PlantDistribution {
 
 /// Real and imaginary parts, draws x frequencies.
 struct ComplexResponses {
-  Eigen::ArrayXXd real, imaginary;
+  Eigen::MatrixXd real, imaginary;
 };
 
-/// G(e^(j omega Ts))/e^(-j omega Ts delay) of every draw, omega [rad/s]: the delay, which all have
-/// in common, turns the phase of all alike.
+/// Frequency responses of the same plants, some frequencies at a time, without allocations.
+class ResponseSweep {
+ public:
+  /// `plants` must outlive this object.
+  explicit ResponseSweep(const PlantSamples& plants) : plants_(plants), basis_(plants.basis) {}
+
+  /// G(e^(j omega Ts))/e^(-j omega Ts delay) of every draw, omega [rad/s]: the delay, which all
+  /// have in common, turns the phase of all alike. Valid until the next call.
+  const ComplexResponses& at(const Eigen::VectorXd& omega);
+
+ private:
+  const PlantSamples& plants_;
+  ErrorBasis basis_;
+  ComplexResponses numerator_, denominator_, error_, response_;
+  Eigen::ArrayXXd scale_;
+};
+
+/// The same at once.
 ComplexResponses frequencyResponses(const PlantSamples& plants, const Eigen::VectorXd& omega);
 
 /// Responses of the output to a unit step of the input, from rest: draws x steps samples.

@@ -16,9 +16,9 @@ struct UncertaintyBands {
 
 /// Bands of the response of G = Go (1 + GDelta) over frequency.
 struct FrequencyBounds {
-  Eigen::VectorXd omega;      ///< [rad/s]
-  Eigen::VectorXd magnitude;  ///< |Go| [unit of y / unit of u]
-  Eigen::VectorXd phase;      ///< of Go, unwrapped, the delay included [rad]
+  Eigen::VectorXd omega;             ///< [rad/s]
+  Eigen::VectorXd magnitude;         ///< |Go| [unit of y / unit of u]
+  Eigen::VectorXd phase;             ///< of Go, unwrapped, the delay included [rad]
   UncertaintyBands magnitude_bands;  ///< [unit of y / unit of u]
   UncertaintyBands phase_bands;      ///< [rad]; a plant's phase counts within half a turn of Go's
   UncertaintyBands relative_error;   ///< |G/Go - 1| [1]: the multiplicative uncertainty; upper only

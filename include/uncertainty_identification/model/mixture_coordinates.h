@@ -11,8 +11,8 @@ namespace uncertainty_identification {
 /// Gamma_i = floor + L_i L_i'.
 class MixtureCoordinates {
  public:
-  /// `floor` (n x n, positive semidefinite; empty = zero) is the smallest covariance a component may
-  /// take.
+  /// `floor` (n x n, positive semidefinite; empty = zero) is the smallest covariance a component
+  /// may take.
   MixtureCoordinates(int components, int dimension, bool zero_mean,
                      const Eigen::MatrixXd& floor = {});
 

@@ -79,7 +79,8 @@ TEST(Bands, SimultaneousBandsHoldTheirShare) {
 TEST(Bands, RoundingDoesNotStretchThem) {
   ArrayXXf values = walks(999, 10);
   std::mt19937_64 random(1);
-  for (int i = 0; i < 999; ++i) values(i, 3) = std::uniform_real_distribution<float>(0, 1e-8F)(random);
+  for (int i = 0; i < 999; ++i)
+    values(i, 3) = std::uniform_real_distribution<float>(0, 1e-8F)(random);
   values(17, 3) = 5e-7F;  // far outside the others, and yet nothing
   const Bands bands = bandsOf(values, {0.9}, Sides::two);
   values.col(3).setZero();

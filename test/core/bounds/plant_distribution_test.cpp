@@ -56,9 +56,7 @@ TEST(PlantDistribution, EveryDrawIsStable) {
 
 TEST(PlantDistribution, SameSeedSameDraws) {
   const PlantDistribution plants(test::plainEstimate(vectorOf({1.0}), vectorOf({0.5})));
-  const auto draw = [&](std::uint64_t seed) {
-    return plants.draw(50, Uncertainty::total, seed);
-  };
+  const auto draw = [&](std::uint64_t seed) { return plants.draw(50, Uncertainty::total, seed); };
   EXPECT_EQ(draw(1).eta, draw(1).eta);
   EXPECT_EQ(draw(1).b, draw(1).b);
   EXPECT_NE(draw(1).b, draw(2).b);
