@@ -32,10 +32,7 @@ ArrayXcd inverses(const VectorXd& angles) {
 class Excess {
  public:
   Excess(const VectorXd& angles, const VectorXd& log_bound, int order, double sharpness)
-      : z_inverse_(inverses(angles)),
-        log_bound_(log_bound),
-        order_(order),
-        sharpness_(sharpness) {}
+      : z_inverse_(inverses(angles)), log_bound_(log_bound), order_(order), sharpness_(sharpness) {}
 
   static double evaluate(const std::vector<double>& x, std::vector<double>& gradient, void* self) {
     return static_cast<const Excess*>(self)->value(x, &gradient);

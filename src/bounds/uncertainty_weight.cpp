@@ -18,9 +18,9 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr int kCheckFrequencies = 10000;
-constexpr double kFloor = 1e-3;           // of the peak
-constexpr double kEnough = 1.1;           // over-bounding at which an order suffices
-constexpr int kLargestAutomatic = 6;      // order
+constexpr double kFloor = 1e-3;       // of the peak
+constexpr double kEnough = 1.1;       // over-bounding at which an order suffices
+constexpr int kLargestAutomatic = 6;  // order
 constexpr Index kFitPoints = 200;
 
 /// The grid's span, half of the points evenly spaced in logarithm and half evenly: both ends seen.
@@ -69,18 +69,16 @@ double shareBelow(const PlantSamples& drawn, const PlantSamples& nominal, const 
                   const ArrayXd& limit) {
   Eigen::Array<bool, Eigen::Dynamic, 1> below =
       Eigen::Array<bool, Eigen::Dynamic, 1>::Constant(drawn.count(), true);
-  forRelativeErrors(drawn, nominal, omega, [&](Index k, const ArrayXd& errors) {
-    below = below && errors <= limit[k];
-  });
+  forRelativeErrors(drawn, nominal, omega,
+                    [&](Index k, const ArrayXd& errors) { below = below && errors <= limit[k]; });
   return below.cast<double>().mean();
 }
 
 /// Every so-manieth entry, the last included.
 VectorXd thinned(const VectorXd& all, Index count) {
   if (all.size() <= count) return all;
-  return VectorXd::NullaryExpr(count, [&](Index k) {
-    return all[k * (all.size() - 1) / (count - 1)];
-  });
+  return VectorXd::NullaryExpr(count,
+                               [&](Index k) { return all[k * (all.size() - 1) / (count - 1)]; });
 }
 
 /// The bound on the grid, by interpolation in logarithms between the check frequencies.
@@ -161,12 +159,11 @@ ArrayXd magnitudeOf(const UncertaintyWeight& weight, const VectorXd& omega, doub
 UncertaintyWeight uncertaintyWeight(const PlantDistribution& plants, const VectorXd& omega,
                                     const BoundsOptions& options, std::uint64_t seed) {
   const double sample_time = plants.nominal().sample_time;
-  const PlantSamples drawn = plants.draw(
-      options.samples,
-      plants.hasEstimationErrors() ? Uncertainty::total : Uncertainty::mixture, seed);
+  const PlantSamples drawn =
+      plants.draw(options.samples,
+                  plants.hasEstimationErrors() ? Uncertainty::total : Uncertainty::mixture, seed);
   const VectorXd check = checkFrequencies(omega);
-  const VectorXd bound =
-      simultaneousBound(drawn, plants.nominal(), check, options.weight_level);
+  const VectorXd bound = simultaneousBound(drawn, plants.nominal(), check, options.weight_level);
   if (!(bound.maxCoeff() > 1e-9)) {
     throw DataError("the plants do not differ from the nominal model: no weight is needed");
   }
@@ -179,8 +176,8 @@ UncertaintyWeight uncertaintyWeight(const PlantDistribution& plants, const Vecto
   const VectorXd at = thinned(omega, kFitPoints);
   const VectorXd log_bound = interpolated(check, bound, at).cwiseMax(weight.floor).array().log();
   MinimumPhase fit = fitOfLeastOrder(at * sample_time, log_bound, options.weight_order);
-  const ArrayXd excess = fit.logMagnitude(check * sample_time) -
-                         bound.cwiseMax(weight.floor).array().log();
+  const ArrayXd excess =
+      fit.logMagnitude(check * sample_time) - bound.cwiseMax(weight.floor).array().log();
   fit.gain *= std::exp(-excess.minCoeff()) * (1 + 1e-9);
   describe(fit, sample_time, &weight);
 

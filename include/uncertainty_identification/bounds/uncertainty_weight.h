@@ -21,7 +21,8 @@ struct UncertaintyWeight {
   Eigen::VectorXd omega;  ///< [rad/s] the stated grid
   Eigen::VectorXd bound;  ///< of |G/Go - 1| there, simultaneous at `level`
   double floor = 0;       ///< the bound counts as at least this: 1e-3 of its peak
-  double over_bounding_median = 0, over_bounding_max = 0;  ///< |W|/bound on the grid above the floor
+  double over_bounding_median = 0,
+         over_bounding_max = 0;  ///< |W|/bound on the grid above the floor
   int check_frequencies = 0;
   double margin = 0;  ///< smallest |W|/bound over the check frequencies; at least 1
 };

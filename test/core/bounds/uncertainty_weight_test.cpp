@@ -37,8 +37,8 @@ TEST(FitAbove, FindsARationalBoundAgain) {
 }
 
 UncertaintyWeight weightOf(const Estimate& estimate, const BoundsOptions& options = {}) {
-  return uncertaintyWeight(PlantDistribution(estimate),
-                           frequencyGrid(estimate.nominal_model, 500), options, 1);
+  return uncertaintyWeight(PlantDistribution(estimate), frequencyGrid(estimate.nominal_model, 500),
+                           options, 1);
 }
 
 TEST(UncertaintyWeight, CoversItsShareOfFreshPlants) {
@@ -112,8 +112,7 @@ TEST(UncertaintyWeight, KeepsAFloor) {
 }
 
 TEST(UncertaintyWeight, IsRefusedWherePlantsDoNotDiffer) {
-  const Estimate estimate =
-      test::estimateWithoutErrorModel(vectorOf({1.0}), vectorOf({0.5}), 0.0);
+  const Estimate estimate = test::estimateWithoutErrorModel(vectorOf({1.0}), vectorOf({0.5}), 0.0);
   EXPECT_THROW(weightOf(estimate), DataError);
 }
 
