@@ -71,8 +71,7 @@ ComplexRegion regionOf(const Polygon& polygon, const Metric& metric, double omeg
   const bool mirrored = metric.root.determinant() < 0;
   for (Index k = 0; k < corners; ++k) {
     const Index from = mirrored ? corners - 1 - k : k;
-    const Vector2d corner =
-        metric.center + metric.root * polygon[static_cast<std::size_t>(from)];
+    const Vector2d corner = metric.center + metric.root * polygon[static_cast<std::size_t>(from)];
     region.real[k] = corner[0];
     region.imaginary[k] = corner[1];
   }
@@ -84,15 +83,14 @@ ComplexRegion regionOf(const Polygon& polygon, const Metric& metric, double omeg
 std::vector<ComplexRegion> complexRegions(const PlantDistribution& plants,
                                           const Eigen::VectorXd& omega,
                                           const BoundsOptions& options, std::uint64_t seed) {
-  const PlantSamples drawn = plants.draw(
-      options.samples,
-      plants.hasEstimationErrors() ? Uncertainty::total : Uncertainty::mixture, seed);
+  const PlantSamples drawn =
+      plants.draw(options.samples,
+                  plants.hasEstimationErrors() ? Uncertainty::total : Uncertainty::mixture, seed);
   ResponseSweep sweep(drawn);
   std::vector<ComplexRegion> regions;
   for (Index k = 0; k < omega.size(); ++k) {
     const ComplexResponses& all = sweep.at(omega.segment(k, 1));
-    const std::complex<double> delay =
-        std::polar(1.0, -omega[k] * drawn.sample_time * drawn.delay);
+    const std::complex<double> delay = std::polar(1.0, -omega[k] * drawn.sample_time * drawn.delay);
     const ArrayXd re = all.real.array() * delay.real() - all.imaginary.array() * delay.imag();
     const ArrayXd im = all.real.array() * delay.imag() + all.imaginary.array() * delay.real();
     const Metric metric(re, im);

@@ -4,6 +4,7 @@
 
 #include "uncertainty_identification/data/atomic_file.h"
 #include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/bounds_json.h"
 #include "uncertainty_identification/io/configuration_binding.h"
 #include "uncertainty_identification/io/read_file.h"
 #include "uncertainty_identification/io/tree_reader.h"
@@ -161,16 +162,22 @@ Estimate estimateFromJson(const nlohmann::json& json) {
   return estimate;
 }
 
-void saveResult(const std::string& path, const Estimate& estimate) {
+void saveResult(const std::string& path, const Result& result) {
+  nlohmann::json tree = toJson(result.estimate);
+  if (result.bounds) tree["bounds"] = toJson(*result.bounds);
   // Ids come from users: what is not UTF-8 in them must not cost the result.
-  writeFileAtomically(
-      path, toJson(estimate).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  writeFileAtomically(path,
+                      tree.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
-Estimate loadResult(const std::string& path) {
+Result loadResult(const std::string& path) {
   const std::string content = readFile(path);
   try {
-    return estimateFromJson(nlohmann::json::parse(content));
+    const nlohmann::json tree = nlohmann::json::parse(content);
+    Result result{estimateFromJson(tree), {}};
+    if (tree.contains("bounds") && !tree["bounds"].empty())
+      result.bounds = boundsFromJson(tree["bounds"]);
+    return result;
   } catch (const nlohmann::json::parse_error& error) {
     throw ConfigurationError(path + ": not JSON, or truncated: " + error.what());
   } catch (const ConfigurationError& error) {

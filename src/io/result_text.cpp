@@ -107,4 +107,32 @@ std::string resultText(const Estimate& estimate) {
          validationText(estimate.validation) + findingsText(estimate);
 }
 
+std::string boundsText(const Bounds& bounds) {
+  const auto& bands = bounds.frequency.magnitude_bands;
+  const auto& errors = bounds.frequency.relative_error;
+  const bool total = !bands.total.empty();
+  const Bands& magnitude = total ? bands.total : bands.mixture;
+  const Bands& error = total ? errors.total : errors.mixture;
+  Rows rows{{"share of plants", "|G| at the lowest frequency", "largest |G/Go - 1|", "at [rad/s]"}};
+  for (std::size_t k = 0; k < bounds.levels.size(); ++k) {
+    Eigen::Index at = 0;
+    const double largest = error.simultaneous[k].upper.maxCoeff(&at);
+    rows.push_back({numberText(100 * bounds.levels[k]) + " %",
+                    numberText(magnitude.pointwise[k].lower[0]) + " to " +
+                        numberText(magnitude.pointwise[k].upper[0]),
+                    numberText(largest), numberText(bounds.frequency.omega[at])});
+  }
+  std::string text = "Bounds, from " + std::to_string(bounds.samples) +
+                     " plants drawn, errors of the estimate " +
+                     (total ? "included" : "not included") + "\n" + textTable(rows);
+  if (bounds.weight) {
+    const UncertaintyWeight& weight = *bounds.weight;
+    text += "G = Go (1 + W Delta): W of order " + std::to_string(weight.order) + " covers " +
+            numberText(100 * weight.level_held) + " % of the plants at all frequencies, " +
+            numberText(weight.over_bounding_median) + " times the bound (median)\n";
+  }
+  for (const std::string& warning : bounds.warnings) text += "Warning: " + warning + "\n";
+  return text;
+}
+
 }  // namespace uncertainty_identification

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,17 @@ ui::Estimate identify(const po::variables_map& arguments, const ui::InterruptGua
   return estimate;
 }
 
+/// None where they were not asked for or cannot be had: the model is worth keeping without them.
+std::optional<ui::Bounds> boundsOf(ui::Estimate* estimate) {
+  if (estimate->configuration.bounds.frequencies == 0) return {};
+  try {
+    return ui::computeBounds(*estimate);
+  } catch (const ui::DataError& error) {
+    estimate->warnings.push_back(std::string("no bounds: ") + error.what());
+    return {};
+  }
+}
+
 int run(const po::variables_map& arguments) {
   requireAvailable(arguments["method"].as<std::string>());
   if (arguments.count("data") == 0) {
@@ -70,7 +82,7 @@ int run(const po::variables_map& arguments) {
   const std::string output = arguments["output"].as<std::string>();
   ui::requireWritable(output);
   const ui::InterruptGuard interrupt;
-  const ui::Estimate estimate = identify(arguments, interrupt);
+  ui::Estimate estimate = identify(arguments, interrupt);
   if (interrupt.requested() || estimate.termination == ui::Termination::cancelled) {
     ui::printMessage(kName, "cancelled; nothing was written");
     return ui::kDataCannotAnswer;
@@ -78,8 +90,11 @@ int run(const po::variables_map& arguments) {
   if (!estimate.usable()) {
     throw ui::DataError("no usable model was found, nothing was written: " + estimate.message);
   }
-  ui::saveResult(output, estimate);
-  std::cout << ui::resultText(estimate);
+  const std::optional<ui::Bounds> bounds = boundsOf(&estimate);
+  const ui::Result result{estimate, bounds};
+  ui::saveResult(output, result);
+  std::cout << ui::resultText(result.estimate);
+  if (result.bounds) std::cout << ui::boundsText(*result.bounds);
   return ui::kDone;
 }
 

@@ -113,7 +113,7 @@ TEST_F(Tools, IdentifyWritesTheResultAndASummary) {
       identify({"--method", "se", "--validation", data(3, 2), "--", data(60, 1)});
   ASSERT_EQ(run.status, 0) << run.errors;
   EXPECT_EQ(run.errors, "");  // no progress bar: standard error is no terminal
-  const Estimate estimate = loadResult(result_);
+  const Estimate estimate = loadResult(result_).estimate;
   EXPECT_EQ(estimate.experiment_count, 60);
   EXPECT_EQ(estimate.sample_count, 6000);
   EXPECT_EQ(estimate.validation.experiments.size(), 3u);
@@ -223,7 +223,7 @@ TEST_F(Tools, EveryFormGivesTheSameEstimate) {
     ASSERT_EQ(simulateExample(folder_ / name).status, 0);
     const ProcessResult run = identify({folder_ / name});
     ASSERT_EQ(run.status, 0) << run.errors;
-    estimates.push_back(loadResult(result_));
+    estimates.push_back(loadResult(result_).estimate);
   }
   for (const Estimate& estimate : estimates) {
     EXPECT_EQ(estimate.experiment_count, 100);

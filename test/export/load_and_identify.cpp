@@ -17,6 +17,6 @@ int main(int argc, char** argv) {
   const ui::Configuration configuration = ui::loadConfiguration(argv[1]);
   const ui::Estimate estimate =
       ui::Identifier(configuration).identify(ui::loadData({argv[2]}, configuration).experiments);
-  ui::saveResult(argv[3], estimate);
+  ui::saveResult(argv[3], {estimate, ui::computeBounds(estimate)});
   return estimate.usable() ? 0 : 1;
 }

@@ -1,26 +1,34 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
+#include "uncertainty_identification/bounds/bounds.h"
 #include "uncertainty_identification/estimation/estimate.h"
 
 namespace uncertainty_identification {
 
 /// The estimate as result.json holds it ("format": "uncertainty_identification/result/1"). Numbers
-/// that are not finite are null; all others keep every bit. `bounds` is empty as long as none are
-/// computed.
+/// that are not finite are null; all others keep every bit. "bounds" is an empty object: who has
+/// some puts them there.
 nlohmann::json toJson(const Estimate& estimate);
 
 /// The estimate that toJson() wrote; null is NaN. Throws ConfigurationError, naming the field, for
 /// another format or version, a missing field or a wrong type.
 Estimate estimateFromJson(const nlohmann::json& json);
 
+/// What a result.json holds.
+struct Result {
+  Estimate estimate;
+  std::optional<Bounds> bounds;
+};
+
 /// Writes result.json, all of it or nothing. Throws FileError.
-void saveResult(const std::string& path, const Estimate& estimate);
+void saveResult(const std::string& path, const Result& result);
 
 /// Reads result.json. Throws FileError when it cannot be read, ConfigurationError when it holds no
 /// such result.
-Estimate loadResult(const std::string& path);
+Result loadResult(const std::string& path);
 
 }  // namespace uncertainty_identification

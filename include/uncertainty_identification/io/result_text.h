@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "uncertainty_identification/bounds/bounds.h"
 #include "uncertainty_identification/estimation/estimate.h"
 
 namespace uncertainty_identification {
@@ -11,5 +12,8 @@ namespace uncertainty_identification {
 /// choices and the fit on validation data, as far as there are any. Several lines, ending in a
 /// newline.
 std::string resultText(const Estimate& estimate);
+
+/// The bounds in a few lines: how far plants depart from the nominal model, and the weight.
+std::string boundsText(const Bounds& bounds);
 
 }  // namespace uncertainty_identification

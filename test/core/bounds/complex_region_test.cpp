@@ -46,7 +46,8 @@ TEST(ComplexRegions, HoldTheirShareOfOtherPlants) {
       inside += holds(regions[k], z.real(), z.imag());
     }
     const double level = regions[k].level;
-    EXPECT_NEAR(inside / 4000.0, level, 4 * std::sqrt(level * (1 - level) * (1.0 / 4000 + 1.0 / 2000)))
+    EXPECT_NEAR(inside / 4000.0, level,
+                4 * std::sqrt(level * (1 - level) * (1.0 / 4000 + 1.0 / 2000)))
         << k;
   }
 }
@@ -55,8 +56,8 @@ TEST(ComplexRegions, HoldTheirShareOfOtherPlants) {
 TEST(ComplexRegions, OfResponsesOnALine) {
   Estimate estimate = test::plainEstimate(test::vectorOf({1.0}), test::vectorOf({0.5}));
   estimate.joint_covariance.resize(0, 0);
-  const std::vector<ComplexRegion> regions = complexRegions(
-      PlantDistribution(estimate), test::vectorOf({3.0}), BoundsOptions(), 1);
+  const std::vector<ComplexRegion> regions =
+      complexRegions(PlantDistribution(estimate), test::vectorOf({3.0}), BoundsOptions(), 1);
   ASSERT_EQ(regions.size(), 4u);
   EXPECT_GE(regions[2].real.size(), 3);
   EXPECT_TRUE(regions[2].real.allFinite());

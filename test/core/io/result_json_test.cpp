@@ -200,8 +200,9 @@ TEST(ResultJson, OlderConfigurationsTakeDefaults) {
 
 TEST(ResultJson, SavesAndLoadsFiles) {
   const std::string path = testing::TempDir() + "result_json_test.json";
-  saveResult(path, estimate());
-  EXPECT_EQ(toJson(loadResult(path)), toJson(estimate()));
+  saveResult(path, {estimate(), {}});
+  EXPECT_EQ(toJson(loadResult(path).estimate), toJson(estimate()));
+  EXPECT_FALSE(loadResult(path).bounds.has_value());
 
   const std::string content = readFile(path);
   std::ofstream(path) << content.substr(0, content.size() / 2);
@@ -213,7 +214,7 @@ TEST(ResultJson, SavesAndLoadsFiles) {
         << error.what();
   }
   EXPECT_THROW(loadResult("/nowhere/result.json"), FileError);
-  EXPECT_THROW(saveResult("/nowhere/result.json", estimate()), FileError);
+  EXPECT_THROW(saveResult("/nowhere/result.json", {estimate(), {}}), FileError);
   EXPECT_EQ(std::remove(path.c_str()), 0);
 }
 
@@ -221,7 +222,7 @@ TEST(ResultJson, IdsThatAreNotUtf8DoNotCostTheResult) {
   Estimate full = estimate();
   full.rejected = {{"caf\xe9", "reason"}};
   const std::string path = testing::TempDir() + "result_json_test_utf8.json";
-  EXPECT_NO_THROW(saveResult(path, full));
+  EXPECT_NO_THROW(saveResult(path, {full, {}}));
   EXPECT_NO_THROW(loadResult(path));
   EXPECT_EQ(std::remove(path.c_str()), 0);
 }

@@ -1,0 +1,134 @@
+#include "uncertainty_identification/io/bounds_json.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "uncertainty_identification/io/tree_reader.h"
+#include "uncertainty_identification/io/tree_writer.h"
+
+namespace uncertainty_identification {
+
+template <class Archive>
+void bind(Archive& archive, Band& band) {
+  archive("level", band.level);
+  archive("lower", band.lower);
+  archive("upper", band.upper);
+}
+
+template <class Archive>
+void bind(Archive& archive, Bands& bands) {
+  archive("pointwise", bands.pointwise);
+  archive("simultaneous", bands.simultaneous);
+  archive("monte_carlo_error", bands.monte_carlo_error);
+}
+
+template <class Archive>
+void bind(Archive& archive, UncertaintyBands& bands) {
+  archive("mixture", bands.mixture);
+  archive("total", bands.total);
+}
+
+template <class Archive>
+void bind(Archive& archive, FrequencyBounds& bounds) {
+  archive("omega", bounds.omega);
+  archive("magnitude", bounds.magnitude);
+  archive("phase", bounds.phase);
+  archive("magnitude_bands", bounds.magnitude_bands);
+  archive("phase_bands", bounds.phase_bands);
+  archive("relative_error", bounds.relative_error);
+}
+
+template <class Archive>
+void bind(Archive& archive, StepBounds& bounds) {
+  archive("time", bounds.time);
+  archive("nominal", bounds.nominal);
+  archive("bands", bounds.bands);
+}
+
+template <class Archive>
+void bind(Archive& archive, ComplexRegion& region) {
+  archive("omega", region.omega);
+  archive("level", region.level);
+  archive("real", region.real);
+  archive("imaginary", region.imaginary);
+}
+
+template <class Archive>
+void bind(Archive& archive, UncertaintyWeight& weight) {
+  archive("level", weight.level);
+  archive("level_held", weight.level_held);
+  archive("order", weight.order);
+  archive("num", weight.num);
+  archive("den", weight.den);
+  archive.section("continuous", [&weight](auto& section) {
+    section("num", weight.continuous_num);
+    section("den", weight.continuous_den);
+  });
+  archive("omega", weight.omega);
+  archive("bound", weight.bound);
+  archive("floor", weight.floor);
+  archive("over_bounding_median", weight.over_bounding_median);
+  archive("over_bounding_max", weight.over_bounding_max);
+  archive("check_frequencies", weight.check_frequencies);
+  archive("margin", weight.margin);
+}
+
+template <class Archive>
+void bind(Archive& archive, Bounds& bounds) {
+  archive("levels", bounds.levels);
+  archive("samples", bounds.samples);
+  archive("seed", bounds.seed);
+  archive("frequency", bounds.frequency);
+  archive("step", bounds.step);
+  archive("regions", bounds.regions);
+  archive("warnings", bounds.warnings);
+  archive("seconds", bounds.seconds);
+}
+
+namespace {
+
+/// To six significant digits, in place.
+void roundNumbers(nlohmann::json* tree) {
+  if (tree->is_number_float()) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", tree->get<double>());
+    *tree = std::strtod(text, nullptr);
+  } else if (tree->is_structured()) {
+    for (nlohmann::json& entry : *tree) roundNumbers(&entry);
+  }
+}
+
+template <class Value>
+nlohmann::json written(const Value& value) {
+  TreeWriter writer;
+  Value copy = value;
+  bind(writer, copy);
+  return writer.tree();
+}
+
+template <class Value>
+Value read(const nlohmann::json& json) {
+  const std::map<std::string, int> no_lines;
+  TreeReader reader(json, no_lines, ReadingRule::record);
+  Value value;
+  bind(reader, value);
+  return value;
+}
+
+}  // namespace
+
+nlohmann::json toJson(const Bounds& bounds) {
+  nlohmann::json tree = written(bounds);
+  for (const char* key : {"frequency", "step", "regions"}) roundNumbers(&tree[key]);
+  if (bounds.weight) tree["weight"] = written(*bounds.weight);
+  return tree;
+}
+
+Bounds boundsFromJson(const nlohmann::json& json) {
+  Bounds bounds = read<Bounds>(json);
+  if (json.contains("weight")) bounds.weight = read<UncertaintyWeight>(json["weight"]);
+  return bounds;
+}
+
+}  // namespace uncertainty_identification
