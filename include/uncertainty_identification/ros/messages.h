@@ -29,6 +29,8 @@
 #include <uncertainty_identification/NominalModel.h>
 #include <uncertainty_identification/Parameter.h>
 #include <uncertainty_identification/Sample.h>
+#include <uncertainty_identification/SampleModels.h>
+#include <uncertainty_identification/UncertaintyBounds.h>
 #undef uncertainty_identification
 
 namespace uncertainty_identification {
