@@ -46,8 +46,7 @@ Bounds computeBounds(const Estimate& estimate) {
   } catch (const DataError& error) {
     bounds.warnings.push_back(std::string("no robust-control weight: ") + error.what());
   }
-  bounds.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  bounds.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return bounds;
 }
 

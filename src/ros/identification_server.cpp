@@ -31,10 +31,13 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                                            const Configuration& configuration)
     : configuration_(requireAvailable(configuration)),
       results_(private_node),
+      bounds_(private_node, configuration.bounds),
       status_(
           private_node, [this] { return worker_.status(); },
           [this] { return results_.sequence(); }),
-      worker_(configuration, {[this](const WorkerResult& result) { results_.publish(result); },
+      worker_(configuration, {[this](const WorkerResult& result) {
+                                bounds_.add(result.estimate, results_.publish(result));
+                              },
                               [this] { status_.publish(); }, warn}),
       recorder_(node, private_node, configuration,
                 {[this](FinishedExperiment experiment) { worker_.add(std::move(experiment)); },
@@ -100,6 +103,7 @@ void IdentificationServer::advertiseRequests() {
   using messages::GetResult;
   using messages::Identify;
   using messages::ListExperiments;
+  using messages::SampleModels;
   const boost::function<bool(Identify::Request&, Identify::Response&)> identify =
       [this](Identify::Request& request, Identify::Response& response) {
         response =
@@ -116,9 +120,16 @@ void IdentificationServer::advertiseRequests() {
         response = listExperiments();
         return true;
       };
+  const boost::function<bool(SampleModels::Request&, SampleModels::Response&)> sample =
+      [this](SampleModels::Request& request, SampleModels::Response& response) {
+        const auto last = results_.lastEstimate();
+        response = answerSampleModels(request, last.first.get(), last.second);
+        return true;
+      };
   services_.push_back(identify_thread_.node().advertiseService("identify", identify));
   services_.push_back(query_thread_.node().advertiseService("get_result", get_result));
   services_.push_back(query_thread_.node().advertiseService("list_experiments", list));
+  services_.push_back(query_thread_.node().advertiseService("sample_models", sample));
 }
 
 messages::GetResult::Response IdentificationServer::getResult() const {

@@ -20,6 +20,7 @@ namespace {
 using messages::GetResult;
 using messages::Identify;
 using messages::ListExperiments;
+using messages::SampleModels;
 
 class ServicesTest : public testing::Test {
  protected:
@@ -89,6 +90,51 @@ TEST_F(ServicesTest, ExperimentsAreCutByServices) {
   const auto answer = client_.call<GetResult>("get_result");
   EXPECT_EQ(answer.code, GetResult::Response::OK);
   EXPECT_GT(answer.result.experiment_count, 0U);
+}
+
+// Every result gets its bounds, and plants can be drawn from it.
+TEST_F(ServicesTest, ResultsHaveBoundsAndPlants) {
+  EXPECT_EQ(client_.call<SampleModels>("sample_models").code, SampleModels::Response::NONE_YET);
+  const Latest<messages::UncertaintyBounds> bounds("/identification/uncertainty_bounds");
+  for (const auto& experiment : example1Experiments(4)) {
+    ASSERT_TRUE(trigger("start_experiment"));
+    publish(experiment);
+    ASSERT_TRUE(trigger("finish_experiment"));
+  }
+  ASSERT_TRUE(waitFor([&] {
+    const auto last = client_.call<GetResult>("get_result").result;
+    return last.experiment_count == 4 && !last.preliminary &&
+           bounds.get().sequence == last.sequence;
+  })) << client_.status().message;
+  const messages::UncertaintyBounds of = bounds.get();
+  const std::size_t levels = of.levels.size(), points = of.omega.size();
+  ASSERT_GE(levels, 1U);
+  EXPECT_EQ(points, 500U);
+  ASSERT_EQ(of.magnitude_lower.size(), levels * points);
+  EXPECT_EQ(of.step_upper.size(), levels * of.time.size());
+  for (std::size_t k = 0; k < points; ++k) {
+    EXPECT_LE(of.magnitude_lower[k], of.magnitude_upper[k]);
+    EXPECT_LE(of.relative_error[k], of.relative_error_simultaneous[k] * (1 + 1e-6));
+  }
+  EXPECT_EQ(of.weight_num.size(), of.weight_den.size());
+  EXPECT_FALSE(of.weight_num.empty());
+
+  SampleModels::Request request;
+  request.count = 7;
+  request.seed = 3;
+  const auto drawn = client_.call<SampleModels>("sample_models", request);
+  EXPECT_EQ(drawn.code, SampleModels::Response::OK) << drawn.message;
+  EXPECT_EQ(drawn.sequence, of.sequence);
+  EXPECT_EQ(drawn.num.size(), 7 * drawn.numerator_size);
+  EXPECT_EQ(drawn.den.size(), 7 * drawn.denominator_size);
+  EXPECT_EQ(client_.call<SampleModels>("sample_models", request).num, drawn.num);
+  request.count = 10001;
+  EXPECT_EQ(client_.call<SampleModels>("sample_models", request).code,
+            SampleModels::Response::REQUEST_ERROR);
+  request.count = 1;
+  request.uncertainty = 2;
+  EXPECT_EQ(client_.call<SampleModels>("sample_models", request).code,
+            SampleModels::Response::REQUEST_ERROR);
 }
 
 TEST_F(ServicesTest, DiscardedExperimentsLeaveNothing) {

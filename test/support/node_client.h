@@ -67,6 +67,28 @@ class NodeClient {
   ros::AsyncSpinner spinner_;
 };
 
+/// The latest message on a topic, heard by the spinner of a NodeClient.
+template <typename Message>
+class Latest {
+ public:
+  explicit Latest(const std::string& topic)
+      : subscriber_(node_.subscribe<Message>(topic, 10, [this](const auto& message) {
+          const std::lock_guard<std::mutex> lock(mutex_);
+          message_ = *message;
+        })) {}
+
+  Message get() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return message_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  Message message_;
+  ros::NodeHandle node_;
+  ros::Subscriber subscriber_;  // last: its callback finds the rest
+};
+
 /// Plays a bag to its end, on its own clock. Returns the exit status of `rosbag play`.
 inline int playBag(const std::string& path, const std::string& options) {
   const std::string command = "rosbag play --quiet --clock --wait-for-subscribers " + options +

@@ -78,6 +78,15 @@ class ResponseSweep {
 /// The same at once.
 ComplexResponses frequencyResponses(const PlantSamples& plants, const Eigen::VectorXd& omega);
 
+/// G = q^-delay num/den of every draw, draws x coefficients of the powers of q^-1 from 0 on; the
+/// first of den is 1.
+struct TransferFunctions {
+  Eigen::MatrixXd num, den;
+};
+
+/// The error model multiplied out.
+TransferFunctions transferFunctions(const PlantSamples& plants);
+
 /// Responses of the output to a unit step of the input, from rest: draws x steps samples.
 Eigen::ArrayXXd stepResponses(const PlantSamples& plants, int steps);
 

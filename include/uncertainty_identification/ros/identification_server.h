@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "uncertainty_identification/configuration.h"
+#include "uncertainty_identification/ros/bounds_publisher.h"
 #include "uncertainty_identification/ros/experiment_recorder.h"
 #include "uncertainty_identification/ros/identification_worker.h"
 #include "uncertainty_identification/ros/messages.h"
@@ -18,10 +19,11 @@
 namespace uncertainty_identification {
 
 /// The node: topics to experiments (ExperimentRecorder), experiments to results
-/// (IdentificationWorker), results to topics (ResultPublisher, StatusPublisher), and services.
+/// (IdentificationWorker), results to topics (ResultPublisher, BoundsPublisher, StatusPublisher),
+/// and services.
 /// Topics and ~start_experiment, ~finish_experiment, ~discard_experiment, ~reset are served by the
-/// thread that spins; ~identify by one thread, ~get_result and ~list_experiments by another, so
-/// that no request keeps a sample from being recorded, or another from being answered.
+/// thread that spins; ~identify by one thread, ~get_result, ~list_experiments and ~sample_models by
+/// another, so that no request keeps a sample from being recorded, or another from being answered.
 class IdentificationServer {
  public:
   /// Throws ConfigurationError when the configuration is not valid, or asks for a store.
@@ -45,6 +47,7 @@ class IdentificationServer {
   const Configuration configuration_;
   std::atomic<bool> stopping_{false};
   ResultPublisher results_;
+  BoundsPublisher bounds_;
   StatusPublisher status_;
   IdentificationWorker worker_;
   ExperimentRecorder recorder_;

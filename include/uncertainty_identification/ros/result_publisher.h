@@ -2,10 +2,13 @@
 
 #include <ros/node_handle.h>
 
+#include <memory>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 #include "uncertainty_identification/ros/identification_worker.h"
+#include "uncertainty_identification/ros/message_conversions.h"
 #include "uncertainty_identification/ros/messages.h"
 
 namespace uncertainty_identification {
@@ -16,10 +19,14 @@ class ResultPublisher {
  public:
   explicit ResultPublisher(ros::NodeHandle private_node);
 
-  void publish(const WorkerResult& result);
+  /// The context that the result was published with.
+  ResultContext publish(const WorkerResult& result);
 
   /// What was published last; nothing before the first result, or after forget().
   std::optional<messages::IdentificationResult> last() const;
+
+  /// The estimate that last() was made from, null where that is nothing, and its number.
+  std::pair<std::shared_ptr<const Estimate>, std::uint32_t> lastEstimate() const;
 
   /// Number of the last result, 0 where last() is nothing.
   std::uint32_t sequence() const;
@@ -31,6 +38,7 @@ class ResultPublisher {
   mutable std::mutex mutex_;  // guards what follows
   std::uint32_t count_ = 0;
   std::optional<messages::IdentificationResult> last_;
+  std::shared_ptr<const Estimate> last_estimate_;
 };
 
 }  // namespace uncertainty_identification

@@ -100,6 +100,28 @@ TEST_P(Responses, OfFrequencyAndOfTimeAgree) {
   }
 }
 
+/// The error model multiplied out has the same response.
+TEST_P(Responses, OfTransferFunctionsAgree) {
+  const Estimate estimate = test::plainEstimate(vectorOf({1.0, 0.5}), vectorOf({-1.1, 0.4}));
+  PlantSamples one = PlantDistribution(estimate).nominal();
+  one.basis.basis = GetParam();
+  one.basis.taps = 4;
+  one.eta = vectorOf({0.3, -0.2, 0.1, 0.4}).transpose();
+  const TransferFunctions whole = transferFunctions(one);
+  const VectorXd omega = vectorOf({0.1, 3.0, 20.0});
+  const ComplexResponses response = frequencyResponses(one, omega);
+  EXPECT_EQ(whole.den(0, 0), 1);
+  for (Eigen::Index k = 0; k < omega.size(); ++k) {
+    std::complex<double> num = 0, den = 0;
+    for (Eigen::Index j = 0; j < whole.num.cols(); ++j)
+      num += whole.num(0, j) * std::polar(1.0, -omega[k] * 0.1 * static_cast<double>(j));
+    for (Eigen::Index j = 0; j < whole.den.cols(); ++j)
+      den += whole.den(0, j) * std::polar(1.0, -omega[k] * 0.1 * static_cast<double>(j));
+    EXPECT_NEAR(response.real(0, k), (num / den).real(), 1e-9);
+    EXPECT_NEAR(response.imaginary(0, k), (num / den).imag(), 1e-9);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Bases, Responses,
                          testing::Values(BasisKind::fir, BasisKind::laguerre, BasisKind::kautz));
 

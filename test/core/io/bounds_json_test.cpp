@@ -10,8 +10,7 @@ namespace uncertainty_identification {
 namespace {
 
 Bounds someBounds() {
-  Estimate estimate =
-      test::plainEstimate(test::vectorOf({1.0, 0.3}), test::vectorOf({-0.5}), 1e-5);
+  Estimate estimate = test::plainEstimate(test::vectorOf({1.0, 0.3}), test::vectorOf({-0.5}), 1e-5);
   estimate.configuration.bounds.frequencies = 50;
   estimate.configuration.bounds.weight_order = 1;
   return computeBounds(estimate);
@@ -36,8 +35,7 @@ TEST(BoundsJson, NamesWhatIsMissing) {
     boundsFromJson(tree);
     FAIL();
   } catch (const ConfigurationError& error) {
-    EXPECT_NE(std::string(error.what()).find("frequency.omega"), std::string::npos)
-        << error.what();
+    EXPECT_NE(std::string(error.what()).find("frequency.omega"), std::string::npos) << error.what();
   }
 }
 

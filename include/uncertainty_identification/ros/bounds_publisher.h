@@ -1,0 +1,49 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "uncertainty_identification/ros/bounds_message.h"
+
+namespace uncertainty_identification {
+
+/// Computes the bounds of results in a thread of its own, so that they delay nothing, and publishes
+/// them, latched: ~uncertainty_bounds, with the result's sequence number. Of results that come
+/// quicker than bounds can be computed only the newest gets some. May be used from any thread.
+class BoundsPublisher {
+ public:
+  /// Computes nothing when `options` ask for no frequencies.
+  BoundsPublisher(ros::NodeHandle private_node, const BoundsOptions& options);
+
+  /// Waits for the bounds being computed.
+  ~BoundsPublisher();
+
+  BoundsPublisher(const BoundsPublisher&) = delete;
+  BoundsPublisher& operator=(const BoundsPublisher&) = delete;
+
+  void add(std::shared_ptr<const Estimate> estimate, const ResultContext& context);
+
+ private:
+  struct Request {
+    std::shared_ptr<const Estimate> estimate;
+    ResultContext context;
+  };
+
+  void run();
+  void publish(const Request& request);
+
+  const bool wanted_;
+  ros::Publisher publisher_;
+  std::mutex mutex_;  // guards what follows
+  std::condition_variable changed_;
+  std::optional<Request> newest_;
+  bool stopping_ = false;
+  std::thread thread_;  // last, so that it finds all of the above
+};
+
+}  // namespace uncertainty_identification
