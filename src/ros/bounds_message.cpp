@@ -78,8 +78,8 @@ messages::SampleModels::Response drawnPlants(const messages::SampleModels::Reque
   using Request = messages::SampleModels::Request;
   const auto uncertainty =
       request.uncertainty == Request::TOTAL ? Uncertainty::total : Uncertainty::mixture;
-  const PlantSamples drawn = PlantDistribution(estimate).draw(static_cast<int>(request.count),
-                                                              uncertainty, request.seed);
+  const PlantSamples drawn =
+      PlantDistribution(estimate).draw(static_cast<int>(request.count), uncertainty, request.seed);
   const TransferFunctions all = transferFunctions(drawn);
   messages::SampleModels::Response response;
   response.sample_time = drawn.sample_time;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -126,6 +127,50 @@ TEST_F(Tools, IdentifyWritesTheResultAndASummary) {
                            "Ended: converged", "Validation"}) {
     EXPECT_TRUE(contains(run.output, part)) << part << "\n" << run.output;
   }
+}
+
+TEST_F(Tools, SampleDrawsPlantsFromAResult) {
+  const ProcessResult identified = identify({data(30, 1)});
+  ASSERT_EQ(identified.status, 0) << identified.errors;
+  EXPECT_TRUE(contains(identified.output, "G = Go (1 + W Delta)")) << identified.output;
+  const Result result = loadResult(result_);
+  ASSERT_TRUE(result.bounds.has_value());
+  EXPECT_EQ(result.bounds->frequency.omega.size(), 500);
+
+  const std::string output = folder_ / "samples.json";
+  const std::vector<std::string> request{"--model", result_, "--count", "50", "--output", output};
+  const ProcessResult run = tool("sample", request);
+  ASSERT_EQ(run.status, 0) << run.errors;
+  const std::string first = readFile(output);
+  const nlohmann::json tree = nlohmann::json::parse(first);
+  ASSERT_EQ(tree["plants"].size(), 50u);
+  EXPECT_EQ(tree["plants"][0]["real"].size(), tree["omega"].size());
+  double mean = 0;  // of the static gains: Go's, the error model has none
+  for (const nlohmann::json& plant : tree["plants"]) {
+    double num = 0, den = 0;
+    for (double x : plant["num"]) num += x;
+    for (double x : plant["den"]) den += x;
+    mean += num / den / 50;
+  }
+  const NominalModelEstimate& go = result.estimate.nominal_model;
+  EXPECT_NEAR(mean, go.b.sum() / (1 + go.a.sum()), 0.005);
+  ASSERT_EQ(tool("sample", request).status, 0);
+  EXPECT_EQ(readFile(output), first);
+
+  const auto with = [&](const std::string& key, const std::string& value) {
+    std::vector<std::string> changed = request;
+    changed[static_cast<std::size_t>(std::find(changed.begin(), changed.end(), key) -
+                                     changed.begin()) +
+            1] = value;
+    return tool("sample", changed);
+  };
+  expectFailure(with("--count", "0"), 2, "sample", "--count: found 0; allowed: 1 to");
+  expectFailure(with("--model", output), 2, "sample", "format: found");
+  expectFailure(with("--model", write("torn.json", first.substr(0, 100))), 2, "sample",
+                "not JSON, or truncated");
+  expectFailure(tool("sample", {"--model", result_, "--count", "5", "--output", output,
+                                "--uncertainty", "all"}),
+                2, "sample", "--uncertainty: found 'all'");
 }
 
 TEST_F(Tools, FilesThatCannotBeRead) {

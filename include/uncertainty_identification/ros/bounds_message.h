@@ -10,8 +10,8 @@ namespace uncertainty_identification {
 messages::UncertaintyBounds toMessage(const Bounds& bounds, const ResultContext& context);
 
 /// Answers a request for plants drawn from `estimate` (null: there is none yet).
-messages::SampleModels::Response answerSampleModels(
-    const messages::SampleModels::Request& request, const Estimate* estimate,
-    std::uint32_t sequence);
+messages::SampleModels::Response answerSampleModels(const messages::SampleModels::Request& request,
+                                                    const Estimate* estimate,
+                                                    std::uint32_t sequence);
 
 }  // namespace uncertainty_identification
