@@ -23,9 +23,10 @@ const std::vector<std::string> kCoreLibraries{"Eigen/", "unsupported/Eigen/", "b
 const std::vector<std::string> kIoLibraries{"yaml-cpp/", "nlohmann/", "boost/program_options"};
 
 /// Layers from the lowest; a file may include what is in its own or a lower one.
-const std::map<std::string, int> kLayers{
-    {"data", 1},        {"model", 2}, {"estimation", 3}, {"simulation", 3}, {"bounds", 4},
-    {"explanation", 5}, {"io", 7},    {"ros", 8},        {"nodes", 9},      {"tools", 10}};
+const std::map<std::string, int> kLayers{{"data", 1},        {"model", 2},  {"estimation", 3},
+                                         {"simulation", 3},  {"bounds", 4}, {"detection", 5},
+                                         {"explanation", 5}, {"io", 7},     {"ros", 8},
+                                         {"nodes", 9},       {"tools", 10}};
 constexpr int kIdentifier = 6;
 constexpr int kSharedVocabulary = 0;  // configuration.h, errors.h, ...
 

@@ -1,0 +1,198 @@
+#include "uncertainty_identification/detection/fault_detector.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/require.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kStep = 1e-3;  // of a standard deviation, for derivatives along it
+
+EstimationOptions nuisances(const Estimate& estimate, const FaultDetectionOptions& options) {
+  EstimationOptions used = estimate.configuration.estimation;
+  if (options.initial_state) used.initial_state = *options.initial_state;
+  if (options.discard_samples != kAutomatic) used.discard_samples = options.discard_samples;
+  return used;
+}
+
+/// The basis as the estimate used it: T is that of the result, whatever the constraint.
+ErrorBasis basisOf(const Estimate& estimate) {
+  ErrorModelOptions options = estimate.error_model.options;
+  if (options.taps <= 0 || estimate.error_model.mixture.dimension() == 0) {
+    options = ErrorModelOptions();
+    options.taps = 0;
+    return ErrorBasis(options);
+  }
+  options.constraint = Constraint::explicit_matrix;
+  options.T = estimate.error_model.T;
+  return ErrorBasis(options);
+}
+
+/// Degrees of freedom of a variance estimate with this standard error.
+double degreesOf(const ParameterEstimate& variance) {
+  const double relative = variance.standard_error / variance.value;
+  return relative > 0 ? 2 / (relative * relative) : std::numeric_limits<double>::infinity();
+}
+
+/// The distribution of a further xi, given a mixture that was estimated from so many experiments: a
+/// component of m of them predicts a Student distribution; this is its covariance.
+Mixture predictive(Mixture mixture, int experiments) {
+  for (std::size_t i = 0; i < mixture.weights.size(); ++i) {
+    const double m = mixture.weights[i] * experiments, n = mixture.dimension();
+    mixture.covariances[i] *= (m + 1) / std::max(m - n - 2, 1.0);
+  }
+  return mixture;
+}
+
+Polynomials nominalOf(const NominalModelEstimate& go) { return {go.delay, go.b, go.a, go.c, go.d}; }
+
+VectorXd valuesOf(const std::vector<ParameterEstimate>& parameters) {
+  VectorXd values(static_cast<Index>(parameters.size()));
+  for (Index k = 0; k < values.size(); ++k)
+    values[k] = parameters[static_cast<std::size_t>(k)].value;
+  return values;
+}
+
+/// Whether the model gives the polynomials of the result at these parameters.
+bool reproduces(const NominalModel& model, const VectorXd& theta, const Polynomials& expected) {
+  if (model.parameterCount() != theta.size()) return false;
+  const VectorXd found = model.polynomials(theta).stacked(), wanted = expected.stacked();
+  return found.size() == wanted.size() && found.isApprox(wanted, 1e-6);
+}
+
+}  // namespace
+
+void FaultDetectionOptions::validate() const {
+  requireRange("window", window, 10, 100000);
+  requireRange("false_alarm_rate", false_alarm_rate, 1e-9, 0.5);
+  if (discard_samples != kAutomatic)
+    requireRange("discard_samples", discard_samples, 0, 1000000, "auto");
+}
+
+FaultDetector::FaultDetector(const Estimate& estimate, const FaultDetectionOptions& options)
+    : options_(options),
+      estimation_(nuisances(estimate, options)),
+      sample_time_(estimate.nominal_model.sample_time),
+      offset_u_(estimate.offset_u),
+      offset_y_(estimate.offset_y),
+      noise_variance_(estimate.noise_variance.value),
+      threshold_(-std::log10(options.false_alarm_rate)),
+      noise_degrees_(std::numeric_limits<double>::infinity()),
+      basis_(basisOf(estimate)),
+      mixture_(estimate.error_model.mixture),
+      models_{nominalOf(estimate.nominal_model)} {
+  options.validate();
+  if (!estimate.usable()) throw DataError("the model is not usable: " + estimate.message);
+  if (!(noise_variance_ > 0))
+    throw DataError("noise_variance: found " + std::to_string(noise_variance_) +
+                    "; faults can be told from noise only where it is positive");
+  if (basis_.numerators.empty()) mixture_ = Mixture();
+  if (options.parameter_uncertainty) {
+    noise_degrees_ = degreesOf(estimate.noise_variance);
+    if (estimate.experiment_count > 0) mixture_ = predictive(mixture_, estimate.experiment_count);
+    prepareParameters(estimate);
+  }
+  reset();
+}
+
+void FaultDetector::prepareParameters(const Estimate& estimate) {
+  const NominalModelEstimate& go = estimate.nominal_model;
+  const VectorXd theta = valuesOf(go.parameters);
+  const auto model =
+      makeNominalModel(estimate.configuration.nominal_model, estimate.nominal_model.sample_time);
+  if (go.covariance.rows() != theta.size() || !go.covariance.allFinite() ||
+      !reproduces(*model, theta, models_.front())) {
+    warnings_.push_back(
+        "the result holds no covariance of the nominal model's parameters: they are taken as "
+        "known, and false alarms will be more frequent than configured");
+    return;
+  }
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(go.covariance);
+  for (Index k = 0; k < theta.size(); ++k) {
+    const double deviation = std::sqrt(std::max(eigen.eigenvalues()[k], 0.0));
+    if (deviation == 0) continue;
+    const VectorXd step = kStep * deviation * eigen.eigenvectors().col(k);
+    models_.push_back(model->polynomials(theta + step));
+    models_.push_back(model->polynomials(theta - step));
+  }
+}
+
+void FaultDetector::reset() {
+  streams_.clear();
+  for (const Polynomials& model : models_)
+    streams_.emplace_back(model, basis_, estimation_, offset_u_, offset_y_);
+  const auto parameters = static_cast<Index>(models_.size() - 1) / 2;
+  const Index n = streams_.front().regressors();
+  observation_ = {0, VectorXd::Zero(n), VectorXd::Zero(parameters), MatrixXd::Zero(parameters, n),
+                  VectorXd::Zero(streams_.front().columns())};
+  learned_.emplace(mixture_, parameters, streams_.front().columns(), noise_variance_);
+  tentative_ = learned_;
+  scores_ = VectorXd::Zero(options_.window);
+  effects_ = MatrixXd::Zero(options_.window, 2);
+  signature_ = 0;
+  filled_ = 0;
+  samples_ = window_first_ = 0;
+}
+
+Score FaultDetector::score(double u, double y) {
+  const Index n = observation_.regressors.size(), columns = observation_.columns.size();
+  const VectorXd& nominal = streams_.front().step(u, y);
+  observation_.residual = nominal[0];
+  signature_ = nominal[1];
+  observation_.regressors = nominal.segment(2, n);
+  observation_.columns = nominal.tail(columns);
+  for (std::size_t k = 1; k < streams_.size(); k += 2) {
+    const VectorXd change =
+        (streams_[k].step(u, y) - streams_[k + 1].step(u, y)).head(n + 2) / (2 * kStep);
+    const auto j = static_cast<Index>(k / 2);
+    observation_.residual_derivative[j] = change[0];
+    observation_.regressor_derivatives.row(j) = change.tail(n).transpose();
+  }
+  return streams_.front().measured() ? tentative_->update(observation_) : Score();
+}
+
+std::optional<FaultWindow> FaultDetector::add(double u, double y) {
+  if (!std::isfinite(u)) {
+    throw DataError("sample " + std::to_string(samples_) +
+                    ": the input is not finite; a fault can be told only where it is known");
+  }
+  const double before = signature_;
+  const Score found = score(u, y);
+  ++samples_;
+  if (!streams_.front().measured() || found.diffuse) return std::nullopt;
+  if (filled_ == 0) window_first_ = samples_ - 1;
+  scores_[filled_] = found.value;
+  effects_.row(filled_) << signature_ / found.deviation, before / found.deviation;
+  if (++filled_ < options_.window) return std::nullopt;
+  return decide();
+}
+
+FaultWindow FaultDetector::decide() {
+  FaultWindow window;
+  window.first = window_first_;
+  window.last = samples_ - 1;
+  window.probabilities = testWindow(scores_, effects_, noise_degrees_);
+  window.statistic = -std::log10(window.probabilities.combined);
+  window.threshold = threshold_;
+  window.fault = window.statistic > threshold_;
+  if (window.fault) {
+    tentative_ = learned_;
+  } else {
+    learned_ = tentative_;
+  }
+  window.component_probabilities = learned_->probabilities();
+  window.error_mean = learned_->errorMean();
+  filled_ = 0;
+  return window;
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,171 @@
+#include "uncertainty_identification/detection/whitened_stream.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "uncertainty_identification/model/polynomial.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+VectorXd padded(const VectorXd& from, Index size) {
+  VectorXd to = VectorXd::Zero(size);
+  to.head(from.size()) = from;
+  return to;
+}
+
+/// q^-delay B as one polynomial.
+VectorXd delayed(const Polynomials& p) {
+  VectorXd numerator = VectorXd::Zero(p.delay + p.b.size());
+  numerator.tail(p.b.size()) = p.b;
+  return numerator;
+}
+
+/// How many coefficients the free response of Go (1 + GDelta) has, as in LinearModel.
+Index initialDirections(const Polynomials& p, const RationalBasis& basis) {
+  const Index poles = basis.denominator.size();
+  const Index zeros = poles > 0 ? poles : std::max<Index>(basis.taps - 1, 0);
+  return std::max<Index>(p.a.size() + poles, p.delay + p.b.size() - 1 + zeros);
+}
+
+/// Stationary covariance P = F P F' + Q by doubling, as NoiseWhitening starts.
+MatrixXd stationary(MatrixXd F, MatrixXd Q) {
+  for (int step = 0; step < 60; ++step) {
+    const MatrixXd increment = F * Q * F.transpose();
+    Q += increment;
+    if (increment.cwiseAbs().maxCoeff() <= 1e-17 * Q.cwiseAbs().maxCoeff()) break;
+    F = (F * F).eval();
+  }
+  return Q;
+}
+
+/// Observer form of H: F = [-d | shift].
+MatrixXd transition(const VectorXd& d) {
+  MatrixXd F = MatrixXd::Zero(d.size(), d.size());
+  F.diagonal(1).setOnes();
+  F.col(0) = -d;
+  return F;
+}
+
+}  // namespace
+
+StreamFilter::StreamFilter(const VectorXd& numerator, const VectorXd& monic_denominator) {
+  const Index order = std::max<Index>(numerator.size() - 1, monic_denominator.size());
+  numerator_ = padded(numerator, order + 1);
+  denominator_ = padded(monic_denominator, order);
+  state_ = VectorXd::Zero(order + 1);  // the last entry stays 0
+}
+
+double StreamFilter::step(double in) {
+  const double out = numerator_[0] * in + state_[0];
+  for (Index i = 0; i < denominator_.size(); ++i)
+    state_[i] = state_[i + 1] + numerator_[i + 1] * in - denominator_[i] * out;
+  return out;
+}
+
+RationalBasis::RationalBasis(const ErrorBasis& basis)
+    : denominator(basis.denominator()), taps(basis.taps()) {
+  // A numerator is the denominator times the impulse response, which ends at its degree.
+  const Index length = std::max<Index>(denominator.size(), taps - 1) + 1;
+  Signals impulse = Signals::Zero(kLanes, length);
+  impulse(0, 0) = 1;
+  std::vector<Signals> responses;
+  basis.apply(impulse, &responses);
+  for (const Signals& response : responses) {
+    VectorXd numerator = response.row(0).matrix().transpose();
+    for (Index t = length - 1; t >= 0; --t) {
+      for (Index k = 0; k < std::min(denominator.size(), t); ++k)
+        numerator[t] += denominator[k] * response(0, t - k - 1);
+    }
+    numerators.push_back(std::move(numerator));
+  }
+}
+
+StreamWhitening::StreamWhitening(const VectorXd& c, const VectorXd& d, NoiseStart start,
+                                 Index signals) {
+  const Index order = std::max(c.size(), d.size());
+  c_ = padded(c, order);
+  d_ = padded(d, order);
+  gain_ = c_;
+  state_ = MatrixXd::Zero(order + 1, signals);  // the last row stays 0
+  P_ = MatrixXd::Zero(order, order);
+  const VectorXd K = c_ - d_;
+  if (start == NoiseStart::stationary && order > 0)
+    P_ = stationary(transition(d_), K * K.transpose());
+  settled_ = order == 0 || P_.cwiseAbs().maxCoeff() < 1e-17;
+}
+
+void StreamWhitening::step(bool measured, VectorXd* signals) {
+  const Index order = d_.size();
+  double scale = 1;
+  if (!settled_ || (!measured && order > 0)) {
+    const MatrixXd F = transition(d_);
+    const VectorXd K = c_ - d_;
+    const double S = P_(0, 0) + 1;
+    const VectorXd gain = (F * P_.col(0) + K) / S;
+    P_ = (F * P_ * F.transpose() + K * K.transpose()).eval();
+    if (measured) P_ -= S * gain * gain.transpose();
+    scale = 1 / std::sqrt(S);
+    gain_ = gain + d_;
+    settled_ = P_.cwiseAbs().maxCoeff() < 1e-17;
+  } else if (order > 0) {
+    gain_ = c_;
+  }
+  for (Index j = 0; j < signals->size(); ++j) {
+    const double predicted = state_(0, j);
+    const double value = measured ? (*signals)[j] : predicted;
+    const double innovation = value - predicted;
+    for (Index i = 0; i < order; ++i)
+      state_(i, j) = state_(i + 1, j) + gain_[i] * innovation - d_[i] * value;
+    (*signals)[j] = innovation * scale;
+  }
+}
+
+WhitenedStream::WhitenedStream(const Polynomials& p, const RationalBasis& basis,
+                               const EstimationOptions& options, double offset_u, double offset_y)
+    : plant_(delayed(p), p.a),
+      own_offset_plant_(delayed(p), p.a),
+      free_response_(VectorXd::Ones(1), multiply(p.a, basis.denominator)),
+      own_offset_(options.offsets == Offsets::per_experiment),
+      offset_at_input_(options.offset_side == OffsetSide::input),
+      offset_u_(offset_u),
+      offset_y_(offset_y),
+      discard_(options.initial_state == InitialState::discard ? options.discard_samples : 0),
+      whitening_(p.c, p.d, options.noise_start, 0) {
+  for (const VectorXd& numerator : basis.numerators)
+    basis_.emplace_back(numerator, basis.denominator);
+  if (options.initial_state == InitialState::estimate)
+    initial_ = VectorXd::Zero(initialDirections(p, basis));
+  signals_ = VectorXd::Zero(2 + regressors() + columns());
+  whitening_ = StreamWhitening(p.c, p.d, options.noise_start, signals_.size());
+}
+
+const VectorXd& WhitenedStream::step(double u, double y) {
+  const double x = plant_.step(u + offset_u_);
+  signals_[0] = y - x - offset_y_;
+  signals_[1] = x;
+  Index next = 2;
+  for (StreamFilter& filter : basis_) signals_[next++] = filter.step(x);
+  if (initial_.size() > 0) {
+    for (Index k = initial_.size() - 1; k > 0; --k) initial_[k] = initial_[k - 1];
+    initial_[0] = free_response_.step(first_ ? 1 : 0);
+    signals_.segment(next, initial_.size()) = initial_;
+    next += initial_.size();
+  }
+  if (own_offset_) signals_[next] = offset_at_input_ ? own_offset_plant_.step(1) : 1;
+  first_ = false;
+  measured_ = std::isfinite(y) && discard_ == 0;
+  if (discard_ > 0) {
+    --discard_;
+    signals_.setZero();
+  } else {
+    whitening_.step(measured_, &signals_);
+  }
+  return signals_;
+}
+
+}  // namespace uncertainty_identification
