@@ -5,6 +5,7 @@
 #include <string>
 
 #include "uncertainty_identification/io/configuration_yaml.h"
+#include "uncertainty_identification/io/fault_detection_yaml.h"
 #include "uncertainty_identification/io/truth_yaml.h"
 
 namespace uncertainty_identification {
@@ -19,8 +20,10 @@ TEST(ShippedConfigurations, AllAreAccepted) {
     if (!entry.is_regular_file()) continue;
     const std::string path = entry.path().string();
     ASSERT_EQ(entry.path().extension(), ".yaml") << path;
-    const bool truth = entry.path().stem().string().find("truth") != std::string::npos;
-    if (truth) {
+    const std::string name = entry.path().stem().string();
+    if (name == "fault_detection") {
+      EXPECT_NO_THROW(loadFaultDetection(path)) << path;
+    } else if (name.find("truth") != std::string::npos) {
       EXPECT_NO_THROW(loadTruth(path).validate()) << path;
     } else {
       EXPECT_NO_THROW(loadConfiguration(path).validate()) << path;

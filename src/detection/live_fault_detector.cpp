@@ -1,0 +1,113 @@
+#include "uncertainty_identification/detection/live_fault_detector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "uncertainty_identification/data/sample_grid.h"
+#include "uncertainty_identification/require.h"
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+constexpr int kFewestSamples = 10;  // of a piece, so that its grid can be found
+
+/// The newest value of the signal at or before the instant; `otherwise` where there is none.
+double heldAt(const StampedSignal& signal, double instant, double otherwise) {
+  const auto after = std::upper_bound(signal.stamps.begin(), signal.stamps.end(), instant);
+  if (after == signal.stamps.begin()) return otherwise;
+  return signal.values[static_cast<std::size_t>(after - signal.stamps.begin() - 1)];
+}
+
+}  // namespace
+
+void FaultDetectionConfiguration::validate() const {
+  detection.validate();
+  resampling.validate();
+  require(!input.topic.empty(), "input.topic", "''", "a topic");
+  require(!output.topic.empty(), "output.topic", "''", "a topic");
+}
+
+LiveFaultDetector::LiveFaultDetector(const Estimate& estimate,
+                                     const FaultDetectionConfiguration& configuration)
+    : detector_(estimate, configuration.detection),
+      resampling_(configuration.resampling),
+      piece_samples_(std::max(kFewestSamples, configuration.detection.window / 5)),
+      active_(configuration.experiment_topic.empty()) {
+  configuration.validate();
+}
+
+void LiveFaultDetector::addMarker(double stamp, bool active) {
+  markers_.push_back({stamp, active});
+}
+
+void LiveFaultDetector::interrupt() {
+  newest_.reset();
+  last_input_ = {};
+  instants_.clear();
+  instants_first_ = 0;
+  detector_.reset();
+}
+
+double LiveFaultDetector::heldInput(const Recording& piece, double instant) const {
+  const double before = heldAt(last_input_, instant, newest_input_);
+  return heldAt(piece.input, instant, before);
+}
+
+/// Grid points between the newest sample and the piece's first one have no output. What was
+/// commanded there is known as long as the pieces follow each other.
+void LiveFaultDetector::bridge(const Recording& piece, double until,
+                               std::vector<StampedFaultWindow>* found) {
+  const double sample_time = detector_.sampleTime(), begin = *newest_;
+  const double missing = std::round((until - begin) / sample_time) - 1;
+  if (missing > 2.0 * piece_samples_) {
+    interrupt();
+    return;
+  }
+  for (int k = 1; k <= static_cast<int>(missing); ++k) {
+    const double instant = begin + k * sample_time;
+    take(instant, heldInput(piece, instant + stampTolerance(instant, sample_time)), kMissing,
+         found);
+  }
+}
+
+std::vector<StampedFaultWindow> LiveFaultDetector::add(const Recording& piece) {
+  const double sample_time = detector_.sampleTime();
+  const Experiment samples = resample(piece, sample_time, resampling_);
+  std::vector<StampedFaultWindow> found;
+  if (newest_ && samples.start_time < *newest_ - 0.5 * sample_time) interrupt();
+  if (newest_) bridge(piece, samples.start_time, &found);
+  for (int k = 0; k < samples.samples(); ++k) {
+    const double instant = samples.start_time + k * sample_time;
+    // A period that differs a little from the sample time makes a sample too many now and then.
+    if (newest_ && instant < *newest_ + 0.5 * sample_time) continue;
+    take(instant, samples.u[k], samples.isValid(k) ? samples.y[k] : kMissing, &found);
+  }
+  last_input_ = piece.input;
+  return found;
+}
+
+void LiveFaultDetector::take(double instant, double u, double y,
+                             std::vector<StampedFaultWindow>* found) {
+  const double tolerance = stampTolerance(instant, detector_.sampleTime());
+  while (!markers_.empty() && markers_.front().stamp <= instant + tolerance) {
+    active_ = markers_.front().active;
+    markers_.pop_front();
+    instants_.clear();
+    instants_first_ = 0;
+    if (active_) detector_.reset();
+  }
+  newest_ = instant;
+  newest_input_ = u;
+  if (!active_) return;
+  instants_.push_back(instant);
+  const auto window = detector_.add(u, y);
+  if (!window) return;
+  found->push_back(
+      {*window, instants_[static_cast<std::size_t>(window->first - instants_first_)], instant});
+  instants_first_ += static_cast<long>(instants_.size());
+  instants_.clear();
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,128 @@
+// Stamped signals in pieces against the same samples given one by one. Data: Example 1, simulated.
+#include "uncertainty_identification/detection/live_fault_detector.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "support/faults.h"
+#include "support/monte_carlo.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using test::decisions;
+using test::estimateOf;
+using test::Fault;
+using test::FaultKind;
+using test::FaultyPlant;
+
+constexpr double kSampleTime = 0.01;  // [s], of config/example1_truth.yaml
+constexpr double kBegin = 1000;       // [s]
+
+Experiment experimentWith(const Fault& fault, int samples = 600) {
+  return FaultyPlant(test::example1Truth(1, samples), 4).experiment(0, fault);
+}
+
+/// What a recorder cuts of the experiment: samples `first` to `last` - 1, each with this stamp
+/// error.
+Recording piece(const Experiment& experiment, int first, int last, double jitter = 0) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(first));
+  std::uniform_real_distribution<double> departure(-jitter, jitter);
+  Recording recording;
+  recording.id = "piece";
+  for (int t = first; t < last; ++t) {
+    const double due = kBegin + t * kSampleTime;
+    recording.input.stamps.push_back(due + departure(random));
+    recording.input.values.push_back(experiment.u[t]);
+    if (!experiment.isValid(t)) continue;
+    recording.output.stamps.push_back(due + departure(random));
+    recording.output.values.push_back(experiment.y[t]);
+  }
+  return recording;
+}
+
+std::vector<StampedFaultWindow> inPieces(LiveFaultDetector* live, const Experiment& experiment,
+                                         int samples, double jitter = 0) {
+  std::vector<StampedFaultWindow> all;
+  for (int first = 0; first < experiment.samples(); first += samples) {
+    const int last = std::min(first + samples, experiment.samples());
+    for (const auto& window : live->add(piece(experiment, first, last, jitter)))
+      all.push_back(window);
+  }
+  return all;
+}
+
+void expectTheSame(const std::vector<StampedFaultWindow>& found,
+                   const std::vector<FaultWindow>& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    EXPECT_NEAR(found[k].window.statistic, expected[k].statistic, 1e-9);
+    EXPECT_EQ(found[k].window.fault, expected[k].fault);
+    EXPECT_NEAR(found[k].start, kBegin + static_cast<double>(expected[k].first) * kSampleTime,
+                1e-3);
+    EXPECT_NEAR(found[k].end, kBegin + static_cast<double>(expected[k].last) * kSampleTime, 1e-3);
+  }
+}
+
+class Pieces : public testing::TestWithParam<double> {};
+
+TEST_P(Pieces, GiveWhatTheSamplesGive) {
+  const Experiment experiment = experimentWith({FaultKind::bias, 1.0, 300});
+  LiveFaultDetector live(estimateOf(test::example1Truth()), {});
+  EXPECT_NEAR(live.pieceDuration(), 10 * kSampleTime, 1e-12);
+  FaultDetector plain(estimateOf(test::example1Truth()));
+  expectTheSame(inPieces(&live, experiment, 20, GetParam()), decisions(&plain, experiment));
+}
+
+INSTANTIATE_TEST_SUITE_P(Jitter, Pieces, testing::Values(0.0, 0.05 * kSampleTime));
+
+TEST(LiveFaultDetector, OutputsMissingBetweenPiecesAreBridgedWithWhatWasCommanded) {
+  Experiment experiment = experimentWith({});
+  experiment.valid.assign(600, 1);
+  for (int t = 96; t < 105; ++t) experiment.valid[static_cast<std::size_t>(t)] = 0;
+  FaultDetectionConfiguration configuration;
+  configuration.resampling.max_age = 0.5 * kSampleTime;  // a missing output is missing at once
+  LiveFaultDetector strict(estimateOf(test::example1Truth()), configuration);
+  FaultDetector plain(estimateOf(test::example1Truth()));
+  expectTheSame(inPieces(&strict, experiment, 20), decisions(&plain, experiment));
+}
+
+TEST(LiveFaultDetector, ALongSilenceBeginsAnew) {
+  const Experiment experiment = experimentWith({});
+  LiveFaultDetector live(estimateOf(test::example1Truth()), {});
+  live.add(piece(experiment, 0, 30));
+  const auto found = live.add(piece(experiment, 200, 250));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].window.first, 0) << "counted from the silence on";
+  EXPECT_NEAR(found[0].start, kBegin + 200 * kSampleTime, 1e-9);
+}
+
+TEST(LiveFaultDetector, AClockThatGoesBackBeginsAnew) {
+  const Experiment experiment = experimentWith({});
+  LiveFaultDetector live(estimateOf(test::example1Truth()), {});
+  live.add(piece(experiment, 300, 340));
+  const auto found = live.add(piece(experiment, 0, 50));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].window.first, 0);
+}
+
+TEST(LiveFaultDetector, MarkersBeginAndEndExperiments) {
+  const Experiment experiment = experimentWith({});
+  FaultDetectionConfiguration configuration;
+  configuration.experiment_topic = "active";
+  LiveFaultDetector live(estimateOf(test::example1Truth()), configuration);
+  EXPECT_FALSE(live.active());
+  EXPECT_TRUE(live.add(piece(experiment, 0, 100)).empty());
+  live.addMarker(kBegin + 1.05, true);
+  live.addMarker(kBegin + 2.50, false);
+  const auto found = inPieces(&live, experiment, 20);
+  ASSERT_EQ(found.size(), 2u);  // 145 samples
+  EXPECT_NEAR(found[0].start, kBegin + 1.05, 1e-9);
+  EXPECT_NEAR(found[1].end, kBegin + 2.04, 1e-9);
+  EXPECT_FALSE(live.active());
+}
+
+}  // namespace
+}  // namespace uncertainty_identification

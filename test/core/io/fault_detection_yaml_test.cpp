@@ -1,0 +1,58 @@
+#include "uncertainty_identification/io/fault_detection_yaml.h"
+
+#include <gtest/gtest.h>
+
+#include "support/error_message.h"
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/tree.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using nlohmann::json;
+
+const std::string kFile = std::string(PROJECT_FOLDER) + "/config/fault_detection.yaml";
+
+std::string complaint(const std::string& yaml) {
+  return messageOf<ConfigurationError>([&] { parseFaultDetection(YAML::Load(yaml)); });
+}
+
+/// All paths of a tree's keys.
+std::string keys(const json& tree, const std::string& parent = "") {
+  std::string all;
+  if (!tree.is_object()) return parent + "\n";
+  for (const auto& [key, value] : tree.items()) all += keys(value, pathOf(parent, key));
+  return all;
+}
+
+TEST(FaultDetectionYaml, TheShippedFileStatesEveryKeyAndItsDefault) {
+  EXPECT_EQ(keys(treeFromYaml(loadYaml(kFile)).value), keys(toJson(FaultDetectionConfiguration{})));
+  EXPECT_EQ(toJson(loadFaultDetection(kFile)), toJson(FaultDetectionConfiguration{}));
+}
+
+TEST(FaultDetectionYaml, ValuesArrive) {
+  const auto found = parseFaultDetection(YAML::Load(
+      "{window: 20, false_alarm_rate: 1.0e-3, initial_state: discard, discard_samples: 7, "
+      "parameter_uncertainty: false, input: {topic: cmd_vel, field: linear.x}, experiment: {topic: "
+      "active}, resampling: {output: mean}}"));
+  EXPECT_EQ(found.detection.window, 20);
+  EXPECT_EQ(found.detection.false_alarm_rate, 1e-3);
+  EXPECT_EQ(found.detection.initial_state, InitialState::discard);
+  EXPECT_EQ(found.detection.discard_samples, 7);
+  EXPECT_FALSE(found.detection.parameter_uncertainty);
+  EXPECT_EQ(found.input.field, "linear.x");
+  EXPECT_EQ(found.experiment_topic, "active");
+  EXPECT_EQ(found.resampling.output, OutputResampling::mean);
+}
+
+TEST(FaultDetectionYaml, BadKeysAreNamed) {
+  EXPECT_EQ(complaint("windwo: 20"), "windwo (line 1): unknown key; did you mean window?");
+  EXPECT_EQ(complaint("experiment: {tpoic: x}"),
+            "experiment.tpoic (line 1): unknown key; did you mean experiment.topic?");
+  EXPECT_EQ(complaint("window: 3"), "window: found 3; allowed: 10 to 100000");
+  EXPECT_EQ(complaint("input: {topic: ''}"), "input.topic: found ''; allowed: a topic");
+  EXPECT_NE(complaint("false_alarm_rate: often").find("found 'often'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
