@@ -25,8 +25,12 @@ std::string experimentTopic(const Configuration& configuration,
 
 ExperimentRecorder::ExperimentRecorder(const ros::NodeHandle& node,
                                        const ros::NodeHandle& private_node,
-                                       const Configuration& configuration, Listener listener)
-    : node_(node), configuration_(configuration), listener_(std::move(listener)) {
+                                       const Configuration& configuration, Listener listener,
+                                       Patience patience)
+    : node_(node),
+      configuration_(configuration),
+      listener_(std::move(listener)),
+      patience_(patience) {
   reset();
   std::set<std::string> topics;
   try {
@@ -48,7 +52,7 @@ void ExperimentRecorder::reset() {
   if (configuration_.experiment.mode != ExperimentMode::message)
     router_ = std::make_unique<TopicRouter>(
         configuration_, [this](const std::string& topic) { return node_.resolveName(topic); });
-  last_arrival_ = std::chrono::steady_clock::now();
+  last_arrival_ = last_release_ = std::chrono::steady_clock::now();
   if (std::exchange(running_, false)) listener_.running(false);
 }
 
@@ -109,8 +113,12 @@ bool ExperimentRecorder::discard() {
 // An experiment waits until both signals have passed its end; when the topics fall silent, they
 // never will.
 void ExperimentRecorder::releaseAfterSilence() {
-  if (!router_ || !router_->cutter().waiting()) return;
-  if (std::chrono::steady_clock::now() - last_arrival_ < kSilence) return;
+  const auto now = std::chrono::steady_clock::now();
+  const bool waiting = router_ && router_->cutter().waiting();
+  const auto since = patience_ == Patience::a_second ? last_release_ : last_arrival_;
+  if (!waiting) last_release_ = now;
+  if (!waiting || now - since < kSilence) return;
+  last_release_ = now;
   router_->cutter().releaseClosed();
   handOn();
 }
@@ -118,7 +126,10 @@ void ExperimentRecorder::releaseAfterSilence() {
 void ExperimentRecorder::handOn() {
   if (!router_) return;
   ExperimentCutter& cutter = router_->cutter();
-  for (auto& recording : cutter.takeFinished()) listener_.finished(std::move(recording));
+  for (auto& recording : cutter.takeFinished()) {
+    last_release_ = std::chrono::steady_clock::now();
+    listener_.finished(std::move(recording));
+  }
   for (auto& rejected : cutter.takeRejected()) listener_.finished(std::move(rejected));
   if (std::exchange(running_, cutter.running()) != running_) listener_.running(running_);
 }

@@ -42,6 +42,11 @@ YAML::Node groupToYaml(XmlRpcValue& value, const std::string& path) {
   return group;
 }
 
+YAML::Node withoutForeignKeys(YAML::Node tree) {
+  for (const char* key : kForeignKeys) tree.remove(key);
+  return tree;
+}
+
 }  // namespace
 
 YAML::Node toYaml(XmlRpcValue value, const std::string& path) {
@@ -66,9 +71,14 @@ YAML::Node toYaml(XmlRpcValue value, const std::string& path) {
 }
 
 Configuration parseParameters(const XmlRpcValue& parameters) {
-  YAML::Node tree = toYaml(parameters);
-  for (const char* key : kForeignKeys) tree.remove(key);
-  return parseConfiguration(tree);
+  return parseConfiguration(withoutForeignKeys(toYaml(parameters)));
+}
+
+YAML::Node loadParameterTree(const ros::NodeHandle& node) {
+  XmlRpcValue parameters;
+  if (!node.getParam("", parameters) || parameters.getType() != XmlRpcValue::TypeStruct)
+    return YAML::Node(YAML::NodeType::Map);
+  return withoutForeignKeys(toYaml(parameters));
 }
 
 Configuration loadParameters(const ros::NodeHandle& node) {

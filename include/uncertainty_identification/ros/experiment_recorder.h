@@ -28,10 +28,17 @@ class ExperimentRecorder {
     std::function<void(bool)> running;  ///< whether an experiment runs, when that changes
   };
 
+  /// What an experiment waits for after its end.
+  enum class Patience {
+    until_silence,  ///< both signals, unless all topics are silent for a second
+    a_second  ///< both signals, but no longer: a command that changes rarely is not waited for
+  };
+
   /// Relative topics resolve in the namespace of `node`, in mode message the default topic is
   /// ~experiment. Throws ConfigurationError when a topic's name is not valid.
   ExperimentRecorder(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
-                     const Configuration& configuration, Listener listener);
+                     const Configuration& configuration, Listener listener,
+                     Patience patience = Patience::until_silence);
 
   /// Modes topic and service, at the present time. False if that cannot be done: one runs already,
   /// or none.
@@ -56,10 +63,12 @@ class ExperimentRecorder {
   ros::NodeHandle node_;
   Configuration configuration_;
   Listener listener_;
+  Patience patience_;
   std::unique_ptr<TopicRouter> router_;  // none in mode message
   std::vector<ros::Subscriber> subscribers_;
   ros::WallTimer silence_timer_;
   std::chrono::steady_clock::time_point last_arrival_;
+  std::chrono::steady_clock::time_point last_release_;  // or when nothing waited last
   std::vector<std::uint8_t> buffer_;
   std::set<std::string> reported_;
   bool running_ = false;

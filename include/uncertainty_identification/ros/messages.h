@@ -20,6 +20,7 @@
 #include <uncertainty_identification/Experiment.h>
 #include <uncertainty_identification/ExperimentMarker.h>
 #include <uncertainty_identification/ExperimentSummary.h>
+#include <uncertainty_identification/FaultStatus.h>
 #include <uncertainty_identification/GaussianComponent.h>
 #include <uncertainty_identification/GetResult.h>
 #include <uncertainty_identification/IdentificationResult.h>

@@ -14,6 +14,10 @@ namespace uncertainty_identification {
 /// the key `path`, for binary values and dates, which no key takes.
 YAML::Node toYaml(XmlRpc::XmlRpcValue value, const std::string& path = "");
 
+/// The parameters of a node as a tree, without the keys that ROS libraries own; no keys where it
+/// has none. Throws ConfigurationError as toYaml() does.
+YAML::Node loadParameterTree(const ros::NodeHandle& node);
+
 /// The configuration that a node's parameters give, without the keys that ROS libraries own:
 /// diagnostic_period, and those of actionlib. Throws ConfigurationError as parseConfiguration()
 /// does.
