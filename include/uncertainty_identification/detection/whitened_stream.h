@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "uncertainty_identification/configuration.h"
-#include "uncertainty_identification/model/error_basis.h"
 #include "uncertainty_identification/model/nominal_model.h"
+#include "uncertainty_identification/model/rational_basis.h"
 
 namespace uncertainty_identification {
 
@@ -19,15 +19,6 @@ class StreamFilter {
 
  private:
   Eigen::VectorXd numerator_, denominator_, state_;
-};
-
-/// The error model's filters sum_k T_ki F_k, i = 1..n, as rational functions of q^-1.
-struct RationalBasis {
-  explicit RationalBasis(const ErrorBasis& basis);
-
-  std::vector<Eigen::VectorXd> numerators;  ///< n of them, over the common denominator
-  Eigen::VectorXd denominator;              ///< monic, without the leading 1
-  int taps = 0;
 };
 
 /// Noise whitening H^-1 of several signals, sample by sample: the recursion of NoiseWhitening.
