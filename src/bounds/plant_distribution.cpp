@@ -9,8 +9,8 @@
 
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/estimation/plant_coordinates.h"
-#include "uncertainty_identification/model/filter.h"
 #include "uncertainty_identification/model/polynomial.h"
+#include "uncertainty_identification/model/rational_basis.h"
 #include "uncertainty_identification/simulation/random_stream.h"
 
 namespace uncertainty_identification {
@@ -163,35 +163,23 @@ ComplexResponses frequencyResponses(const PlantSamples& plants, const VectorXd& 
 }
 
 TransferFunctions transferFunctions(const PlantSamples& plants) {
-  const Index count = plants.count(), taps = plants.eta.cols();
-  // numerators of the basis filters over their common denominator: what is left of their impulse
-  // responses times it
-  const ErrorBasis basis(plants.basis);
-  const VectorXd denominator = taps > 0 ? basis.denominator() : VectorXd();
-  const Index poles = denominator.size(), degree = std::max(poles, taps > 0 ? taps - 1 : 0);
-  MatrixXd numerators = MatrixXd::Zero(taps, degree + 1);
-  if (taps > 0) {
-    Signals impulse = Signals::Zero(kLanes, degree + 1), left;
-    impulse.col(0).setOnes();
-    const std::vector<Signals> responses = basis.filtered(impulse);
-    for (Index k = 0; k < taps; ++k) {
-      filter(joined(VectorXd::Ones(1), denominator), VectorXd(), 0,
-             responses[static_cast<std::size_t>(k)], &left);
-      numerators.row(k) = left.row(0).matrix();
-    }
-  }
-  TransferFunctions all{MatrixXd(count, plants.b.cols() + degree),
-                        MatrixXd(count, plants.a.cols() + poles + 1)};
+  const Index count = plants.count(), taps = plants.eta.cols(), nb = plants.b.cols();
+  ErrorModelOptions options = plants.basis;
+  options.taps = static_cast<int>(taps);
+  options.constraint = Constraint::free;
+  const RationalBasis basis{ErrorBasis(options)};
+  const VectorXd of_basis = joined(VectorXd::Ones(1), basis.denominator);
+  const Index degree = std::max(of_basis.size() - 1, taps - 1);
+  TransferFunctions all{MatrixXd::Zero(count, nb + degree),
+                        MatrixXd(count, plants.a.cols() + of_basis.size())};
   for (Index i = 0; i < count; ++i) {
-    VectorXd factor = VectorXd::Zero(degree + 1);  // of the numerator: D_F + sum eta_k N_k
-    factor.head(poles + 1) = joined(VectorXd::Ones(1), denominator);
-    if (taps > 0) factor += numerators.transpose() * plants.eta.row(i).transpose();
-    VectorXd num = VectorXd::Zero(all.num.cols());
-    for (Index k = 0; k <= degree; ++k)
-      num.segment(k, plants.b.cols()) += factor[k] * plants.b.row(i).transpose();
-    all.num.row(i) = num.transpose();
-    all.den.row(i) =
-        joined(VectorXd::Ones(1), multiply(plants.a.row(i).transpose(), denominator)).transpose();
+    VectorXd error = VectorXd::Zero(degree + 1);  // D_F + sum eta_k N_k
+    error.head(of_basis.size()) = of_basis;
+    for (Index k = 0; k < taps; ++k)
+      error += plants.eta(i, k) * basis.numerators[static_cast<std::size_t>(k)];
+    for (Index k = 0; k <= degree; ++k) all.num.row(i).segment(k, nb) += error[k] * plants.b.row(i);
+    const VectorXd a = multiply(plants.a.row(i).transpose(), basis.denominator);
+    all.den.row(i) = joined(VectorXd::Ones(1), a).transpose();
   }
   return all;
 }

@@ -10,7 +10,6 @@
 
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/model/rational_basis.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -195,20 +194,12 @@ void requireController(const RationalFunction& controller, const std::string& ke
 }
 
 MatrixXd characteristicPolynomials(const PlantSamples& plants, const RationalFunction& controller) {
-  ErrorModelOptions options = plants.basis;
-  options.taps = static_cast<int>(plants.eta.cols());
-  options.constraint = Constraint::free;
-  const RationalBasis basis{ErrorBasis(options)};
+  const TransferFunctions models = transferFunctions(plants);
   MatrixXd all;
-  for (Index i = 0; i < plants.b.rows(); ++i) {
-    const VectorXd of_basis = full(basis.denominator);
-    VectorXd error = of_basis;  // D_F + sum eta_k N_k
-    for (Index k = 0; k < plants.eta.cols(); ++k)
-      error = sum(error, plants.eta(i, k) * basis.numerators[static_cast<std::size_t>(k)]);
-    const VectorXd a = product(full(plants.a.row(i).transpose()), of_basis);
-    const VectorXd b = product(delayed(plants.delay, plants.b.row(i).transpose()), error);
-    const VectorXd one = normalised(characteristic(a, b, controller));
-    if (all.rows() == 0) all.resize(plants.b.rows(), one.size());
+  for (Index i = 0; i < models.num.rows(); ++i) {
+    const VectorXd b = delayed(plants.delay, models.num.row(i).transpose());
+    const VectorXd one = normalised(characteristic(models.den.row(i).transpose(), b, controller));
+    if (all.rows() == 0) all.resize(models.num.rows(), one.size());
     all.row(i) = one.transpose();
   }
   return all;

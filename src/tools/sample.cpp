@@ -49,12 +49,13 @@ int main(int argc, char** argv) {
   ui::Program program;
   program.name = "sample";
   program.usage = "--model result.json --count N --output samples.json";
-  program.purpose = R"(Draws plants from the distribution that a result stands for, for Monte Carlo studies and for tools
+  program.purpose =
+      R"(Draws plants from the distribution that a result stands for, for Monte Carlo studies and for tools
 that take an array of models. Exit status: 0 done; 1 the result does not tell; 2 usage or
 configuration.)";
   program.options.add_options()  //
       ("model", po::value<std::string>()->required()->value_name("FILE"),
-       "result.json of identify")  //
+       "result.json of identify")                                                   //
       ("count", po::value<int>()->required()->value_name("N"), "number of plants")  //
       ("output", po::value<std::string>()->required()->value_name("FILE"),
        "where they go (JSON)")  //
