@@ -5,14 +5,14 @@
 #include <limits>
 #include <set>
 
+#include "uncertainty_identification/enum_names.h"
 #include "uncertainty_identification/require.h"
 
 namespace uncertainty_identification {
 namespace {
 
-constexpr int kMaxCoefficients = 50;     // of one polynomial
-constexpr int kMaxDelay = 100000;        // [samples]
-constexpr int kMaxErrorParameters = 10;  // n
+constexpr int kMaxCoefficients = 50;  // of one polynomial
+constexpr int kMaxDelay = 100000;     // [samples]
 
 template <class Value>
 void requireRangeOrAutomatic(const std::string& key, const Value& value, const Value& low,
@@ -63,7 +63,27 @@ void validateExplicitMatrix(const ErrorModelOptions& options) {
   require(options.T.allFinite(), "error_model.T", "an entry that is not finite", "finite numbers");
 }
 
+// Options of a basis that varies parameters of Go; names are checked against the model later.
+void validateVaryingParameters(const ErrorModelOptions& options) {
+  const bool spread = options.basis == BasisKind::parameter_spread;
+  if (!spread && options.basis != BasisKind::sensitivity) return;
+  require(options.constraint == Constraint::zero_mean ||
+              (!spread && options.constraint == Constraint::free),
+          "error_model.constraint", nameOf(options.constraint),
+          spread ? "zero_mean with basis parameter_spread: the parameters and the mean of their "
+                   "deviations cannot be told apart"
+                 : "zero_mean or free with basis sensitivity");
+  std::set<std::string> names;
+  for (const std::string& name : options.parameters)
+    require(names.insert(name).second, "error_model.parameters", name, "each parameter once");
+}
+
 }  // namespace
+
+Constraint defaultConstraint(BasisKind basis) {
+  const bool varies = basis == BasisKind::sensitivity || basis == BasisKind::parameter_spread;
+  return varies ? Constraint::zero_mean : Constraint::zero_static_gain;
+}
 
 void NominalModelOptions::validate() const {
   require(fit == PlantFit::likelihood || structure == Structure::output_error ||
@@ -103,7 +123,9 @@ void ErrorModelOptions::validate() const {
           "pole_real and pole_imag inside the unit circle");
   require(basis != BasisKind::kautz || pole_imag != 0, at + "pole_imag", pole_imag,
           "a number other than 0 (a real pole: basis laguerre)");
+  requireRange(at + "sensitivity_order", sensitivity_order, 1, 2);
   if (constraint == Constraint::explicit_matrix) validateExplicitMatrix(*this);
+  if (taps != 0) validateVaryingParameters(*this);
   if (taps == kAutomatic || taps == 0) return;
   const int free = errorParameters(*this);
   require(free >= 1 && free <= kMaxErrorParameters, at + "taps", taps,

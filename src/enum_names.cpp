@@ -24,8 +24,11 @@ const EnumNames<PlantFit>& enumNames(PlantFit) {
 }
 
 const EnumNames<BasisKind>& enumNames(BasisKind) {
-  static const EnumNames<BasisKind> kNames{
-      {BasisKind::fir, "fir"}, {BasisKind::laguerre, "laguerre"}, {BasisKind::kautz, "kautz"}};
+  static const EnumNames<BasisKind> kNames{{BasisKind::fir, "fir"},
+                                           {BasisKind::laguerre, "laguerre"},
+                                           {BasisKind::kautz, "kautz"},
+                                           {BasisKind::sensitivity, "sensitivity"},
+                                           {BasisKind::parameter_spread, "parameter_spread"}};
   return kNames;
 }
 

@@ -10,9 +10,11 @@
 #include "uncertainty_identification/data/check.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/estimation/initial_guess.h"
+#include "uncertainty_identification/estimation/linearisation.h"
 #include "uncertainty_identification/estimation/selection.h"
 #include "uncertainty_identification/estimation/simulation_fit.h"
 #include "uncertainty_identification/model/held_plant.h"
+#include "uncertainty_identification/model/sensitivity_model.h"
 #include "uncertainty_identification/version.h"
 
 namespace uncertainty_identification {
@@ -113,7 +115,7 @@ void Identification::chooseOrders() {
 
 void Identification::chooseTaps() {
   ErrorModelOptions& options = estimate_.configuration.error_model;
-  if (options.taps != kAutomatic) return;
+  if (options.taps != kAutomatic || variesParameters(options.basis)) return;
   const int fewest = options.constraint == Constraint::zero_static_gain ? 2 : 1;
   double lowest = std::numeric_limits<double>::infinity();
   std::size_t chosen = 0;
@@ -153,11 +155,17 @@ void Identification::buildModel() {
   auto nominal = plant_.has_value()
                      ? holdPlant(*plant_, white ? 0 : options.nc, white ? 0 : options.nd)
                      : nominalModel();
-  model_ = std::make_unique<LinearModel>(nominal, ErrorBasis(configuration.error_model),
-                                         configuration.estimation);
+  completeErrorModel(*nominal, &estimate_.configuration.error_model);
   if (blocks_.empty()) blocks_ = makeBlocks(experiments_);
-  likelihood_ =
-      std::make_unique<Likelihood>(*model_, blocks_, estimate_.experiment_count, threads());
+  adopt(makeLinearModel(nominal, configuration.error_model, configuration.estimation));
+}
+
+void Identification::adopt(std::unique_ptr<LinearModel> model) {
+  if (likelihood_ != nullptr) estimate_.passes += likelihood_->passes();
+  auto likelihood =
+      std::make_unique<Likelihood>(*model, blocks_, estimate_.experiment_count, threads());
+  likelihood_ = std::move(likelihood);
+  model_ = std::move(model);
 }
 
 void Identification::checkSizes() const {
@@ -181,6 +189,7 @@ void Identification::checkSizes() const {
 void Identification::climb(const ModelParameters& start) {
   const EstimationOptions& options = estimate_.configuration.estimation;
   at_ = start;
+  settle();
   if (options.max_iterations == 0) {
     const Expectation e =
         likelihood_->expect(likelihood_->statistics(start.parameters, false), start);
@@ -190,17 +199,27 @@ void Identification::climb(const ModelParameters& start) {
   }
   ClimbOptions climbing = climbOptions("climbing", 0.75, 0.95);
   climbing.floor = covarianceFloor(start.mixture);
-  Climb climb = options.algorithm == Algorithm::em
-                    ? expectationMaximisation(*likelihood_, start, climbing)
-                    : maximumLikelihood(*likelihood_, start, climbing);
+  climbOnce(climbing);
+  climbToStandingPoints(climbing);
+  reportFloor(climbing.floor);
+}
+
+void Identification::climbOnce(ClimbOptions options) {
+  options.max_iterations = std::max(1, options.max_iterations - estimate_.iterations);
+  Climb climb = estimate_.configuration.estimation.algorithm == Algorithm::em
+                    ? expectationMaximisation(*likelihood_, at_, options)
+                    : maximumLikelihood(*likelihood_, at_, options);
   at_ = std::move(climb.at);
   at_.mixture.sortComponents();
   estimate_.log_likelihood = climb.log_likelihood;
   estimate_.termination = cancelled_ ? Termination::cancelled : climb.termination;
   estimate_.message = climb.message;
-  estimate_.iterations = climb.iterations;
-  estimate_.trace = std::move(climb.trace);
-  reportFloor(climbing.floor);
+  for (TracePoint point : climb.trace) {
+    point.iteration += estimate_.iterations;
+    point.passes += estimate_.passes;
+    estimate_.trace.push_back(point);
+  }
+  estimate_.iterations += climb.iterations;
 }
 
 void Identification::reportFloor(const MatrixXd& floor) {
@@ -234,7 +253,11 @@ void Identification::validate(const std::vector<Experiment>& validation) {
   estimate_.validation.simulation_fit_percent = fit.percent;
   estimate_.validation.simulation_fit_percent_pooled = fit.pooled;
   const std::vector<Block> blocks = makeBlocks(used);
-  const Likelihood likelihood(*model_, blocks, static_cast<int>(used.size()), threads());
+  const int count = static_cast<int>(used.size());
+  const Linearisation about =
+      linearisedAtPosteriorMeans(*model_, blocks, count, threads(), at_, &estimate_.passes);
+  const LinearModel& model = about.model != nullptr ? *about.model : *model_;
+  const Likelihood likelihood(model, blocks, count, threads());
   const double total = likelihood.expect(likelihood.statistics(at_.parameters, false), at_).total();
   estimate_.validation.log_density_per_experiment = total / static_cast<double>(used.size());
 }

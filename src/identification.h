@@ -40,6 +40,10 @@ class Identification {
                                const Estimate* previous) const;
   ModelParameters chooseComponents(const ModelParameters& single, const ClimbOptions& options);
   void climb(const ModelParameters& start);
+  void climbOnce(ClimbOptions options);
+  void adopt(std::unique_ptr<LinearModel> model);
+  void settle();
+  void climbToStandingPoints(const ClimbOptions& options);
   void describe();
   void describeExperiments();
   void describeParameters();
@@ -63,6 +67,7 @@ class Identification {
   std::unique_ptr<LinearModel> model_;
   std::unique_ptr<Likelihood> likelihood_;
   ModelParameters at_;
+  Eigen::MatrixXd points_;  ///< that the model is linearised about, where it is so only locally
   std::optional<Polynomials> plant_;  ///< Go where it is fitted to its simulation
   double plant_offset_ = 0;
   std::vector<ParameterEstimate> plant_parameters_;

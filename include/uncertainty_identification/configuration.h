@@ -17,7 +17,7 @@ namespace uncertainty_identification {
 enum class Structure { output_error, arx, armax, box_jenkins, continuous };
 enum class Focus { simulation, prediction };
 enum class PlantFit { likelihood, simulation };
-enum class BasisKind { fir, laguerre, kautz };
+enum class BasisKind { fir, laguerre, kautz, sensitivity, parameter_spread };
 enum class Constraint { zero_static_gain, zero_mean, free, explicit_matrix };
 enum class Algorithm { em, maximum_likelihood };
 enum class InitialState { zero, discard, estimate };
@@ -27,6 +27,9 @@ enum class OffsetSide { output, input };
 
 /// A number the user gives, or `auto`: chosen from the data.
 constexpr int kAutomatic = -1;
+
+/// Largest number n of free error parameters.
+constexpr int kMaxErrorParameters = 10;
 
 /// Nominal model Go = q^-delay B/A and noise model H = C/D, equations (6)-(11).
 struct NominalModelOptions {
@@ -56,17 +59,27 @@ struct NominalModelOptions {
   void validate() const;
 };
 
+/// The constraint that a basis has where none is given: zero_mean where parameters of Go vary
+/// (sensitivity, parameter_spread), else zero_static_gain.
+Constraint defaultConstraint(BasisKind basis);
+
 /// Relative error model GDelta = sum_k eta_k F_k(q), eta = T xi, xi a Gaussian mixture: equations
-/// (4), (12).
+/// (4), (12). With basis sensitivity or parameter_spread the error is that of parameters of Go, xi
+/// their relative deviations (docs/method.md).
 struct ErrorModelOptions {
   BasisKind basis = BasisKind::fir;
-  int taps = 2;  ///< number of basis filters, 1 to 11, or kAutomatic; 0 = no error model
+  int taps = 2;  ///< number of basis filters, 1 to 11, or kAutomatic; 0 = no error model. Where
+                 ///< parameters of Go vary it follows from them
   Constraint constraint = Constraint::zero_static_gain;
   Eigen::MatrixXd T;  ///< taps x n, for Constraint::explicit_matrix (YAML: `constraint: explicit`)
   int components = kAutomatic;              ///< kappa, 1 to 10, or kAutomatic
   double pole = 0.5;                        ///< laguerre: real pole in (-1, 1)
   double pole_real = 0.5, pole_imag = 0.3;  ///< kautz: complex pole inside the unit circle
-  int max_taps = 4, max_components = 4;     ///< limits of the automatic choice
+  /// sensitivity, parameter_spread: names of the parameters of Go that vary from experiment to
+  /// experiment; empty: all of them (parameter_spread: where there is one)
+  std::vector<std::string> parameters;
+  int sensitivity_order = 1;  ///< sensitivity: 1, or 2 for the products of two deviations too
+  int max_taps = 4, max_components = 4;  ///< limits of the automatic choice
 
   void validate() const;
 };

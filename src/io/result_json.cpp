@@ -69,7 +69,7 @@ void bind(Archive& archive, NominalModelEstimate& model) {
 
 template <class Archive>
 void bind(Archive& archive, ErrorModelEstimate& model) {
-  bind(archive, model.options);
+  bindErrorModel(archive, "varied_parameters", model.options);
   archive("T", model.T);  // in place of the options' own, which is empty unless explicit
   bindMixture(archive, model.mixture);
   archive("parameters", model.parameters);

@@ -4,6 +4,7 @@
 
 #include "uncertainty_identification/enum_names.h"
 #include "uncertainty_identification/io/text_table.h"
+#include "uncertainty_identification/model/sensitivity.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -43,6 +44,13 @@ std::string parametersText(const Estimate& estimate) {
   return "Parameters\n" + textTable(rows);
 }
 
+std::string parameterList(const ErrorModelOptions& options) {
+  std::string list;
+  for (const std::string& name : options.parameters) list += (list.empty() ? "" : ", ") + name;
+  const bool second = options.basis == BasisKind::sensitivity && options.sensitivity_order == 2;
+  return list + (second ? " and products of two" : "");
+}
+
 std::string errorModelText(const ErrorModelEstimate& model) {
   const Mixture& mixture = model.mixture;
   if (mixture.components() == 0 || mixture.dimension() == 0) return "Error model: none\n";
@@ -50,6 +58,11 @@ std::string errorModelText(const ErrorModelEstimate& model) {
   for (std::size_t i = 0; i < mixture.weights.size(); ++i) {
     rows.push_back({std::to_string(i + 1), numberText(mixture.weights[i]),
                     vectorText(mixture.means[i]), matrixText(mixture.covariances[i])});
+  }
+  if (variesParameters(model.options.basis)) {
+    return "Error model: " + nameOf(model.options.basis) + " of " + parameterList(model.options) +
+           "; mixture of the relative deviations xi, " + nameOf(model.options.constraint) + "\n" +
+           textTable(rows);
   }
   return "Error model: " + nameOf(model.options.basis) + ", " + std::to_string(model.T.rows()) +
          " taps, " + nameOf(model.options.constraint) +

@@ -41,6 +41,10 @@ std::uint8_t toMessage(BasisKind basis) {
       return messages::ErrorModel::LAGUERRE;
     case BasisKind::kautz:
       return messages::ErrorModel::KAUTZ;
+    case BasisKind::sensitivity:
+      return messages::ErrorModel::SENSITIVITY;
+    case BasisKind::parameter_spread:
+      return messages::ErrorModel::PARAMETER_SPREAD;
   }
   throw std::invalid_argument("a basis outside its enumeration");
 }
@@ -64,6 +68,12 @@ void fillPole(const ErrorModelOptions& options, messages::ErrorModel& message) {
   if (options.basis != BasisKind::kautz) return;
   message.pole_real = options.pole_real;
   message.pole_imaginary = options.pole_imag;
+}
+
+std::uint8_t sensitivityOrder(const ErrorModelOptions& options) {
+  if (options.basis == BasisKind::parameter_spread) return 1;
+  if (options.basis != BasisKind::sensitivity) return 0;
+  return static_cast<std::uint8_t>(options.sensitivity_order);
 }
 
 }  // namespace
@@ -123,6 +133,8 @@ messages::ErrorModel toErrorModelMessage(const Estimate& estimate, const ResultC
   message.basis = toMessage(model.options.basis);
   message.taps = static_cast<std::uint32_t>(model.T.rows());
   fillPole(model.options, message);
+  message.sensitivity_order = sensitivityOrder(model.options);
+  if (message.sensitivity_order > 0) message.varied_parameters = model.options.parameters;
   message.constraint = toMessage(model.options.constraint);
   message.dimension = static_cast<std::uint32_t>(model.mixture.dimension());
   message.T = toRowMajor(model.T);

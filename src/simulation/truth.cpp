@@ -5,6 +5,7 @@
 
 #include "uncertainty_identification/model/error_basis.h"
 #include "uncertainty_identification/model/polynomial.h"
+#include "uncertainty_identification/model/sensitivity.h"
 #include "uncertainty_identification/require.h"
 
 namespace uncertainty_identification {
@@ -60,6 +61,8 @@ void PlantTruth::validate() const {
 void ErrorModelTruth::validate() const {
   if (mixture.components() == 0) return;
   require(basis.taps != kAutomatic, "error_model.taps", "auto", "a number");
+  require(!variesParameters(basis.basis), "error_model.basis", nameOf(basis.basis),
+          "fir, laguerre or kautz; a parameter that varies is plant.time_constant_spread");
   basis.validate();
   mixture.validate("error_model");
   const int free = ErrorBasis(basis).dimension();

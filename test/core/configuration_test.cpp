@@ -88,6 +88,20 @@ std::vector<BadValue> badModels() {
          c.error_model.basis = BasisKind::kautz;
          c.error_model.pole_imag = 0;
        }},
+      {"error_model.sensitivity_order", "3", [](auto& c) { c.error_model.sensitivity_order = 3; }},
+      {"error_model.constraint", "zero_static_gain",
+       [](auto& c) { c.error_model.basis = BasisKind::sensitivity; }},
+      {"error_model.constraint", "free",
+       [](auto& c) {
+         c.error_model.basis = BasisKind::parameter_spread;
+         c.error_model.constraint = Constraint::free;
+       }},
+      {"error_model.parameters", "tau1",
+       [](auto& c) {
+         c.error_model.basis = BasisKind::parameter_spread;
+         c.error_model.constraint = Constraint::zero_mean;
+         c.error_model.parameters = {"tau1", "tau1"};
+       }},
       {"error_model.T", "a 0 x 0 matrix",
        [](auto& c) { c.error_model.constraint = Constraint::explicit_matrix; }},
       {"error_model.taps", "auto",

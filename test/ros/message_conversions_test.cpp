@@ -128,9 +128,28 @@ TEST(MessageConversions, ModelsCarryEveryNumberRowMajor) {
   EXPECT_EQ(error.components[1].mean, (std::vector<double>{2, 3}));
   EXPECT_EQ(error.components[1].covariance, (std::vector<double>{4, 1, 1, 5}));
 
+  EXPECT_EQ(error.sensitivity_order, 0);
+  EXPECT_TRUE(error.varied_parameters.empty());
+
   const auto json = nlohmann::json::parse(message.result_json);
   EXPECT_EQ(json["nominal_model"]["b"], (std::vector<double>{1, 2}));
   EXPECT_EQ(nlohmann::json::parse(message.configuration), json["configuration"]);
+}
+
+TEST(MessageConversions, ErrorsOfParametersNameThem) {
+  Estimate estimate = makeEstimate();
+  ErrorModelOptions& options = estimate.error_model.options;
+  options.basis = BasisKind::sensitivity;
+  options.sensitivity_order = 2;
+  options.parameters = {"b1", "a1"};
+  const ResultContext context{ros::Time(5, 0), 9, true, {1, 3.5}};
+  const auto message = toErrorModelMessage(estimate, context);
+  EXPECT_EQ(message.basis, messages::ErrorModel::SENSITIVITY);
+  EXPECT_EQ(message.sensitivity_order, 2);
+  EXPECT_EQ(message.varied_parameters, (std::vector<std::string>{"b1", "a1"}));
+  options.basis = BasisKind::parameter_spread;
+  EXPECT_EQ(toErrorModelMessage(estimate, context).basis, messages::ErrorModel::PARAMETER_SPREAD);
+  EXPECT_EQ(toErrorModelMessage(estimate, context).sensitivity_order, 1);
 }
 
 }  // namespace

@@ -3,19 +3,30 @@
 #include <algorithm>
 #include <cmath>
 
+#include "uncertainty_identification/model/sensitivity_model.h"
+
 namespace uncertainty_identification::test {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+namespace {
+
+std::unique_ptr<LinearModel> modelOf(const Configuration& configuration, double sample_time) {
+  auto nominal = makeNominalModel(configuration.nominal_model, sample_time);
+  ErrorModelOptions error_model = configuration.error_model;
+  completeErrorModel(*nominal, &error_model);
+  return makeLinearModel(nominal, error_model, configuration.estimation);
+}
+
+}  // namespace
+
 CoreSetup::CoreSetup(const Configuration& configuration, std::vector<Experiment> experiments,
                      int threads)
     : experiments_(std::move(experiments)),
       blocks_(makeBlocks(experiments_)),
-      model_(std::make_unique<LinearModel>(
-          makeNominalModel(configuration.nominal_model, experiments_.front().sample_time),
-          ErrorBasis(configuration.error_model), configuration.estimation)),
+      model_(modelOf(configuration, experiments_.front().sample_time)),
       likelihood_(std::make_unique<Likelihood>(*model_, blocks_,
                                                static_cast<int>(experiments_.size()), threads)) {}
 

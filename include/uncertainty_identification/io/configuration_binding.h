@@ -31,6 +31,7 @@ void bind(Archive& archive, NominalModelOptions& options) {
 template <class Archive>
 void bindBasis(Archive& archive, ErrorModelOptions& options) {
   archive("basis", options.basis);
+  if constexpr (Archive::kReads) options.constraint = defaultConstraint(options.basis);
   archive("taps", orAutomatic(options.taps, kAutomatic));
   archive("constraint", options.constraint);
   archive("T", options.T);
@@ -39,12 +40,20 @@ void bindBasis(Archive& archive, ErrorModelOptions& options) {
   archive("pole_imag", options.pole_imag);
 }
 
+/// A result's error model has its estimates under `parameters`, and so another key for the names.
 template <class Archive>
-void bind(Archive& archive, ErrorModelOptions& options) {
+void bindErrorModel(Archive& archive, const char* parameters_key, ErrorModelOptions& options) {
   bindBasis(archive, options);
+  archive(parameters_key, options.parameters);
+  archive("sensitivity_order", options.sensitivity_order);
   archive("components", orAutomatic(options.components, kAutomatic));
   archive("max_taps", options.max_taps);
   archive("max_components", options.max_components);
+}
+
+template <class Archive>
+void bind(Archive& archive, ErrorModelOptions& options) {
+  bindErrorModel(archive, "parameters", options);
 }
 
 template <class Archive>

@@ -29,6 +29,8 @@ enum class ReadingRule {
 /// expected.
 class TreeReader {
  public:
+  static constexpr bool kReads = true;
+
   TreeReader(const nlohmann::json& node, const std::map<std::string, int>& lines, ReadingRule rule,
              std::string path = "");
 

@@ -18,6 +18,8 @@ namespace uncertainty_identification {
 /// that are not finite become null; what is `auto` is written so.
 class TreeWriter {
  public:
+  static constexpr bool kReads = false;
+
   template <class Value>
   void operator()(const std::string& key, const Value& value) {
     tree_[key] = write(value);

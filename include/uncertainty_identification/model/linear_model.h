@@ -33,13 +33,34 @@ class LinearModel : public Model {
   Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& unbounded) const override;
   Eigen::MatrixXd unboundedJacobian(const Eigen::VectorXd& unbounded) const override;
 
+  /// Whether the output is linear in the error parameters xi only near a point for each experiment.
+  virtual bool isLocallyLinear() const { return false; }
+
+  /// The points that belong to xi_r, given as columns (n x M), at these parameters; the same model
+  /// linearised about points is the next step of an iterated linearisation. Both only where
+  /// isLocallyLinear().
+  virtual Eigen::MatrixXd points(const Eigen::VectorXd& /*parameters*/,
+                                 const Eigen::MatrixXd& /*xi*/) const {
+    return {};
+  }
+  virtual std::unique_ptr<LinearModel> linearisedAbout(const Eigen::MatrixXd& /*points*/) const {
+    return nullptr;
+  }
+
   /// Free simulation Go u of one block (plus the offset), from rest: what the nominal model alone
   /// predicts.
   Signals simulate(const Block& block, const Eigen::VectorXd& parameters) const;
 
+ protected:
+  /// Theta and the common offset (0 where none is estimated) among all parameters.
+  Eigen::VectorXd theta(const Eigen::VectorXd& parameters) const;
+  double commonOffset(const Eigen::VectorXd& parameters) const;
+
+  const EstimationOptions& options() const { return options_; }
+  const std::shared_ptr<const NominalModel>& sharedNominal() const { return nominal_; }
+
  private:
   bool hasCommonOffset() const { return options_.offsets == Offsets::estimate; }
-  Eigen::VectorXd theta(const Eigen::VectorXd& parameters) const;
 
   std::shared_ptr<const NominalModel> nominal_;
   ErrorBasis basis_;

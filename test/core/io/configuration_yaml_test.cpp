@@ -60,7 +60,7 @@ sample_time: 0.012345678901234567
 nominal_model: {structure: output_error, orders: auto, focus: prediction, fit: simulation, max_order: 5, max_delay: 7, nb: 3, na: 4, nc: 2,
                 nd: 0, delay: 6, time_constants: 2, resonances: 1, zeros: 2, dead_time: true, fixed: {gain: 0.1, tau1: 3}}
 error_model: {basis: kautz, taps: 3, constraint: explicit, T: [[1, 0], [0, 0.3], [-1, -1]], components: 3, pole: -0.1,
-              pole_real: 0.2, pole_imag: 0.7, max_taps: 6, max_components: 5}
+              pole_real: 0.2, pole_imag: 0.7, parameters: [b1], sensitivity_order: 2, max_taps: 6, max_components: 5}
 estimation: {algorithm: em, max_iterations: 0, tolerance: 1.0e-9, restarts: 3, threads: 2, seed: 18446744073709551615,
              initial_state: discard, discard_samples: 9, noise_start: zero, offsets: per_experiment, offset_side: input}
 initial: {theta: [0.1, -0.2], weights: [0.25, 0.75], means: [[1, 2], [3, 4]],
@@ -86,6 +86,19 @@ TEST(ConfigurationYaml, MinimalConfiguration) {
   const Configuration configuration =
       parseConfiguration(YAML::Load("{nominal_model: {orders: auto}}"));
   EXPECT_TRUE(configuration.nominal_model.orders_auto);
+}
+
+TEST(ConfigurationYaml, ABasisThatVariesParametersHasAConstraintOfItsOwn) {
+  const auto constraint = [](const std::string& error_model) {
+    return parseConfiguration(YAML::Load("error_model: {" + error_model + "}"))
+        .error_model.constraint;
+  };
+  EXPECT_EQ(constraint("basis: fir"), Constraint::zero_static_gain);
+  EXPECT_EQ(constraint("basis: sensitivity"), Constraint::zero_mean);
+  EXPECT_EQ(constraint("basis: parameter_spread"), Constraint::zero_mean);
+  EXPECT_EQ(constraint("constraint: free, basis: sensitivity"), Constraint::free);
+  EXPECT_TRUE(contains(complaint("error_model: {basis: parameter_spread, constraint: free}"),
+                       "error_model.constraint: found free"));
 }
 
 TEST(ConfigurationYaml, RoundTripKeepsEveryBit) {

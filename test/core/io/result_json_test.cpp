@@ -144,6 +144,22 @@ TEST(ResultJson, ExplicitMatrixSurvives) {
   EXPECT_EQ(estimateFromJson(toJson(full)).error_model.options.T, full.error_model.T);
 }
 
+TEST(ResultJson, NamesOfVaryingParametersSurviveBesideTheEstimates) {
+  Estimate full = estimate();
+  ErrorModelOptions& options = full.error_model.options;
+  options.basis = BasisKind::parameter_spread;
+  options.constraint = Constraint::zero_mean;
+  options.parameters = {"tau1", "gain"};
+  const json tree = toJson(full);
+  EXPECT_EQ(tree["error_model"]["varied_parameters"], json({"tau1", "gain"}));
+  EXPECT_EQ(tree["error_model"]["parameters"][0]["name"], "weight1");
+  const Estimate back = estimateFromJson(tree);
+  EXPECT_EQ(back.error_model.options.parameters, options.parameters);
+  EXPECT_EQ(back.error_model.options.basis, BasisKind::parameter_spread);
+  EXPECT_EQ(back.error_model.options.constraint, Constraint::zero_mean);
+  EXPECT_EQ(back.error_model.parameters.size(), 1u);
+}
+
 TEST(ResultJson, WithoutValidationThereIsNoFit) {
   Estimate full = estimate();
   full.validation = {};

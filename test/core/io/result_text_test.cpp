@@ -67,6 +67,15 @@ TEST(ResultText, ShowsFindingsOnlyWhereThereAreAny) {
   expectPart(text, "pooled      90.5\n");
 }
 
+TEST(ResultText, NamesTheParametersThatVary) {
+  Estimate varying = example();
+  varying.error_model.options.basis = BasisKind::sensitivity;
+  varying.error_model.options.sensitivity_order = 2;
+  varying.error_model.options.parameters = {"tau1", "gain"};
+  EXPECT_NE(resultText(varying).find("sensitivity of tau1, gain and products of two; mixture"),
+            std::string::npos);
+}
+
 TEST(ResultText, PlainModelHasNoMixture) {
   Estimate estimate = example();
   estimate.error_model = {};

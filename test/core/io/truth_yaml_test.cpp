@@ -56,6 +56,10 @@ noise: {variance: 0.1, c: [0.1], d: [0.8], start: stationary}
 }
 
 TEST(TruthYaml, BadTruthsAreRefused) {
+  EXPECT_NE(complaint("error_model: {basis: sensitivity, taps: 1, weights: [1], means: [[0]], "
+                      "covariances: [[[1]]]}")
+                .find("error_model.basis: found sensitivity"),
+            std::string::npos);
   EXPECT_EQ(complaint("plant: {gian: 1}"),
             "plant.gian (line 1): unknown key; did you mean plant.gain?");
   EXPECT_NE(complaint("input: {kind: noise}").find("white_noise, prbs, steps, multisine"),

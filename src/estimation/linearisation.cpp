@@ -1,0 +1,69 @@
+#include "uncertainty_identification/estimation/linearisation.h"
+
+#include <algorithm>
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// `target`, or a point on the way to it from `point` where the model is defined.
+VectorXd towards(const LinearModel& model, const VectorXd& parameters, const VectorXd& point,
+                 const VectorXd& target) {
+  constexpr int kHalvings = 10;
+  VectorXd step = target - point;
+  for (int k = 0; k < kHalvings && step.allFinite(); ++k, step /= 2) {
+    if (model.linearisedAbout(point + step)->admissible(parameters)) return point + step;
+  }
+  return point;
+}
+
+double largestMove(const LinearModel& model, const ModelParameters& at, const MatrixXd& from,
+                   const MatrixXd& to) {
+  const VectorXd deviation = at.mixture.covariance().diagonal().cwiseMax(0).cwiseSqrt();
+  const VectorXd unit = (model.points(at.parameters, deviation) -
+                         model.points(at.parameters, VectorXd::Zero(deviation.size())))
+                            .cwiseAbs()
+                            .cwiseMax(1e-300);
+  return (unit.cwiseInverse().asDiagonal() * (to - from)).cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+Linearisation nextLinearisation(const LinearModel& model, const Likelihood& likelihood,
+                                const ModelParameters& at, const MatrixXd& points) {
+  const Statistics statistics = likelihood.statistics(at.parameters, false);
+  const MatrixXd means = latentMoments(likelihood.expect(statistics, at)).means;
+  Linearisation next;
+  next.points = model.points(at.parameters, means);
+  next.model = model.linearisedAbout(next.points);
+  if (!next.points.allFinite() || !next.model->admissible(at.parameters)) {
+    for (Index r = 0; r < points.cols(); ++r)
+      next.points.col(r) = towards(model, at.parameters, points.col(r), next.points.col(r));
+    next.model = model.linearisedAbout(next.points);
+  }
+  next.move = largestMove(model, at, points, next.points);
+  return next;
+}
+
+Linearisation linearisedAtPosteriorMeans(const LinearModel& model, const std::vector<Block>& blocks,
+                                         int experiments, int threads, const ModelParameters& at,
+                                         int* passes) {
+  constexpr int kMostSteps = 50;
+  Linearisation now;
+  if (!model.isLocallyLinear()) return now;
+  now.points = model.points(at.parameters, MatrixXd::Zero(model.regressors(), experiments));
+  now.model = model.linearisedAbout(now.points);
+  now.move = 1;
+  for (int k = 0; k < kMostSteps && now.move >= kStandingStill; ++k) {
+    const Likelihood likelihood(*now.model, blocks, experiments, threads);
+    Linearisation next = nextLinearisation(*now.model, likelihood, at, now.points);
+    *passes += likelihood.passes();
+    now = std::move(next);
+  }
+  return now;
+}
+
+}  // namespace uncertainty_identification

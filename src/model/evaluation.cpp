@@ -1,0 +1,139 @@
+#include "evaluation.h"
+
+#include "uncertainty_identification/model/filter.h"
+
+namespace uncertainty_identification {
+namespace {
+
+void addScaled(double factor, const Signals& from, Signals* to) {
+  if (from.cols() == 0) return;
+  if (to->cols() == 0) to->setZero(kLanes, from.cols());
+  addShifted(factor, 0, from, to);
+}
+
+void addScaled(double factor, const WhitenedSignals& from, WhitenedSignals* to) {
+  addScaled(factor, from.residual, &to->residual);
+  if (to->regressors.size() < from.regressors.size()) to->regressors.resize(from.regressors.size());
+  for (std::size_t i = 0; i < from.regressors.size(); ++i)
+    addScaled(factor, from.regressors[i], &to->regressors[i]);
+  if (to->columns.size() < from.columns.size()) to->columns.resize(from.columns.size());
+  for (std::size_t k = 0; k < from.columns.size(); ++k) {
+    if (from.columns[k] == nullptr) continue;
+    const auto sum = std::make_shared<Signals>();
+    if (to->columns[k] != nullptr) *sum = *to->columns[k];
+    addScaled(factor, *from.columns[k], sum.get());
+    to->columns[k] = sum;
+  }
+  to->log_jacobian += factor * from.log_jacobian;
+}
+
+}  // namespace
+
+Evaluation::Evaluation(const Polynomials& polynomials, int plant_coordinates,
+                       const EstimationOptions& options, const Block& block, bool derivatives)
+    : polynomials_(polynomials),
+      plant_coordinates_(plant_coordinates),
+      options_(options),
+      block_(block),
+      derivatives_(derivatives),
+      whitening_(polynomials.c, polynomials.d, options.noise_start,
+                 options.initial_state == InitialState::discard ? options.discard_samples : 0,
+                 block, derivatives),
+      ones_(Signals::Ones(kLanes, block.samples)) {}
+
+void Evaluation::run(double offset, Response* response) {
+  response->effective_samples = whitening_.effectiveSamples();
+  response->value.log_jacobian = whitening_.logJacobian();
+  response->derivatives.assign(
+      derivatives_ ? static_cast<std::size_t>(plant_coordinates_ + whitening_.parameters()) : 0,
+      {});
+  for (int j = 0; derivatives_ && j < whitening_.parameters(); ++j) {
+    response->derivatives[static_cast<std::size_t>(plant_coordinates_ + j)].log_jacobian =
+        whitening_.logJacobianDerivatives()[static_cast<std::size_t>(j)];
+  }
+  const bool at_input = options_.offset_side == OffsetSide::input;
+  addOutput(at_input ? Signals(block_.u + offset) : block_.u, at_input ? 0.0 : offset, response);
+  if (options_.initial_state == InitialState::estimate) addFreeResponse(response);
+  if (options_.offsets == Offsets::per_experiment) addOwnOffset(response);
+  if (options_.offsets == Offsets::estimate && derivatives_) addCommonOffset(response);
+  response->column_precision =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(response->value.columns.size()));
+}
+
+Signals* Evaluation::at(std::vector<Signals>* list, std::size_t k) {
+  if (list->size() <= k) list->resize(k + 1);
+  return &(*list)[k];
+}
+
+Signals* Evaluation::at(std::vector<std::shared_ptr<const Signals>>* list, std::size_t k) {
+  if (list->size() <= k) list->resize(k + 1);
+  auto fresh = std::make_shared<Signals>();
+  (*list)[k] = fresh;
+  return fresh.get();
+}
+
+/// Residual and regressors of a change of the plant: -output and its regressors.
+void Evaluation::whitenTangent(const Signals& output, const std::vector<Signals>& regressors,
+                               WhitenedSignals* out) const {
+  whitening_.apply(-output, &out->residual);
+  out->regressors.resize(regressors.size());
+  for (std::size_t i = 0; i < regressors.size(); ++i)
+    whitening_.apply(regressors[i], &out->regressors[i]);
+}
+
+void Evaluation::addOutput(const Signals& input, double output_offset, Response* response) const {
+  const std::unique_ptr<PlantResponse> plant = respond(input);
+  whiten(block_.y - plant->output() - output_offset, response,
+         [](WhitenedSignals* s) { return &s->residual; });
+  const std::vector<Signals> regressors = plant->regressors();
+  for (std::size_t i = 0; i < regressors.size(); ++i) {
+    whiten(regressors[i], response, [i](WhitenedSignals* s) { return at(&s->regressors, i); });
+  }
+  for (int k = 0; derivatives_ && k < plant_coordinates_; ++k) {
+    whitenTangent(plant->outputDerivative(k), plant->regressorDerivatives(k),
+                  &response->derivatives[static_cast<std::size_t>(k)]);
+  }
+}
+
+void Evaluation::addOwnOffset(Response* response) const {
+  const std::size_t column = response->value.columns.size();
+  const auto slot = [column](WhitenedSignals* s) { return at(&s->columns, column); };
+  if (options_.offset_side == OffsetSide::output) {
+    whiten(ones_, response, slot);
+    return;
+  }
+  const std::unique_ptr<PlantResponse> plant = respond(ones_);
+  whiten(plant->expectedOutput(), response, slot);
+  for (int k = 0; derivatives_ && k < plant_coordinates_; ++k) {
+    whitening_.apply(plant->expectedOutputDerivative(k),
+                     slot(&response->derivatives[static_cast<std::size_t>(k)]));
+  }
+}
+
+void Evaluation::addCommonOffset(Response* response) const {
+  response->derivatives.emplace_back();
+  if (options_.offset_side == OffsetSide::output) {
+    whitening_.apply(-ones_, &response->derivatives.back().residual);
+  } else {
+    const std::unique_ptr<PlantResponse> plant = respond(ones_);
+    whitenTangent(plant->output(), plant->regressors(), &response->derivatives.back());
+  }
+}
+
+void applyJacobian(const Eigen::MatrixXd& jacobian, std::vector<WhitenedSignals>* derivatives) {
+  if (jacobian.rows() == jacobian.cols() && jacobian.isIdentity(0)) return;
+  std::vector<WhitenedSignals> combined(static_cast<std::size_t>(jacobian.cols()));
+  for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
+    for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
+      if (jacobian(i, j) == 0) continue;
+      addScaled(jacobian(i, j), (*derivatives)[static_cast<std::size_t>(i)],
+                &combined[static_cast<std::size_t>(j)]);
+    }
+  }
+  for (auto i = static_cast<std::size_t>(jacobian.rows()); i < derivatives->size(); ++i) {
+    combined.push_back(std::move((*derivatives)[i]));
+  }
+  derivatives->swap(combined);
+}
+
+}  // namespace uncertainty_identification

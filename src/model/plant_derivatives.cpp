@@ -1,0 +1,132 @@
+#include "plant_derivatives.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Relative step of the differences: they are of fourth order, so that a wide one serves, which
+/// also a Jacobian that is itself made of differences bears.
+constexpr double kStep = 1e-2;
+
+void addShifted(const Lanes& factor, Index delay, const Signals& in, Signals* out) {
+  for (Index t = delay; t < in.cols(); ++t) out->col(t) += factor * in.col(t - delay);
+}
+
+bool isZero(const Lanes& lanes) { return (lanes == 0).all(); }
+
+/// The entries of `index` at the positions whose bit is set in `mask`.
+DerivativeIndex chosen(const DerivativeIndex& index, unsigned mask) {
+  DerivativeIndex part;
+  for (std::size_t k = 0; k < index.size(); ++k) {
+    if ((mask >> k & 1u) != 0) part.push_back(index[k]);
+  }
+  return part;
+}
+
+}  // namespace
+
+DerivativeIndex with(DerivativeIndex index, int l) {
+  index.insert(std::upper_bound(index.begin(), index.end(), l), l);
+  return index;
+}
+
+PlantCoefficients::PlantCoefficients(const NominalModel& nominal, const VectorXd& theta)
+    : nominal_(nominal), theta_(theta) {
+  const Polynomials p = nominal.polynomials(theta);
+  delay_ = p.delay;
+  nb_ = p.b.size();
+  na_ = p.a.size();
+  value_.resize(nb_ + na_);
+  value_ << p.b, p.a;
+}
+
+VectorXd PlantCoefficients::derivative(const DerivativeIndex& index) {
+  if (index.empty()) return value_;
+  return jacobianDerivative({index.begin() + 1, index.end()}).col(index.front());
+}
+
+const MatrixXd& PlantCoefficients::jacobianDerivative(const DerivativeIndex& directions) {
+  const auto known = jacobians_.find(directions);
+  if (known != jacobians_.end()) return known->second;
+  MatrixXd result;
+  if (directions.empty()) {
+    result = nominal_.jacobian(theta_).topRows(nb_ + na_);
+  } else {
+    const Index j = directions.front();
+    const DerivativeIndex others(directions.begin() + 1, directions.end());
+    const double step = kStep * std::max(std::abs(theta_[j]), 1e-9);
+    const auto moved = [&](double distance) -> MatrixXd {
+      VectorXd there = theta_;
+      there[j] += distance;
+      return PlantCoefficients(nominal_, there).jacobianDerivative(others);
+    };
+    result = (8 * (moved(step) - moved(-step)) - (moved(2 * step) - moved(-2 * step))) / (12 * step);
+  }
+  return jacobians_.emplace(directions, std::move(result)).first->second;
+}
+
+PlantDerivatives::PlantDerivatives(std::vector<PlantCoefficients>* lanes, const Signals& input)
+    : lanes_(lanes), input_(input) {}
+
+const std::vector<Lanes>& PlantDerivatives::coefficients(const DerivativeIndex& index) {
+  const auto known = coefficients_.find(index);
+  if (known != coefficients_.end()) return known->second;
+  const auto size = static_cast<std::size_t>(lanes_->front().nb() + lanes_->front().na());
+  std::vector<Lanes> all(size);
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const auto own = std::min(static_cast<std::size_t>(lane), lanes_->size() - 1);
+    if (own < static_cast<std::size_t>(lane)) {  // the rest of the lanes are as the last
+      for (Lanes& coefficient : all) coefficient[lane] = coefficient[lane - 1];
+      continue;
+    }
+    const VectorXd of_lane = (*lanes_)[own].derivative(index);
+    for (std::size_t k = 0; k < size; ++k) all[k][lane] = of_lane[static_cast<Index>(k)];
+  }
+  return coefficients_.emplace(index, std::move(all)).first->second;
+}
+
+Signals PlantDerivatives::timesA(const DerivativeIndex& index, const Signals& x) {
+  const std::vector<Lanes>& all = coefficients(index);
+  const Index nb = lanes_->front().nb(), na = lanes_->front().na();
+  Signals out = Signals::Zero(kLanes, x.cols());
+  for (Index k = 0; k < na; ++k) {
+    const Lanes& factor = all[static_cast<std::size_t>(nb + k)];
+    if (!isZero(factor)) addShifted(factor, k + 1, x, &out);
+  }
+  return out;
+}
+
+void PlantDerivatives::divideByA(Signals* x) {
+  const std::vector<Lanes>& all = coefficients({});
+  const Index nb = lanes_->front().nb(), na = lanes_->front().na();
+  for (Index t = 0; t < x->cols(); ++t) {
+    for (Index k = 1; k <= std::min(na, t); ++k)
+      x->col(t) -= all[static_cast<std::size_t>(nb + k - 1)] * x->col(t - k);
+  }
+}
+
+const Signals& PlantDerivatives::signal(const DerivativeIndex& index) {
+  const auto known = signals_.find(index);
+  if (known != signals_.end()) return known->second;
+  Signals x = Signals::Zero(kLanes, input_.cols());
+  const std::vector<Lanes>& all = coefficients(index);
+  const Index nb = lanes_->front().nb();
+  for (Index k = 0; k < nb; ++k) {
+    const Lanes& factor = all[static_cast<std::size_t>(k)];
+    if (!isZero(factor)) addShifted(factor, lanes_->front().delay() + k, input_, &x);
+  }
+  const unsigned whole = 1u << index.size();
+  for (unsigned mask = 1; mask < whole; ++mask) {
+    x -= timesA(chosen(index, mask), signal(chosen(index, whole - 1 - mask)));
+  }
+  divideByA(&x);
+  return signals_.emplace(index, std::move(x)).first->second;
+}
+
+}  // namespace uncertainty_identification

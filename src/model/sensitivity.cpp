@@ -1,0 +1,146 @@
+#include "uncertainty_identification/model/sensitivity.h"
+
+#include <algorithm>
+#include <complex>
+#include <map>
+
+#include "plant_derivatives.h"
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/require.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::ArrayXcd;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Names of theta's entries that B or A depend on.
+std::vector<std::string> namesThatMoveGo(const NominalModel& nominal) {
+  const std::vector<std::string> names = nominal.names();
+  const VectorXd anywhere =
+      nominal.fromUnbounded(VectorXd::Constant(static_cast<Index>(names.size()), 0.1));
+  const Polynomials p = nominal.polynomials(anywhere);
+  const Eigen::MatrixXd of_go = nominal.jacobian(anywhere).topRows(p.b.size() + p.a.size());
+  std::vector<std::string> moving;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (!of_go.col(static_cast<Index>(k)).isZero(0)) moving.push_back(names[k]);
+  }
+  return moving;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all.empty() ? "none" : all;
+}
+
+/// Frequency responses of Go and its derivatives, by the recursion of PlantDerivatives.
+class PlantResponses {
+ public:
+  PlantResponses(const NominalModel& nominal, const VectorXd& theta, const VectorXd& omega)
+      : plant_(nominal, theta),
+        backward_shift_((std::complex<double>(0, -1) * omega.cast<std::complex<double>>())
+                            .array()
+                            .exp()) {}
+
+  const ArrayXcd& response(const DerivativeIndex& index) {
+    const auto known = responses_.find(index);
+    if (known != responses_.end()) return known->second;
+    const VectorXd all = plant_.derivative(index);
+    ArrayXcd sum = polynomial(all.head(plant_.nb()), plant_.delay());
+    const unsigned whole = 1u << index.size();
+    for (unsigned mask = 1; mask < whole; ++mask) {
+      DerivativeIndex part, rest;
+      for (unsigned k = 0; k < index.size(); ++k)
+        ((mask >> k & 1u) != 0 ? part : rest).push_back(index[k]);
+      sum -= polynomial(plant_.derivative(part).tail(plant_.na()), 1) * response(rest);
+    }
+    sum /= 1.0 + polynomial(plant_.derivative({}).tail(plant_.na()), 1);
+    return responses_.emplace(index, std::move(sum)).first->second;
+  }
+
+ private:
+  /// sum_k c_k q^-(first + k)
+  ArrayXcd polynomial(const VectorXd& coefficients, int first) const {
+    ArrayXcd sum = ArrayXcd::Zero(backward_shift_.size());
+    for (Index k = coefficients.size(); k-- > 0;) sum = sum * backward_shift_ + coefficients[k];
+    return sum * backward_shift_.pow(first);
+  }
+
+  PlantCoefficients plant_;
+  ArrayXcd backward_shift_;
+  std::map<DerivativeIndex, ArrayXcd> responses_;
+};
+
+}  // namespace
+
+bool variesParameters(BasisKind basis) {
+  return basis == BasisKind::sensitivity || basis == BasisKind::parameter_spread;
+}
+
+double SensitivityTerms::scale(int i, const VectorXd& theta) const {
+  const std::vector<int>& term = indices[static_cast<std::size_t>(i)];
+  double product = term.size() == 2 && term[0] == term[1] ? 0.5 : 1.0;
+  for (int j : term) product *= theta[j];
+  return product;
+}
+
+double SensitivityTerms::scaleDerivative(int i, int l, const VectorXd& theta) const {
+  const std::vector<int>& term = indices[static_cast<std::size_t>(i)];
+  if (term.size() == 1) return term[0] == l ? 1.0 : 0.0;
+  if (term[0] == term[1]) return term[0] == l ? theta[l] : 0.0;
+  return term[0] == l ? theta[term[1]] : (term[1] == l ? theta[term[0]] : 0.0);
+}
+
+SensitivityTerms sensitivityTerms(const NominalModel& nominal, const ErrorModelOptions& options) {
+  const std::vector<std::string> names = nominal.names(), moving = namesThatMoveGo(nominal);
+  std::vector<int> varied;
+  for (const std::string& name : options.parameters) {
+    require(std::find(moving.begin(), moving.end(), name) != moving.end(),
+            "error_model.parameters", name, "parameters that the nominal model's Go has: " +
+                                                listed(moving));
+    varied.push_back(
+        static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin()));
+  }
+  SensitivityTerms terms;
+  for (int j : varied) terms.indices.push_back({j});
+  const bool second = options.basis == BasisKind::sensitivity && options.sensitivity_order == 2;
+  for (std::size_t j = 0; second && j < varied.size(); ++j) {
+    for (std::size_t k = j; k < varied.size(); ++k)
+      terms.indices.push_back(with({varied[j]}, varied[k]));
+  }
+  return terms;
+}
+
+void completeErrorModel(const NominalModel& nominal, ErrorModelOptions* options) {
+  if (!variesParameters(options->basis) || options->taps == 0) return;
+  if (options->parameters.empty()) {
+    const std::vector<std::string> moving = namesThatMoveGo(nominal);
+    require(!moving.empty(), "error_model.basis", "one that varies Go's parameters",
+            "fir, laguerre or kautz where Go has none of its own (fit: simulation holds it)");
+    require(options->basis == BasisKind::sensitivity || moving.size() == 1,
+            "error_model.parameters", "nothing",
+            "the names of those that vary from experiment to experiment, of " + listed(moving));
+    options->parameters = moving;
+  }
+  const int count = sensitivityTerms(nominal, *options).count();
+  require(count <= kMaxErrorParameters, "error_model.parameters",
+          std::to_string(count) + " regressors",
+          "at most " + std::to_string(kMaxErrorParameters) +
+              "; name fewer parameters, or take sensitivity_order 1");
+  options->taps = count;
+}
+
+Eigen::MatrixXcd sensitivityResponses(const NominalModel& nominal, const SensitivityTerms& terms,
+                                      const VectorXd& theta, const VectorXd& omega) {
+  PlantResponses plant(nominal, theta, omega);
+  Eigen::MatrixXcd responses(omega.size(), terms.count());
+  for (int i = 0; i < terms.count(); ++i) {
+    responses.col(i) =
+        terms.scale(i, theta) * plant.response(terms.indices[static_cast<std::size_t>(i)]);
+  }
+  return responses;
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,231 @@
+#include "uncertainty_identification/model/sensitivity_model.h"
+
+#include <algorithm>
+
+#include "evaluation.h"
+#include "plant_derivatives.h"
+#include "uncertainty_identification/model/filter.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Where a block's plants stand.
+struct LanePlants {
+  VectorXd theta;                        ///< common
+  MatrixXd points;                       ///< t_r of each lane (n x lanes); empty: all at theta
+  std::vector<PlantCoefficients> lanes;  ///< at t_r
+
+  bool areApart() const { return points.cols() > 0; }
+
+  /// Whether the plants have a theta_l of their own, which does not move with the common one.
+  bool areApart(const SensitivityTerms& terms, int l) const {
+    return areApart() && std::any_of(terms.indices.begin(), terms.indices.end(),
+                                     [l](const auto& term) { return term.front() == l; });
+  }
+
+  /// theta_j - t_rj, where term i is that of theta_j.
+  Lanes distance(int i, int j) const {
+    Lanes values = Lanes::Zero();
+    values.head(points.cols()) = theta[j] - points.row(i).transpose().array();
+    return values;
+  }
+};
+
+/// The response in the coordinates of theta, H's parameters included, which do not move it.
+class SensitivityResponse : public PlantResponse {
+ public:
+  SensitivityResponse(const SensitivityTerms& terms, LanePlants* at, const Signals& input)
+      : terms_(terms), at_(*at), plant_(&at->lanes, input) {}
+
+  Signals output() override { return expanded({}); }
+  Signals outputDerivative(int l) override { return isApart(l) ? plant_.signal({l}) : expanded({l}); }
+
+  std::vector<Signals> regressors() override {
+    std::vector<Signals> all;
+    for (int i = 0; i < terms_.count(); ++i)
+      all.push_back(terms_.scale(i, at_.theta) * plant_.signal(term(i)));
+    return all;
+  }
+
+  std::vector<Signals> regressorDerivatives(int l) override {
+    std::vector<Signals> all;
+    for (int i = 0; i < terms_.count(); ++i) {
+      Signals derivative = terms_.scaleDerivative(i, l, at_.theta) * plant_.signal(term(i));
+      if (!isApart(l))
+        derivative += terms_.scale(i, at_.theta) * plant_.signal(with(term(i), l));
+      all.push_back(std::move(derivative));
+    }
+    return all;
+  }
+
+  Signals expectedOutput() override { return plant_.signal({}); }
+  Signals expectedOutputDerivative(int l) override {
+    return isApart(l) ? Signals(Signals::Zero(kLanes, plant_.signal({}).cols()))
+                      : plant_.signal({l});
+  }
+
+ private:
+  const std::vector<int>& term(int i) const {
+    return terms_.indices[static_cast<std::size_t>(i)];
+  }
+
+  bool isApart(int l) const { return at_.areApart(terms_, l); }
+
+  /// x_S of the linearisation, at theta: x_S + sum_j x_Sj (theta_j - t_rj).
+  Signals expanded(const DerivativeIndex& index) {
+    Signals sum = plant_.signal(index);
+    for (int i = 0; at_.areApart() && i < terms_.count(); ++i) {
+      const int j = term(i).front();
+      sum += plant_.signal(with(index, j)).colwise() * at_.distance(i, j);
+    }
+    return sum;
+  }
+
+  const SensitivityTerms& terms_;
+  const LanePlants& at_;
+  PlantDerivatives plant_;
+};
+
+/// In the coordinates [theta; c; d]: theta as far as it moves Go.
+class SensitivityEvaluation : public Evaluation {
+ public:
+  /// `power` of A in the denominator of what the error model lets an initial state do.
+  SensitivityEvaluation(const Polynomials& p, const SensitivityTerms& terms, LanePlants* at,
+                        int power, const EstimationOptions& options, const Block& block,
+                        bool derivatives)
+      : Evaluation(p, static_cast<int>(at->theta.size()), options, block, derivatives),
+        terms_(terms),
+        at_(at),
+        power_(power) {}
+
+ protected:
+  std::unique_ptr<PlantResponse> respond(const Signals& input) const override {
+    return std::make_unique<SensitivityResponse>(terms_, at_, input);
+  }
+
+  /// q^-k/A^power, k = 0, 1, ...: whatever xi, to the order of the terms.
+  void addFreeResponse(Response* response) const override {
+    const PlantCoefficients& go = at_->lanes.front();
+    const int na = static_cast<int>(go.na()), nb = static_cast<int>(go.nb());
+    const int directions =
+        std::min(std::max(power_ * na, go.delay() + nb - 1 + (power_ - 1) * na), block().samples);
+    Signals free = Signals::Zero(kLanes, block().samples), shifted;
+    free.col(0).setOnes();
+    PlantDerivatives plant(&at_->lanes, free);
+    for (int m = 0; m < power_; ++m) plant.divideByA(&free);
+    const auto put = [&](const Signals& signal, int k) {
+      shift(k, signal, &shifted);
+      return static_cast<std::size_t>(k);
+    };
+    for (int k = 0; k < directions; ++k) {
+      const std::size_t column = put(free, k);
+      whiten(shifted, response, [column](WhitenedSignals* s) { return at(&s->columns, column); });
+    }
+    for (int l = 0; derivatives() && l < plantCoordinates(); ++l) {
+      if (at_->areApart(terms_, l)) continue;
+      Signals change = -power_ * plant.timesA({l}, free);
+      plant.divideByA(&change);
+      if ((change == 0).all()) continue;
+      auto& columns = response->derivatives[static_cast<std::size_t>(l)].columns;
+      for (int k = 0; k < directions; ++k)
+        whitening().apply(shifted, at(&columns, put(change, k)));
+    }
+  }
+
+ private:
+  const SensitivityTerms& terms_;
+  LanePlants* at_;
+  int power_;
+};
+
+/// d[theta; c; d]/dtheta.
+MatrixXd withNoise(const MatrixXd& jacobian, const Polynomials& p) {
+  const Index own = jacobian.cols(), noise = p.c.size() + p.d.size();
+  MatrixXd all(own + noise, own);
+  all << MatrixXd::Identity(own, own), jacobian.bottomRows(noise);
+  return all;
+}
+
+}  // namespace
+
+SensitivityModel::SensitivityModel(std::shared_ptr<const NominalModel> nominal,
+                                   const ErrorModelOptions& error_model,
+                                   const EstimationOptions& options, MatrixXd points)
+    : LinearModel(std::move(nominal), ErrorBasis(error_model), options),
+      error_model_(error_model),
+      terms_(sensitivityTerms(this->nominal(), error_model)),
+      points_(std::move(points)) {}
+
+/// Theta with the entries that vary at a point.
+VectorXd SensitivityModel::at(const VectorXd& point, const VectorXd& theta) const {
+  VectorXd own = theta;
+  for (int i = 0; i < terms_.count(); ++i)
+    own[terms_.indices[static_cast<std::size_t>(i)].front()] = point[i];
+  return own;
+}
+
+void SensitivityModel::evaluate(const Block& block, const VectorXd& parameters, bool derivatives,
+                                Response* response) const {
+  LanePlants plants{theta(parameters), {}, {}};
+  if (points_.cols() == 0) {
+    plants.lanes.emplace_back(nominal(), plants.theta);
+  } else {
+    plants.points.resize(points_.rows(), block.lanes);
+    for (int lane = 0; lane < block.lanes; ++lane) {
+      plants.points.col(lane) = points_.col(block.index[static_cast<std::size_t>(lane)]);
+      plants.lanes.emplace_back(nominal(), at(plants.points.col(lane), plants.theta));
+    }
+  }
+  const Polynomials p = nominal().polynomials(plants.theta);
+  const int power = error_model_.basis == BasisKind::parameter_spread
+                        ? 1
+                        : 1 + error_model_.sensitivity_order;
+  *response = Response();
+  SensitivityEvaluation(p, terms_, &plants, power, options(), block, derivatives)
+      .run(commonOffset(parameters), response);
+  if (derivatives) applyJacobian(withNoise(nominal().jacobian(plants.theta), p), &response->derivatives);
+}
+
+bool SensitivityModel::fusedStatistics(const Block& /*block*/, const VectorXd& /*parameters*/,
+                                       bool /*derivatives*/, Statistics* /*statistics*/) const {
+  return false;
+}
+
+bool SensitivityModel::admissible(const VectorXd& parameters) const {
+  if (!LinearModel::admissible(parameters)) return false;
+  const VectorXd common = theta(parameters);
+  for (Index r = 0; r < points_.cols(); ++r) {
+    if (!nominal().admissible(at(points_.col(r), common))) return false;
+  }
+  return true;
+}
+
+bool SensitivityModel::isLocallyLinear() const {
+  return error_model_.basis == BasisKind::parameter_spread;
+}
+
+MatrixXd SensitivityModel::points(const VectorXd& parameters, const MatrixXd& xi) const {
+  const VectorXd common = theta(parameters);
+  MatrixXd all = (1 + xi.array()).matrix();
+  for (int i = 0; i < terms_.count(); ++i)
+    all.row(i) *= common[terms_.indices[static_cast<std::size_t>(i)].front()];
+  return all;
+}
+
+std::unique_ptr<LinearModel> SensitivityModel::linearisedAbout(const MatrixXd& points) const {
+  return std::make_unique<SensitivityModel>(sharedNominal(), error_model_, options(), points);
+}
+
+std::unique_ptr<LinearModel> makeLinearModel(std::shared_ptr<const NominalModel> nominal,
+                                             const ErrorModelOptions& error_model,
+                                             const EstimationOptions& options) {
+  if (variesParameters(error_model.basis) && error_model.taps != 0)
+    return std::make_unique<SensitivityModel>(std::move(nominal), error_model, options);
+  return std::make_unique<LinearModel>(std::move(nominal), ErrorBasis(error_model), options);
+}
+
+}  // namespace uncertainty_identification

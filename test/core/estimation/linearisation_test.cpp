@@ -1,0 +1,130 @@
+// Parameters that vary from experiment to experiment, on the paper's Example 2, where the truth is
+// a time constant uniform within 40 % of 10 ms.
+#include "uncertainty_identification/estimation/linearisation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/identifier.h"
+#include "uncertainty_identification/io/configuration_yaml.h"
+#include "uncertainty_identification/io/truth_yaml.h"
+#include "uncertainty_identification/model/sensitivity_model.h"
+#include "uncertainty_identification/simulation/simulate.h"
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr std::uint64_t kSeed = 7;
+
+Truth truth() {
+  Truth made = loadTruth(std::string(PROJECT_FOLDER) + "/config/example2_truth.yaml");
+  made.experiments = 60;
+  return made;
+}
+
+Configuration configuration(const std::string& name) {
+  Configuration made = loadConfiguration(std::string(PROJECT_FOLDER) + "/config/" + name + ".yaml");
+  made.estimation.threads = 1;
+  return made;
+}
+
+Estimate identified(const Configuration& configuration) {
+  return Identifier(configuration).identify(simulate(truth(), kSeed));
+}
+
+TEST(Linearisation, FindsEveryExperimentsOwnTimeConstant) {
+  const Estimate estimate = identified(configuration("example2_parameter_spread"));
+  ASSERT_EQ(estimate.termination, Termination::converged) << estimate.message;
+  const ParameterEstimate& tau = estimate.nominal_model.parameters.front();
+  const ParameterEstimate& noise = estimate.noise_variance;
+  double sum = 0, drawn = 0, squares = 0;
+  for (int r = 0; r < truth().experiments; ++r) {
+    const double own =
+        tau.value * (1 + estimate.experiments[static_cast<std::size_t>(r)].error_mean[0]);
+    const double of_truth = drawSystem(truth(), kSeed, r).time_constant;
+    // A time constant is known to about 1 %: 100 samples at this signal-to-noise ratio. The
+    // largest of 60 errors stays within 4 standard errors.
+    EXPECT_NEAR(own, of_truth, 0.05 * of_truth) << r;
+    sum += own;
+    drawn += of_truth;
+    squares += std::pow(own / of_truth - 1, 2);
+  }
+  EXPECT_LT(std::sqrt(squares / truth().experiments), 0.015);
+  EXPECT_NEAR(sum, drawn, 0.01 * drawn);
+  // zero_mean: the nominal value is the mean of the experiments' own
+  EXPECT_NEAR(tau.value, sum / truth().experiments, 2e-3 * tau.value);
+  EXPECT_NEAR(tau.value, 0.01, 4 * tau.standard_error);
+  EXPECT_NEAR(tau.standard_error, 0.01 * 0.4 / std::sqrt(3.0 * 60), 0.0001);
+  EXPECT_NEAR(noise.value, 0.1, 3 * noise.standard_error);
+}
+
+TEST(Linearisation, EndsWhereThePointsAreThePosteriorMeans) {
+  const Configuration asked = configuration("example2_parameter_spread");
+  const Estimate estimate = identified(asked);
+  Configuration at_estimate = asked;
+  at_estimate.estimation.max_iterations = 0;
+  at_estimate.initial.theta =
+      Eigen::VectorXd::Constant(1, estimate.nominal_model.parameters.front().value);
+  at_estimate.initial.mixture = estimate.error_model.mixture;
+  at_estimate.initial.noise_variance = estimate.noise_variance.value;
+  const Estimate evaluated = identified(at_estimate);
+  // the points iterated from zero are those that the climb ended with
+  EXPECT_NEAR(evaluated.log_likelihood, estimate.log_likelihood, 1e-3);
+  for (std::size_t r = 0; r < estimate.experiments.size(); ++r) {
+    EXPECT_NEAR(evaluated.experiments[r].error_mean[0], estimate.experiments[r].error_mean[0],
+                kStandingStill * 0.3);
+  }
+}
+
+TEST(Linearisation, BothAlgorithmsAgree) {
+  Configuration em = configuration("example2_parameter_spread");
+  const Estimate climbed = identified(em);
+  em.estimation.algorithm = Algorithm::em;
+  const Estimate by_em = identified(em);
+  EXPECT_NEAR(by_em.log_likelihood, climbed.log_likelihood, 0.01);
+  EXPECT_NEAR(by_em.nominal_model.parameters.front().value,
+              climbed.nominal_model.parameters.front().value,
+              0.05 * climbed.nominal_model.parameters.front().standard_error);
+}
+
+TEST(Linearisation, SensitivitiesExpressTheSpreadBetterThanOneTap) {
+  const double taps = identified(configuration("example2")).log_likelihood;
+  Configuration sensitivity = configuration("example2_sensitivity");
+  const Estimate second = identified(sensitivity);
+  sensitivity.error_model.sensitivity_order = 1;
+  const Estimate first = identified(sensitivity);
+  EXPECT_GT(first.log_likelihood, taps + 100);
+  EXPECT_GT(second.log_likelihood, first.log_likelihood + 50);
+  EXPECT_EQ(second.error_model.options.taps, 2);
+  EXPECT_EQ(second.error_model.options.parameters, (std::vector<std::string>{"tau1"}));
+  // one term of each order is left out: the misfit that goes into the noise variance shrinks
+  EXPECT_NEAR(second.noise_variance.value, 0.1, 3 * second.noise_variance.standard_error);
+}
+
+TEST(Linearisation, ValidationExperimentsGetPointsOfTheirOwn) {
+  const std::vector<Experiment> experiments = simulate(truth(), kSeed);
+  const Estimate estimate = Identifier(configuration("example2_parameter_spread"))
+                                .identify(experiments, experiments);
+  EXPECT_NEAR(estimate.validation.log_density_per_experiment * truth().experiments,
+              estimate.log_likelihood, 1e-3);
+}
+
+TEST(Linearisation, OneExperimentAndHeldPlantsHaveNoSpread) {
+  Truth one = truth();
+  one.experiments = 1;
+  const Estimate alone = Identifier(configuration("example2_parameter_spread"))
+                             .identify(simulate(one, kSeed));
+  EXPECT_EQ(alone.error_model.mixture.dimension(), 0);
+  EXPECT_FALSE(alone.warnings.empty());
+
+  Configuration held = configuration("example2_sensitivity");
+  held.nominal_model = NominalModelOptions();
+  held.nominal_model.structure = Structure::output_error;
+  held.nominal_model.fit = PlantFit::simulation;
+  EXPECT_THROW(identified(held), ConfigurationError);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
