@@ -7,9 +7,8 @@ namespace uncertainty_identification {
 
 /// Points that belong to the start.
 void Identification::settle() {
-  Linearisation start =
-      linearisedAtPosteriorMeans(*model_, blocks_, estimate_.experiment_count, threads(), at_,
-                                 &estimate_.passes);
+  Linearisation start = linearisedAtPosteriorMeans(*model_, blocks_, estimate_.experiment_count,
+                                                   threads(), at_, &estimate_.passes);
   if (start.model == nullptr) return;
   points_ = start.points;
   adopt(std::move(start.model));

@@ -5,6 +5,7 @@
 #include "uncertainty_identification/estimation/plant_coordinates.h"
 #include "uncertainty_identification/estimation/selection.h"
 #include "uncertainty_identification/estimation/standard_errors.h"
+#include "uncertainty_identification/model/sensitivity.h"
 
 namespace uncertainty_identification {
 
@@ -105,7 +106,10 @@ Eigen::MatrixXd Identification::jointCovariance(
   const Index own = nominal.parameterCount(), parameters = model_->parameterCount();
   const Index mixture =
       model_->regressors() > 0 ? coordinate_covariance.rows() - parameters - 1 : 0;
-  const Eigen::MatrixXd to_plant = plantCoordinatesJacobian(nominal, at_.parameters.head(own));
+  const bool varies = variesParameters(estimate_.error_model.options.basis) && mixture > 0;
+  const Eigen::MatrixXd to_plant =
+      varies ? Eigen::MatrixXd::Identity(own, own)
+             : plantCoordinatesJacobian(nominal, at_.parameters.head(own));
   const Index plant = to_plant.rows();
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(plant + mixture, coordinate_covariance.rows());
   J.topLeftCorner(plant, own) = to_plant;

@@ -12,6 +12,7 @@
 #include "uncertainty_identification/model/polynomial.h"
 #include "uncertainty_identification/model/rational_basis.h"
 #include "uncertainty_identification/simulation/random_stream.h"
+#include "varying_plant.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -55,6 +56,21 @@ VectorXd drawError(const Mixture& mixture, double uniform, const VectorXd& norma
   return mixture.means[i] + lowerRoot(mixture.covariances[i]) * normals;
 }
 
+/// A plant outside the parameters' domain is none: xi is drawn again until there is one.
+void redrawUntilItExists(const VaryingPlant& varying, const Mixture& mixture, const VectorXd& at,
+                         std::mt19937_64* random, VectorXd* xi) {
+  constexpr int kMostDraws = 1000;
+  const VectorXd theta = varying.nominal().fromUnbounded(at);
+  std::uniform_real_distribution<double> uniform;
+  for (int k = 0; k < kMostDraws; ++k) {
+    if (varying.exists(theta, *xi)) return;
+    const double component = uniform(*random);
+    *xi = drawError(mixture, component, gaussian(mixture.dimension(), 1, *random));
+  }
+  throw DataError(
+      "the spread of the parameters lies almost wholly outside their domain: there are no bounds");
+}
+
 VectorXd joined(const VectorXd& head, const VectorXd& tail) {
   VectorXd all(head.size() + tail.size());
   all << head, tail;
@@ -84,20 +100,47 @@ void evaluate(const MatrixXd& coefficients, int first, const VectorXd& angles,
 
 }  // namespace
 
-PlantDistribution::PlantDistribution(const Estimate& estimate)
+PlantDistribution::PlantDistribution(const Estimate& estimate,
+                                     std::shared_ptr<const NominalModel> nominal_model)
     : nominal_(nominalPlant(estimate)),
+      varying_(variesParameters(estimate.error_model.options.basis) &&
+                       estimate.error_model.mixture.dimension() > 0
+                   ? std::make_shared<VaryingPlant>(estimate, std::move(nominal_model))
+                   : nullptr),
       basis_(estimate.error_model.options),
       T_(estimate.error_model.T),
       mixture_coordinates_(estimate.error_model.mixture.components(),
                            estimate.error_model.mixture.dimension(),
                            basis_.constraint == Constraint::zero_mean) {
   const Mixture& mixture = estimate.error_model.mixture;
-  const VectorXd plant = plantCoordinates(estimate.nominal_model.b, estimate.nominal_model.a);
+  const VectorXd plant = nominalCoordinates(estimate);
   center_ =
       mixture.dimension() > 0 ? joined(plant, mixture_coordinates_.toCoordinates(mixture)) : plant;
   if (basis_.constraint == Constraint::explicit_matrix) basis_.T = T_;
   const MatrixXd& covariance = estimate.joint_covariance;
   if (covariance.rows() == center_.size() && covariance.allFinite()) root_ = rootOf(covariance);
+}
+
+VectorXd PlantDistribution::nominalCoordinates(const Estimate& estimate) const {
+  return varying_ != nullptr ? varying_->nominal().toUnbounded(varying_->theta())
+                             : plantCoordinates(estimate.nominal_model.b, estimate.nominal_model.a);
+}
+
+/// The plant with the nominal model's coordinates `at` and the error parameters xi.
+void PlantDistribution::drawPlant(const VectorXd& at, const VectorXd& xi, Index row,
+                                  PlantSamples* drawn) const {
+  const Index nb = nominal_.b.cols(), na = nominal_.a.cols();
+  if (varying_ == nullptr) {
+    drawn->b.row(row) = at.head(nb).transpose();
+    drawn->a.row(row) = fromUnbounded(at.segment(nb, na)).transpose();
+    if (xi.size() > 0) drawn->eta.row(row) = (T_ * xi).transpose();
+    return;
+  }
+  const Polynomials p = varying_->plant(varying_->nominal().fromUnbounded(at), xi);
+  if (drawn->b.cols() != p.b.size()) drawn->b.resize(drawn->b.rows(), p.b.size());
+  if (drawn->a.cols() != p.a.size()) drawn->a.resize(drawn->a.rows(), p.a.size());
+  drawn->b.row(row) = p.b.transpose();
+  drawn->a.row(row) = p.a.transpose();
 }
 
 PlantSamples PlantDistribution::draw(int count, Uncertainty uncertainty, std::uint64_t seed) const {
@@ -107,7 +150,8 @@ PlantSamples PlantDistribution::draw(int count, Uncertainty uncertainty, std::ui
         "the errors of the estimate are not known (it was cancelled, or the data leave them "
         "undetermined): only the bounds of the mixture alone can be had");
   }
-  const Index nb = nominal_.b.cols(), na = nominal_.a.cols(), plant = nb + na, n = T_.cols();
+  const Index nb = nominal_.b.cols(), na = nominal_.a.cols(), n = T_.cols();
+  const Index plant = n > 0 ? center_.size() - mixture_coordinates_.size() : center_.size();
   std::mt19937_64 random = randomStream(seed, 0, RandomPurpose::plant);
   // the plant's own draws come first: they are the same for both kinds of uncertainty
   MatrixXd own = latinHypercube(count, n > 0 ? n + 1 : 0, &random);
@@ -116,17 +160,22 @@ PlantSamples PlantDistribution::draw(int count, Uncertainty uncertainty, std::ui
   if (total)
     errors = latinHypercube(count, center_.size(), &random).unaryExpr(&normalQuantile) *
              root_.transpose();
-  PlantSamples drawn{nominal_.sample_time,       nominal_.delay,
-                     MatrixXd(count, nb),        MatrixXd(count, na),
-                     MatrixXd(count, T_.rows()), basis_};
+  PlantSamples drawn{nominal_.sample_time,
+                     nominal_.delay,
+                     MatrixXd(count, nb),
+                     MatrixXd(count, na),
+                     MatrixXd(count, varying_ != nullptr ? 0 : T_.rows()),
+                     basis_};
   for (Index i = 0; i < count; ++i) {
     const VectorXd at = total ? VectorXd(center_ + errors.row(i).transpose()) : center_;
-    drawn.b.row(i) = at.head(nb).transpose();
-    drawn.a.row(i) = fromUnbounded(at.segment(nb, na)).transpose();
-    if (n == 0) continue;
-    const Mixture mixture = mixture_coordinates_.fromCoordinates(at.tail(at.size() - plant));
-    drawn.eta.row(i) =
-        (T_ * drawError(mixture, own(i, 0), own.row(i).tail(n).transpose())).transpose();
+    VectorXd xi;
+    if (n > 0) {
+      const Mixture mixture = mixture_coordinates_.fromCoordinates(at.tail(at.size() - plant));
+      xi = drawError(mixture, own(i, 0), own.row(i).tail(n).transpose());
+      if (varying_ != nullptr)
+        redrawUntilItExists(*varying_, mixture, at.head(plant), &random, &xi);
+    }
+    drawPlant(at.head(plant), xi, i, &drawn);
   }
   return drawn;
 }

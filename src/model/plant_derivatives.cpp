@@ -66,7 +66,8 @@ const MatrixXd& PlantCoefficients::jacobianDerivative(const DerivativeIndex& dir
       there[j] += distance;
       return PlantCoefficients(nominal_, there).jacobianDerivative(others);
     };
-    result = (8 * (moved(step) - moved(-step)) - (moved(2 * step) - moved(-2 * step))) / (12 * step);
+    result =
+        (8 * (moved(step) - moved(-step)) - (moved(2 * step) - moved(-2 * step))) / (12 * step);
   }
   return jacobians_.emplace(directions, std::move(result)).first->second;
 }

@@ -11,6 +11,9 @@
 namespace uncertainty_identification {
 namespace {
 
+/// Share of a first derivative below which a second one is rounding.
+constexpr double kVanishing = 1e-8;
+
 using Eigen::ArrayXcd;
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -40,9 +43,8 @@ class PlantResponses {
  public:
   PlantResponses(const NominalModel& nominal, const VectorXd& theta, const VectorXd& omega)
       : plant_(nominal, theta),
-        backward_shift_((std::complex<double>(0, -1) * omega.cast<std::complex<double>>())
-                            .array()
-                            .exp()) {}
+        backward_shift_(
+            (std::complex<double>(0, -1) * omega.cast<std::complex<double>>()).array().exp()) {}
 
   const ArrayXcd& response(const DerivativeIndex& index) {
     const auto known = responses_.find(index);
@@ -73,6 +75,51 @@ class PlantResponses {
   std::map<DerivativeIndex, ArrayXcd> responses_;
 };
 
+VectorXd product(const VectorXd& left, const VectorXd& right) {
+  VectorXd all = VectorXd::Zero(left.size() + right.size() - 1);
+  for (Index i = 0; i < left.size(); ++i) all.segment(i, right.size()) += left[i] * right;
+  return all;
+}
+
+void subtract(const VectorXd& term, VectorXd* from) {
+  if (from->size() < term.size()) from->conservativeResizeLike(VectorXd::Zero(term.size()));
+  from->head(term.size()) -= term;
+}
+
+/// Numerators over A^(n + 1) of Go's n-th derivatives, by the recursion of PlantDerivatives.
+class PlantNumerators {
+ public:
+  PlantNumerators(const NominalModel& nominal, const VectorXd& theta)
+      : plant_(nominal, theta), A_(1 + plant_.na()) {
+    A_ << 1, plant_.derivative({}).tail(plant_.na());
+  }
+
+  int delay() const { return plant_.delay(); }
+
+  VectorXd timesPower(VectorXd x, std::size_t power) const {
+    for (; power > 0; --power) x = product(x, A_);
+    return x;
+  }
+
+  VectorXd numerator(const DerivativeIndex& index) {
+    VectorXd sum = timesPower(plant_.derivative(index).head(plant_.nb()), index.size());
+    const unsigned whole = 1u << index.size();
+    for (unsigned mask = 1; mask < whole; ++mask) {
+      DerivativeIndex part, rest;
+      for (unsigned k = 0; k < index.size(); ++k)
+        ((mask >> k & 1u) != 0 ? part : rest).push_back(index[k]);
+      VectorXd change = VectorXd::Zero(1 + plant_.na());
+      change.tail(plant_.na()) = plant_.derivative(part).tail(plant_.na());
+      subtract(timesPower(product(change, numerator(rest)), part.size() - 1), &sum);
+    }
+    return sum;
+  }
+
+ private:
+  PlantCoefficients plant_;
+  VectorXd A_;
+};
+
 }  // namespace
 
 bool variesParameters(BasisKind basis) {
@@ -97,18 +144,23 @@ SensitivityTerms sensitivityTerms(const NominalModel& nominal, const ErrorModelO
   const std::vector<std::string> names = nominal.names(), moving = namesThatMoveGo(nominal);
   std::vector<int> varied;
   for (const std::string& name : options.parameters) {
-    require(std::find(moving.begin(), moving.end(), name) != moving.end(),
-            "error_model.parameters", name, "parameters that the nominal model's Go has: " +
-                                                listed(moving));
-    varied.push_back(
-        static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin()));
+    require(std::find(moving.begin(), moving.end(), name) != moving.end(), "error_model.parameters",
+            name, "parameters that the nominal model's Go has: " + listed(moving));
+    varied.push_back(static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin()));
   }
   SensitivityTerms terms;
   for (int j : varied) terms.indices.push_back({j});
+  const VectorXd anywhere =
+      nominal.fromUnbounded(VectorXd::Constant(static_cast<Index>(names.size()), 0.1));
+  PlantNumerators plant(nominal, anywhere);
   const bool second = options.basis == BasisKind::sensitivity && options.sensitivity_order == 2;
   for (std::size_t j = 0; second && j < varied.size(); ++j) {
-    for (std::size_t k = j; k < varied.size(); ++k)
-      terms.indices.push_back(with({varied[j]}, varied[k]));
+    for (std::size_t k = j; k < varied.size(); ++k) {
+      const DerivativeIndex term = with({varied[j]}, varied[k]);
+      const double first = plant.numerator({varied[j]}).norm();
+      if (std::abs(anywhere[varied[k]]) * plant.numerator(term).norm() > kVanishing * first)
+        terms.indices.push_back(term);
+    }
   }
   return terms;
 }
@@ -130,6 +182,31 @@ void completeErrorModel(const NominalModel& nominal, ErrorModelOptions* options)
           "at most " + std::to_string(kMaxErrorParameters) +
               "; name fewer parameters, or take sensitivity_order 1");
   options->taps = count;
+}
+
+SensitivityNumerators sensitivityNumerators(const NominalModel& nominal,
+                                            const SensitivityTerms& terms, int order,
+                                            const VectorXd& theta) {
+  PlantNumerators plant(nominal, theta);
+  const auto power = static_cast<std::size_t>(order);
+  SensitivityNumerators all;
+  all.delay = plant.delay();
+  all.nominal = plant.timesPower(plant.numerator({}), power);
+  const VectorXd denominator = plant.timesPower(VectorXd::Ones(1), power + 1);
+  all.denominator = denominator.tail(denominator.size() - 1);
+  all.terms.resize(0, terms.count());
+  for (int i = 0; i < terms.count(); ++i) {
+    const DerivativeIndex& index = terms.indices[static_cast<std::size_t>(i)];
+    const VectorXd one =
+        terms.scale(i, theta) * plant.timesPower(plant.numerator(index), power - index.size());
+    if (one.size() > all.terms.rows())
+      all.terms.conservativeResizeLike(Eigen::MatrixXd::Zero(one.size(), terms.count()));
+    all.terms.col(i).head(one.size()) = one;
+  }
+  const Index size = std::max(all.nominal.size(), all.terms.rows());
+  all.nominal.conservativeResizeLike(VectorXd::Zero(size));
+  all.terms.conservativeResizeLike(Eigen::MatrixXd::Zero(size, terms.count()));
+  return all;
 }
 
 Eigen::MatrixXcd sensitivityResponses(const NominalModel& nominal, const SensitivityTerms& terms,

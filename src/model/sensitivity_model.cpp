@@ -42,7 +42,9 @@ class SensitivityResponse : public PlantResponse {
       : terms_(terms), at_(*at), plant_(&at->lanes, input) {}
 
   Signals output() override { return expanded({}); }
-  Signals outputDerivative(int l) override { return isApart(l) ? plant_.signal({l}) : expanded({l}); }
+  Signals outputDerivative(int l) override {
+    return isApart(l) ? plant_.signal({l}) : expanded({l});
+  }
 
   std::vector<Signals> regressors() override {
     std::vector<Signals> all;
@@ -55,8 +57,7 @@ class SensitivityResponse : public PlantResponse {
     std::vector<Signals> all;
     for (int i = 0; i < terms_.count(); ++i) {
       Signals derivative = terms_.scaleDerivative(i, l, at_.theta) * plant_.signal(term(i));
-      if (!isApart(l))
-        derivative += terms_.scale(i, at_.theta) * plant_.signal(with(term(i), l));
+      if (!isApart(l)) derivative += terms_.scale(i, at_.theta) * plant_.signal(with(term(i), l));
       all.push_back(std::move(derivative));
     }
     return all;
@@ -69,9 +70,7 @@ class SensitivityResponse : public PlantResponse {
   }
 
  private:
-  const std::vector<int>& term(int i) const {
-    return terms_.indices[static_cast<std::size_t>(i)];
-  }
+  const std::vector<int>& term(int i) const { return terms_.indices[static_cast<std::size_t>(i)]; }
 
   bool isApart(int l) const { return at_.areApart(terms_, l); }
 
@@ -131,8 +130,7 @@ class SensitivityEvaluation : public Evaluation {
       plant.divideByA(&change);
       if ((change == 0).all()) continue;
       auto& columns = response->derivatives[static_cast<std::size_t>(l)].columns;
-      for (int k = 0; k < directions; ++k)
-        whitening().apply(shifted, at(&columns, put(change, k)));
+      for (int k = 0; k < directions; ++k) whitening().apply(shifted, at(&columns, put(change, k)));
     }
   }
 
@@ -181,13 +179,13 @@ void SensitivityModel::evaluate(const Block& block, const VectorXd& parameters, 
     }
   }
   const Polynomials p = nominal().polynomials(plants.theta);
-  const int power = error_model_.basis == BasisKind::parameter_spread
-                        ? 1
-                        : 1 + error_model_.sensitivity_order;
+  const int power =
+      error_model_.basis == BasisKind::parameter_spread ? 1 : 1 + error_model_.sensitivity_order;
   *response = Response();
   SensitivityEvaluation(p, terms_, &plants, power, options(), block, derivatives)
       .run(commonOffset(parameters), response);
-  if (derivatives) applyJacobian(withNoise(nominal().jacobian(plants.theta), p), &response->derivatives);
+  if (derivatives)
+    applyJacobian(withNoise(nominal().jacobian(plants.theta), p), &response->derivatives);
 }
 
 bool SensitivityModel::fusedStatistics(const Block& /*block*/, const VectorXd& /*parameters*/,

@@ -2,12 +2,16 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 
 #include "uncertainty_identification/estimation/estimate.h"
 #include "uncertainty_identification/model/error_basis.h"
 #include "uncertainty_identification/model/mixture_coordinates.h"
 
 namespace uncertainty_identification {
+
+class NominalModel;
+class VaryingPlant;
 
 /// Plants G = q^-delay B/A (1 + sum_k eta_k F_k(q)), one per row.
 struct PlantSamples {
@@ -30,8 +34,10 @@ enum class Uncertainty {
 /// The distribution of the plant that an estimate stands for: what the next experiment's G may be.
 class PlantDistribution {
  public:
-  /// Throws DataError when the estimate's plant is not stable.
-  explicit PlantDistribution(const Estimate& estimate);
+  /// Throws DataError when the estimate's plant is not stable. `nominal_model` is needed where the
+  /// error model varies the parameters of a nominal model of the caller's own.
+  explicit PlantDistribution(const Estimate& estimate,
+                             std::shared_ptr<const NominalModel> nominal_model = nullptr);
 
   /// Go as the only row, without error model.
   const PlantSamples& nominal() const { return nominal_; }
@@ -41,11 +47,17 @@ class PlantDistribution {
 
   /// A Latin hypercube of `count` draws, each exactly distributed, together more even than
   /// independent ones; the same seed gives the same draws. Throws DataError when the estimate's
-  /// errors are asked for but not known.
+  /// errors are asked for but not known. Where parameters of Go vary, each draw is a rational
+  /// function without eta, and what lies outside the parameters' domain is drawn again.
   PlantSamples draw(int count, Uncertainty uncertainty, std::uint64_t seed) const;
 
  private:
+  Eigen::VectorXd nominalCoordinates(const Estimate& estimate) const;
+  void drawPlant(const Eigen::VectorXd& at, const Eigen::VectorXd& xi, Eigen::Index row,
+                 PlantSamples* drawn) const;
+
   PlantSamples nominal_;
+  std::shared_ptr<const VaryingPlant> varying_;  ///< null: filters behind Go
   ErrorModelOptions basis_;
   Eigen::MatrixXd T_;
   MixtureCoordinates mixture_coordinates_;

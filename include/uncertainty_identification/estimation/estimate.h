@@ -97,8 +97,9 @@ struct Estimate {
   NominalModelEstimate nominal_model;
   ErrorModelEstimate error_model;
   /// Covariance of the plant's and the mixture's estimation errors in unbounded coordinates:
-  /// [plantCoordinates(b, a); MixtureCoordinates]. What bounds that count these errors in rest on.
-  /// Empty when the estimation was cancelled.
+  /// [plantCoordinates(b, a); MixtureCoordinates]; where the error model varies parameters of Go,
+  /// [NominalModel::toUnbounded(theta); MixtureCoordinates]. What bounds that count these errors in
+  /// rest on. Empty when the estimation was cancelled.
   Eigen::MatrixXd joint_covariance;
   ParameterEstimate noise_variance{"noise_variance", "", 0, 0, 0};
   double offset_u = 0, offset_y = 0;  ///< common offsets (0 where not estimated)

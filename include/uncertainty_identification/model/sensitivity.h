@@ -8,14 +8,15 @@
 
 namespace uncertainty_identification {
 
-/// Whether the error model varies Go's parameters rather than adding filters: BasisKind::sensitivity
-/// or parameter_spread.
+/// Whether the error model varies Go's parameters rather than adding filters:
+/// BasisKind::sensitivity or parameter_spread.
 bool variesParameters(BasisKind basis);
 
 /// The regressors of an error model that varies parameters of Go (docs/method.md, section on
 /// parameters that vary), one per multiset of the varied parameters:
 ///   R_j = theta_j dGo/dtheta_j u,
-///   R_jk = theta_j theta_k d2Go/dtheta_j dtheta_k u, halved where j = k       (sensitivity, order 2)
+/// and, of order 2, R_jk = theta_j theta_k d2Go/dtheta_j dtheta_k u, halved where j = k.
+/// Second derivatives that vanish everywhere (Go is linear in its gain, or in b) are left out.
 struct SensitivityTerms {
   std::vector<std::vector<int>> indices;  ///< of theta, sorted; one list per regressor
 
@@ -41,5 +42,16 @@ void completeErrorModel(const NominalModel& nominal, ErrorModelOptions* options)
 /// `omega` in [rad/sample].
 Eigen::MatrixXcd sensitivityResponses(const NominalModel& nominal, const SensitivityTerms& terms,
                                       const Eigen::VectorXd& theta, const Eigen::VectorXd& omega);
+
+/// G = q^-delay (nominal + sum_i xi_i terms_i)/denominator as polynomials in q^-1.
+struct SensitivityNumerators {
+  int delay = 0;
+  Eigen::VectorXd nominal;      ///< B A^order
+  Eigen::MatrixXd terms;        ///< one column per regressor
+  Eigen::VectorXd denominator;  ///< A^(order + 1), monic, without the leading 1
+};
+SensitivityNumerators sensitivityNumerators(const NominalModel& nominal,
+                                            const SensitivityTerms& terms, int order,
+                                            const Eigen::VectorXd& theta);
 
 }  // namespace uncertainty_identification

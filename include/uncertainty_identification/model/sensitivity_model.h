@@ -12,7 +12,8 @@ namespace uncertainty_identification {
 ///   sensitivity:       y = (Go + sum_i xi_i R_i) u + H omega, R_i of SensitivityTerms;
 ///   parameter_spread:  y = Go(theta (1 + xi_r)) u + H omega, linear in xi_r only about a point t_r
 ///                      of each experiment: with theta (1 + xi_r) near t_r,
-///                      y = Go(t_r) u + sum_j (theta_j (1 + xi_rj) - t_rj) dGo(t_r)/dtheta_j u + ...
+///                      y = Go(t_r) u + sum_j (theta_j (1 + xi_rj) - t_rj) dGo(t_r)/dtheta_j u +
+///                      ...
 /// H stays at theta, whichever parameters it shares with Go. The points stay where they are while
 /// theta moves: the derivatives are the experiment's, no property of theta.
 class SensitivityModel : public LinearModel {

@@ -105,8 +105,8 @@ TEST(Linearisation, SensitivitiesExpressTheSpreadBetterThanOneTap) {
 
 TEST(Linearisation, ValidationExperimentsGetPointsOfTheirOwn) {
   const std::vector<Experiment> experiments = simulate(truth(), kSeed);
-  const Estimate estimate = Identifier(configuration("example2_parameter_spread"))
-                                .identify(experiments, experiments);
+  const Estimate estimate =
+      Identifier(configuration("example2_parameter_spread")).identify(experiments, experiments);
   EXPECT_NEAR(estimate.validation.log_density_per_experiment * truth().experiments,
               estimate.log_likelihood, 1e-3);
 }
@@ -114,8 +114,8 @@ TEST(Linearisation, ValidationExperimentsGetPointsOfTheirOwn) {
 TEST(Linearisation, OneExperimentAndHeldPlantsHaveNoSpread) {
   Truth one = truth();
   one.experiments = 1;
-  const Estimate alone = Identifier(configuration("example2_parameter_spread"))
-                             .identify(simulate(one, kSeed));
+  const Estimate alone =
+      Identifier(configuration("example2_parameter_spread")).identify(simulate(one, kSeed));
   EXPECT_EQ(alone.error_model.mixture.dimension(), 0);
   EXPECT_FALSE(alone.warnings.empty());
 

@@ -30,14 +30,34 @@ struct Case {
 std::vector<Case> cases() {
   using B = BasisKind;
   return {
-      {"FirstOrder", B::sensitivity, 1, Structure::box_jenkins, {}, OffsetSide::input,
+      {"FirstOrder",
+       B::sensitivity,
+       1,
+       Structure::box_jenkins,
+       {},
+       OffsetSide::input,
        Offsets::estimate},
-      {"SecondOrder", B::sensitivity, 2, Structure::continuous, {"tau1", "zeta1"},
-       OffsetSide::output, Offsets::estimate},
-      {"SpreadOfCoefficients", B::parameter_spread, 1, Structure::armax, {"b2", "a1"},
-       OffsetSide::input, Offsets::per_experiment},
-      {"SpreadOfTimeConstant", B::parameter_spread, 1, Structure::continuous, {"tau1"},
-       OffsetSide::input, Offsets::estimate},
+      {"SecondOrder",
+       B::sensitivity,
+       2,
+       Structure::continuous,
+       {"tau1", "zeta1"},
+       OffsetSide::output,
+       Offsets::estimate},
+      {"SpreadOfCoefficients",
+       B::parameter_spread,
+       1,
+       Structure::armax,
+       {"b2", "a1"},
+       OffsetSide::input,
+       Offsets::per_experiment},
+      {"SpreadOfTimeConstant",
+       B::parameter_spread,
+       1,
+       Structure::continuous,
+       {"tau1"},
+       OffsetSide::input,
+       Offsets::estimate},
   };
 }
 
@@ -152,8 +172,8 @@ TEST_P(SensitivityModelTest, AtThePointsTheOutputIsExact) {
       }
       Eigen::ArrayXd rest = response.value.residual.row(lane).transpose();
       for (Index i = 0; i < xi.size(); ++i) {
-        rest -= xi[i] *
-                response.value.regressors[static_cast<std::size_t>(i)].row(lane).transpose();
+        rest -=
+            xi[i] * response.value.regressors[static_cast<std::size_t>(i)].row(lane).transpose();
       }
       const Signals simulated = about->simulate(block, plant);
       const Polynomials p = about->nominal().polynomials(moved.head(own));
