@@ -1,9 +1,33 @@
 #include "uncertainty_identification/identifier.h"
 
+#include <algorithm>
+
 #include "identification.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
+namespace {
+
+/// Those that passed the checks, in the order of the estimate.
+std::vector<Experiment> usedExperiments(const Estimate& estimate,
+                                        const std::vector<Experiment>& experiments) {
+  std::vector<Experiment> used;
+  std::size_t next = 0;
+  for (const Experiment& experiment : experiments) {
+    if (next == estimate.experiments.size()) break;
+    if (experiment.id != estimate.experiments[next].id) continue;
+    used.push_back(experiment);
+    ++next;
+  }
+  return used;
+}
+
+FoldModel foldModel(const Estimate& estimate) {
+  const NominalModelEstimate& go = estimate.nominal_model;
+  return {go.delay, go.b, go.a, estimate.offset_u + estimate.offset_y};  // one of them is 0
+}
+
+}  // namespace
 
 Identifier::Identifier(Configuration configuration) : configuration_(std::move(configuration)) {
   configuration_.validate();
@@ -38,6 +62,43 @@ Estimate Identifier::reidentify(const Estimate& previous,
   if (!previous.usable()) return identify(experiments, {}, progress);
   return Identification(previous.configuration, nominal_model_, progress)
       .run(experiments, {}, &previous);
+}
+
+PredictionCalibration Identifier::calibrate(const Estimate& estimate,
+                                            const std::vector<Experiment>& experiments,
+                                            const ProgressCallback& progress) const {
+  const std::vector<Experiment> used = usedExperiments(estimate, experiments);
+  const int count = static_cast<int>(used.size());
+  const int folds = std::min(estimate.configuration.bounds.folds, count);
+  PredictionCalibration calibration;
+  if (folds < 2) return calibration;
+  const EstimationOptions& options = estimate.configuration.estimation;
+  std::vector<double> scores(used.size());
+  bool cancelled = false;
+  for (int k = 0; k < folds && !cancelled; ++k) {
+    std::vector<Experiment> others, own;
+    for (int r = 0; r < count; ++r)
+      (r % folds == k ? own : others).push_back(used[static_cast<std::size_t>(r)]);
+    const auto of_fold = [&](const Progress& at) {
+      cancelled =
+          progress && !progress({"calibrating", (k + at.fraction) / folds, at.log_likelihood});
+      return !cancelled;
+    };
+    calibration.folds.push_back(foldModel(reidentify(estimate, others, of_fold)));
+    const std::vector<double> left = predictionScores(calibration.folds.back(), options, own);
+    for (std::size_t j = 0; j < left.size(); ++j)
+      scores[static_cast<std::size_t>(k) + j * static_cast<std::size_t>(folds)] = left[j];
+  }
+  if (cancelled) return {};
+  calibration.scores = std::move(scores);
+  for (int r = 0; r < count; ++r) calibration.fold.push_back(r % folds);
+  const std::vector<double> expected = expectedScores(estimate, used);
+  for (double level : estimate.configuration.bounds.levels) {
+    const auto rank = static_cast<std::size_t>(level * static_cast<double>(expected.size()));
+    calibration.model_radius.push_back(expected[std::min(rank, expected.size() - 1)]);
+  }
+  uncertainty_identification::calibrate(estimate.configuration.bounds.levels, &calibration);
+  return calibration;
 }
 
 }  // namespace uncertainty_identification

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "uncertainty_identification/bounds/prediction_calibration.h"
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/experiment.h"
 #include "uncertainty_identification/estimation/estimate.h"
@@ -51,6 +52,13 @@ class Identifier {
   /// more experiments).
   Estimate reidentify(const Estimate& previous, const std::vector<Experiment>& experiments,
                       const ProgressCallback& progress = {}) const;
+
+  /// Calibrates prediction intervals: identifies again, from `estimate` on, without one fold of the
+  /// experiments after the other (configuration.bounds.folds of them). No folds in the result when
+  /// the experiments are fewer than two, or `progress` cancels.
+  PredictionCalibration calibrate(const Estimate& estimate,
+                                  const std::vector<Experiment>& experiments,
+                                  const ProgressCallback& progress = {}) const;
 
  private:
   Configuration configuration_;

@@ -87,7 +87,8 @@ void VaryingPlant::checkConditioning() const {
       const std::complex<double> found =
           valueAt(one.b - zero.b, angles[k]) / denominator *
           std::polar(1.0, -angles[k] * static_cast<double>(one.delay));
-      const double scale = std::abs(exact(k, i)) + std::abs(valueAt(zero.b, angles[k]) / denominator);
+      const double scale =
+          std::abs(exact(k, i)) + std::abs(valueAt(zero.b, angles[k]) / denominator);
       if (std::abs(found - exact(k, i)) > kTolerance * scale) {
         throw DataError(
             "the nominal model's poles lie too near to 1 for bounds with basis sensitivity, whose "

@@ -12,8 +12,8 @@ namespace uncertainty_identification {
 /// The plants of an error model that varies Go's parameters: theta and xi in, G = q^-delay B/A out.
 class VaryingPlant {
  public:
-  /// Throws DataError where the estimate's nominal model is none of this package's, unless `nominal`
-  /// gives it.
+  /// Throws DataError where the estimate's nominal model is none of this package's, unless
+  /// `nominal` gives it.
   VaryingPlant(const Estimate& estimate, std::shared_ptr<const NominalModel> nominal);
 
   const NominalModel& nominal() const { return *nominal_; }

@@ -28,13 +28,12 @@ class NoiseFree : public NominalModel {
 
 double fitPercent(double error, double spread) { return 100 * (1 - std::sqrt(error / spread)); }
 
-/// Sum of squares of what a lane's simulation leaves, its initial state taken from the first
-/// samples.
-double squaredError(const Response& response, const Block& block, int lane) {
+/// What a lane's simulation leaves, its initial state taken from the first samples.
+Eigen::VectorXd errorOf(const Response& response, const Block& block, int lane) {
   const auto columns = static_cast<Eigen::Index>(response.value.columns.size());
   const int samples = block.lengths[static_cast<std::size_t>(lane)];
   Eigen::VectorXd error = response.value.residual.row(lane).head(samples).transpose();
-  if (columns == 0) return error.squaredNorm();
+  if (columns == 0) return error;
   Eigen::MatrixXd Z(samples, columns);
   for (Eigen::Index k = 0; k < columns; ++k) {
     Z.col(k) =
@@ -42,7 +41,7 @@ double squaredError(const Response& response, const Block& block, int lane) {
   }
   const Eigen::Index first = std::min<Eigen::Index>(samples, 20 + 3 * columns);
   error -= Z * Z.topRows(first).colPivHouseholderQr().solve(error.head(first));
-  return error.squaredNorm();
+  return error;
 }
 
 /// Sum and sum of squares of the measured outputs, and their number.
@@ -67,9 +66,10 @@ Moments momentsOf(const Experiment& experiment) {
 
 }  // namespace
 
-SimulationFit simulationFit(const NominalModel& nominal, const Eigen::VectorXd& theta,
-                            double offset, const EstimationOptions& options,
-                            const std::vector<Experiment>& experiments) {
+std::vector<Eigen::VectorXd> simulationErrors(const NominalModel& nominal,
+                                              const Eigen::VectorXd& theta, double offset,
+                                              const EstimationOptions& options,
+                                              const std::vector<Experiment>& experiments) {
   ErrorModelOptions none;
   none.taps = 0;
   const LinearModel model(std::make_shared<NoiseFree>(nominal), ErrorBasis(none), options);
@@ -77,22 +77,30 @@ SimulationFit simulationFit(const NominalModel& nominal, const Eigen::VectorXd& 
   parameters.head(theta.size()) = theta;
   if (parameters.size() > theta.size()) parameters[theta.size()] = offset;
 
-  std::vector<double> errors(experiments.size());
+  std::vector<Eigen::VectorXd> errors(experiments.size());
   for (const Block& block : makeBlocks(experiments)) {
     Response response;
     model.evaluate(block, parameters, false, &response);
     for (int lane = 0; lane < block.lanes; ++lane) {
       errors[static_cast<std::size_t>(block.index[static_cast<std::size_t>(lane)])] =
-          squaredError(response, block, lane);
+          errorOf(response, block, lane);
     }
   }
+  return errors;
+}
+
+SimulationFit simulationFit(const NominalModel& nominal, const Eigen::VectorXd& theta,
+                            double offset, const EstimationOptions& options,
+                            const std::vector<Experiment>& experiments) {
+  const std::vector<Eigen::VectorXd> errors =
+      simulationErrors(nominal, theta, offset, options, experiments);
   SimulationFit fit;
   Moments all;
   double error = 0;
   for (std::size_t r = 0; r < experiments.size(); ++r) {
     const Moments own = momentsOf(experiments[r]);
-    fit.percent.push_back(fitPercent(errors[r], own.spread()));
-    error += errors[r];
+    fit.percent.push_back(fitPercent(errors[r].squaredNorm(), own.spread()));
+    error += errors[r].squaredNorm();
     all.add(own);
   }
   fit.pooled = fitPercent(error, all.spread());

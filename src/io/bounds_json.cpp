@@ -75,6 +75,27 @@ void bind(Archive& archive, UncertaintyWeight& weight) {
 }
 
 template <class Archive>
+void bind(Archive& archive, FoldModel& fold) {
+  archive("delay", fold.delay);
+  archive("b", fold.b);
+  archive("a", fold.a);
+  archive("offset", fold.offset);
+}
+
+template <class Archive>
+void bind(Archive& archive, PredictionCalibration& calibration) {
+  archive("method", calibration.method);
+  archive("levels", calibration.levels);
+  archive("guaranteed", calibration.guaranteed);
+  archive("radius", calibration.radius);
+  archive("model_radius", calibration.model_radius);
+  archive("folds", calibration.folds);
+  archive("fold", calibration.fold);
+  archive("scores", calibration.scores);
+  archive("warnings", calibration.warnings);
+}
+
+template <class Archive>
 void bind(Archive& archive, Bounds& bounds) {
   archive("levels", bounds.levels);
   archive("samples", bounds.samples);
@@ -122,12 +143,15 @@ nlohmann::json toJson(const Bounds& bounds) {
   nlohmann::json tree = written(bounds);
   for (const char* key : {"frequency", "step", "regions"}) roundNumbers(&tree[key]);
   if (bounds.weight) tree["weight"] = written(*bounds.weight);
+  if (bounds.prediction) tree["prediction"] = written(*bounds.prediction);
   return tree;
 }
 
 Bounds boundsFromJson(const nlohmann::json& json) {
   Bounds bounds = read<Bounds>(json);
   if (json.contains("weight")) bounds.weight = read<UncertaintyWeight>(json["weight"]);
+  if (json.contains("prediction"))
+    bounds.prediction = read<PredictionCalibration>(json["prediction"]);
   return bounds;
 }
 

@@ -120,6 +120,24 @@ std::string resultText(const Estimate& estimate) {
          validationText(estimate.validation) + findingsText(estimate);
 }
 
+namespace {
+
+std::string predictionText(const PredictionCalibration& calibration) {
+  Rows rows{{"share of experiments", "guaranteed", "radius", "by the model"}};
+  for (std::size_t k = 0; k < calibration.levels.size(); ++k) {
+    rows.push_back({numberText(100 * calibration.levels[k]) + " %",
+                    numberText(100 * calibration.guaranteed[k]) + " %",
+                    numberText(calibration.radius[k]), numberText(calibration.model_radius[k])});
+  }
+  std::string text = "Largest error of the simulation in a new experiment, calibrated (" +
+                     calibration.method + ", " + std::to_string(calibration.folds.size()) +
+                     " folds)\n" + textTable(rows);
+  for (const std::string& warning : calibration.warnings) text += "Warning: " + warning + "\n";
+  return text;
+}
+
+}  // namespace
+
 std::string boundsText(const Bounds& bounds) {
   const auto& bands = bounds.frequency.magnitude_bands;
   const auto& errors = bounds.frequency.relative_error;
@@ -144,6 +162,7 @@ std::string boundsText(const Bounds& bounds) {
             numberText(100 * weight.level_held) + " % of the plants at all frequencies, " +
             numberText(weight.over_bounding_median) + " times the bound (median)\n";
   }
+  if (bounds.prediction) text += predictionText(*bounds.prediction);
   for (const std::string& warning : bounds.warnings) text += "Warning: " + warning + "\n";
   return text;
 }

@@ -41,7 +41,25 @@ ui::LoadedData load(const po::variables_map& arguments, const std::string& key,
   return ui::loadData(arguments[key].as<std::vector<std::string>>(), configuration);
 }
 
-ui::Estimate identify(const po::variables_map& arguments, const ui::InterruptGuard& interrupt) {
+/// Bounds of a usable model; what cannot be had is told by the warnings: the model is worth keeping
+/// without it.
+std::optional<ui::Bounds> boundsOf(const std::vector<ui::Experiment>& experiments,
+                                   const ui::ProgressCallback& progress, ui::Estimate* estimate) {
+  std::optional<ui::Bounds> bounds;
+  if (estimate->configuration.bounds.frequencies == 0 || !estimate->usable()) return bounds;
+  try {
+    bounds = ui::computeBounds(*estimate);
+    auto prediction =
+        ui::Identifier(estimate->configuration).calibrate(*estimate, experiments, progress);
+    if (!prediction.folds.empty()) bounds->prediction = std::move(prediction);
+  } catch (const ui::DataError& error) {
+    const std::string what = bounds ? "no calibrated prediction: " : "no bounds: ";
+    estimate->warnings.push_back(what + error.what());
+  }
+  return bounds;
+}
+
+ui::Result identify(const po::variables_map& arguments, const ui::InterruptGuard& interrupt) {
   const ui::Configuration configuration =
       ui::loadConfiguration(arguments["config"].as<std::string>());
   const ui::Identifier identifier(configuration);
@@ -49,29 +67,19 @@ ui::Estimate identify(const po::variables_map& arguments, const ui::InterruptGua
   const ui::LoadedData validation = load(arguments, "validation", configuration);
 
   ui::ProgressBar bar(std::cerr, isatty(STDERR_FILENO) != 0);
-  ui::Estimate estimate = identifier.identify(data.experiments, validation.experiments,
-                                              [&](const ui::Progress& progress) {
-                                                bar.show(progress);
-                                                return !interrupt.requested();
-                                              });
+  const auto progress = [&](const ui::Progress& at) {
+    bar.show(at);
+    return !interrupt.requested();
+  };
+  ui::Estimate estimate = identifier.identify(data.experiments, validation.experiments, progress);
   for (const ui::LoadedData* loaded : {&data, &validation}) {
     estimate.rejected.insert(estimate.rejected.end(), loaded->rejected.begin(),
                              loaded->rejected.end());
     estimate.warnings.insert(estimate.warnings.end(), loaded->warnings.begin(),
                              loaded->warnings.end());
   }
-  return estimate;
-}
-
-/// None where they were not asked for or cannot be had: the model is worth keeping without them.
-std::optional<ui::Bounds> boundsOf(ui::Estimate* estimate) {
-  if (estimate->configuration.bounds.frequencies == 0) return {};
-  try {
-    return ui::computeBounds(*estimate);
-  } catch (const ui::DataError& error) {
-    estimate->warnings.push_back(std::string("no bounds: ") + error.what());
-    return {};
-  }
+  auto bounds = boundsOf(data.experiments, progress, &estimate);
+  return {std::move(estimate), std::move(bounds)};
 }
 
 int run(const po::variables_map& arguments) {
@@ -82,7 +90,8 @@ int run(const po::variables_map& arguments) {
   const std::string output = arguments["output"].as<std::string>();
   ui::requireWritable(output);
   const ui::InterruptGuard interrupt;
-  ui::Estimate estimate = identify(arguments, interrupt);
+  const ui::Result result = identify(arguments, interrupt);
+  const ui::Estimate& estimate = result.estimate;
   if (interrupt.requested() || estimate.termination == ui::Termination::cancelled) {
     ui::printMessage(kName, "cancelled; nothing was written");
     return ui::kDataCannotAnswer;
@@ -90,10 +99,8 @@ int run(const po::variables_map& arguments) {
   if (!estimate.usable()) {
     throw ui::DataError("no usable model was found, nothing was written: " + estimate.message);
   }
-  const std::optional<ui::Bounds> bounds = boundsOf(&estimate);
-  const ui::Result result{estimate, bounds};
   ui::saveResult(output, result);
-  std::cout << ui::resultText(result.estimate);
+  std::cout << ui::resultText(estimate);
   if (result.bounds) std::cout << ui::boundsText(*result.bounds);
   return ui::kDone;
 }

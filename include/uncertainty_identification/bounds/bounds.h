@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "uncertainty_identification/bounds/complex_region.h"
+#include "uncertainty_identification/bounds/prediction_calibration.h"
 #include "uncertainty_identification/bounds/uncertainty_bounds.h"
 #include "uncertainty_identification/bounds/uncertainty_weight.h"
 
@@ -18,8 +19,9 @@ struct Bounds {
   std::uint64_t seed = 0;  ///< they were drawn with
   FrequencyBounds frequency;
   StepBounds step;
-  std::vector<ComplexRegion> regions;       ///< at some of the frequencies
-  std::optional<UncertaintyWeight> weight;  ///< none where the plants do not differ
+  std::vector<ComplexRegion> regions;               ///< at some of the frequencies
+  std::optional<UncertaintyWeight> weight;          ///< none where the plants do not differ
+  std::optional<PredictionCalibration> prediction;  ///< where Identifier::calibrate() was asked
   std::vector<std::string> warnings;
   double seconds = 0;  ///< [s] wall time that computing them took
 };

@@ -14,10 +14,17 @@ struct SimulationFit {
   double pooled = 0;            ///< of all together, with the mean over all of them
 };
 
-/// Go u plus the common offset, from rest where initial_state is zero; else from the initial state
-/// (and, under per_experiment, the experiment's own offset) that fits the first samples best: 20
-/// and three per unknown. More of them would let the free response of a slow pole follow a drift,
-/// and the simulation look better than it is.
+/// What the free simulation leaves of each experiment's output, y - ysim, 0 where y was not
+/// measured. ysim is Go u plus the common offset, from rest where initial_state is zero; else from
+/// the initial state (and, under per_experiment, the experiment's own offset) that fits the first
+/// samples best: 20 and three per unknown. More of them would let the free response of a slow pole
+/// follow a drift, and the simulation look better than it is.
+std::vector<Eigen::VectorXd> simulationErrors(const NominalModel& nominal,
+                                              const Eigen::VectorXd& theta, double offset,
+                                              const EstimationOptions& options,
+                                              const std::vector<Experiment>& experiments);
+
+/// How large these errors are beside the outputs' own variation.
 SimulationFit simulationFit(const NominalModel& nominal, const Eigen::VectorXd& theta,
                             double offset, const EstimationOptions& options,
                             const std::vector<Experiment>& experiments);

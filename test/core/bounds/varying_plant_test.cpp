@@ -53,13 +53,15 @@ ArrayXd timeConstants(const PlantSamples& drawn) {
   return -kSampleTime / (-drawn.a.col(0).array()).log();
 }
 
-ArrayXd gains(const PlantSamples& drawn) { return drawn.b.col(0).array() / (1 + drawn.a.col(0).array()); }
+ArrayXd gains(const PlantSamples& drawn) {
+  return drawn.b.col(0).array() / (1 + drawn.a.col(0).array());
+}
 
 double deviation(const ArrayXd& x) { return std::sqrt((x - x.mean()).square().mean()); }
 
 TEST(VaryingPlant, SpreadDrawsTheParameters) {
-  const PlantSamples drawn = PlantDistribution(circuit(BasisKind::parameter_spread))
-                                 .draw(20000, Uncertainty::mixture, 1);
+  const PlantSamples drawn =
+      PlantDistribution(circuit(BasisKind::parameter_spread)).draw(20000, Uncertainty::mixture, 1);
   EXPECT_EQ(drawn.eta.cols(), 0);
   const ArrayXd tau = timeConstants(drawn), gain = gains(drawn);
   const double tolerance = 4 / std::sqrt(2.0 * 20000);  // of a standard deviation, relative
