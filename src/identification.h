@@ -22,11 +22,17 @@ class Identification {
   Estimate run(const std::vector<Experiment>& experiments,
                const std::vector<Experiment>& validation, const Estimate* previous);
 
+  /// Only the nominal plant, from an earlier estimate on: what a fold needs, without the errors of
+  /// the parameters.
+  FoldModel plant(const std::vector<Experiment>& experiments, const Estimate& previous);
+
  private:
   void checkData(const std::vector<Experiment>& experiments);
   void limitErrorModel();
   void chooseOrders();
   void fitPlant(const Estimate* previous);
+  void describePlant(const LinearModel& model, const Likelihood& likelihood,
+                     const ModelParameters& at);
   void chooseNoiseOrders();
   void chooseTaps();
   void buildModel();
@@ -59,6 +65,7 @@ class Identification {
   ProgressCallback progress_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   bool cancelled_ = false;
+  bool plant_only_ = false;    ///< nothing is asked for but Go
   bool choose_noise_ = false;  ///< the orders of C and D are still to be chosen
   double sample_time_ = 0;
   Estimate estimate_;                    ///< its configuration is the one being completed

@@ -34,13 +34,23 @@ void Identification::fitPlant(const Estimate* previous) {
   const Index own = model.nominal().parameterCount();
   plant_ = model.nominal().polynomials(climb.at.parameters.head(own));
   plant_offset_ = climb.at.parameters.size() > own ? climb.at.parameters[own] : 0.0;
+  estimate_.passes += likelihood.passes();
+  if (plant_only_) return;
+  describePlant(model, likelihood, climb.at);
+  if (choose_noise_) chooseNoiseOrders();
+}
 
+/// The errors of Go's parameters.
+void Identification::describePlant(const LinearModel& model, const Likelihood& likelihood,
+                                   const ModelParameters& at) {
+  const Index own = model.nominal().parameterCount();
+  const int before = likelihood.passes();
   const Parametrisation parametrisation(model, Constraint::free, 1, Eigen::MatrixXd(0, 0));
-  const StandardErrors errors = standardErrors(likelihood, parametrisation, climb.at);
+  const StandardErrors errors = standardErrors(likelihood, parametrisation, at);
   for (const std::string& sentence : errors.singular) estimate_.warnings.push_back(sentence);
   const std::vector<std::string> names = model.names();
   for (Index k = 0; k < own; ++k) {
-    plant_parameters_.push_back({names[static_cast<std::size_t>(k)], "", climb.at.parameters[k],
+    plant_parameters_.push_back({names[static_cast<std::size_t>(k)], "", at.parameters[k],
                                  std::sqrt(errors.covariance(k, k)),
                                  std::sqrt(errors.robust_covariance(k, k))});
   }
@@ -50,11 +60,26 @@ void Identification::fitPlant(const Estimate* previous) {
   const Eigen::MatrixXd& covariance = likelihood.experiments() > parametrisation.size()
                                           ? errors.robust_coordinate_covariance
                                           : errors.coordinate_covariance;
-  const Eigen::MatrixXd J =
-      plantCoordinatesJacobian(model.nominal(), climb.at.parameters.head(own));
+  const Eigen::MatrixXd J = plantCoordinatesJacobian(model.nominal(), at.parameters.head(own));
   plant_coordinate_covariance_ = J * covariance.topLeftCorner(own, own) * J.transpose();
-  estimate_.passes += likelihood.passes();
-  if (choose_noise_) chooseNoiseOrders();
+  estimate_.passes += likelihood.passes() - before;
+}
+
+FoldModel Identification::plant(const std::vector<Experiment>& experiments,
+                                const Estimate& previous) {
+  plant_only_ = true;
+  checkData(experiments);
+  limitErrorModel();
+  fitPlant(&previous);
+  if (!plant_) {
+    buildModel();
+    checkSizes();
+    climb(start(&previous));
+    const Index own = model_->nominal().parameterCount();
+    plant_ = model_->nominal().polynomials(at_.parameters.head(own));
+    plant_offset_ = at_.parameters.size() > own ? at_.parameters[own] : 0.0;
+  }
+  return {plant_->delay, plant_->b, plant_->a, plant_offset_};
 }
 
 /// C and D by BIC around the plant.

@@ -22,11 +22,6 @@ std::vector<Experiment> usedExperiments(const Estimate& estimate,
   return used;
 }
 
-FoldModel foldModel(const Estimate& estimate) {
-  const NominalModelEstimate& go = estimate.nominal_model;
-  return {go.delay, go.b, go.a, estimate.offset_u + estimate.offset_y};  // one of them is 0
-}
-
 }  // namespace
 
 Identifier::Identifier(Configuration configuration) : configuration_(std::move(configuration)) {
@@ -84,7 +79,8 @@ PredictionCalibration Identifier::calibrate(const Estimate& estimate,
           progress && !progress({"calibrating", (k + at.fraction) / folds, at.log_likelihood});
       return !cancelled;
     };
-    calibration.folds.push_back(foldModel(reidentify(estimate, others, of_fold)));
+    calibration.folds.push_back(
+        Identification(estimate.configuration, nominal_model_, of_fold).plant(others, estimate));
     const std::vector<double> left = predictionScores(calibration.folds.back(), options, own);
     for (std::size_t j = 0; j < left.size(); ++j)
       scores[static_cast<std::size_t>(k) + j * static_cast<std::size_t>(folds)] = left[j];

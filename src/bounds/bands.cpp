@@ -63,7 +63,7 @@ BandBuilder::BandBuilder(std::vector<double> levels, int draws, Index points, Si
       lower_(static_cast<Index>(levels_.size()), points),
       upper_(static_cast<Index>(levels_.size()), points),
       center_(points),
-      stretch_(levels_.size(), ArrayXf::Zero(draws)),
+      stretch_(ArrayXf::Zero(draws)),
       error_(levels_.size(), 0.0) {
   if (sides_ == Sides::two) ranks_.push_back(draws / 2);
   for (double level : levels_) {
@@ -77,6 +77,9 @@ BandBuilder::BandBuilder(std::vector<double> levels, int draws, Index points, Si
     limits_.push_back({draws - 1 - upper, upper});
     ranks_.push_back(upper);
     if (sides_ == Sides::two) ranks_.push_back(limits_.back().lower);
+  }
+  for (std::size_t k = 0; k < levels_.size(); ++k) {
+    if (std::abs(levels_[k] - 0.9) < std::abs(levels_[shape_] - 0.9)) shape_ = k;
   }
   all_ranks_ = ranks_;
   for (int rank : ranks_) {
@@ -96,17 +99,16 @@ void BandBuilder::add(const ArrayXf& values) {
   const float center = sides_ == Sides::two ? sorted_[draws_ / 2] : 0;
   center_[point_] = center;
   for (std::size_t k = 0; k < levels_.size(); ++k) {
-    const float upper = sorted_[limits_[k].upper];
-    const float lower = sides_ == Sides::two ? sorted_[limits_[k].lower] : 0;
-    upper_(static_cast<Index>(k), point_) = upper;
-    lower_(static_cast<Index>(k), point_) = lower;
-    const float above = 1 / std::max(upper - center, resolution_);
-    if (sides_ == Sides::upper) {
-      stretch_[k] = stretch_[k].max(values * above);
-    } else {
-      const float below = 1 / std::min(lower - center, -resolution_);
-      stretch_[k] = stretch_[k].max(((values - center) * above).max((values - center) * below));
-    }
+    upper_(static_cast<Index>(k), point_) = sorted_[limits_[k].upper];
+    lower_(static_cast<Index>(k), point_) = sides_ == Sides::two ? sorted_[limits_[k].lower] : 0;
+  }
+  const auto shape = static_cast<Index>(shape_);
+  const float above = 1 / std::max(upper_(shape, point_) - center, resolution_);
+  const float below = 1 / std::min(lower_(shape, point_) - center, -resolution_);
+  if (sides_ == Sides::upper) {
+    stretch_ = stretch_.max(values * above);
+  } else {
+    stretch_ = stretch_.max(((values - center) * above).max((values - center) * below));
   }
   if (with_error) addError();
   ++point_;
@@ -124,21 +126,22 @@ void BandBuilder::addError() {
 }
 
 Bands BandBuilder::bands() const {
+  const auto row = [](const Eigen::ArrayXXf& limits, std::size_t k) {
+    return ArrayXf(limits.row(static_cast<Index>(k)).transpose());
+  };
+  const ArrayXf above = (row(upper_, shape_) - center_).max(resolution_);
+  const ArrayXf below = (center_ - row(lower_, shape_)).max(resolution_);
   Bands bands;
   for (std::size_t k = 0; k < levels_.size(); ++k) {
-    const auto row = static_cast<Index>(k);
-    const ArrayXf upper = upper_.row(row).transpose(), lower = lower_.row(row).transpose();
+    const ArrayXf upper = row(upper_, k), lower = row(lower_, k);
     bands.pointwise.push_back({levels_[k], lower.cast<double>(), upper.cast<double>()});
-    ArrayXf stretch = stretch_[k];
+    ArrayXf stretch = stretch_;
     const int rank = upperRank(levels_[k], draws_);
     std::nth_element(stretch.data(), stretch.data() + rank, stretch.data() + draws_);
-    const float by = std::max(stretch[rank], 1.0F);
-    const ArrayXf above = center_ + by * (upper - center_).max(resolution_);
-    const ArrayXf below = center_ - by * (center_ - lower).max(resolution_);
-    bands.simultaneous.push_back({levels_[k],
-                                  sides_ == Sides::two ? Eigen::VectorXd(below.cast<double>())
-                                                       : Eigen::VectorXd::Zero(point_),
-                                  above.cast<double>()});
+    const ArrayXf high = (center_ + stretch[rank] * above).max(upper);
+    ArrayXf low = (center_ - stretch[rank] * below).min(lower);
+    if (sides_ == Sides::upper) low.setZero();
+    bands.simultaneous.push_back({levels_[k], low.cast<double>(), high.cast<double>()});
     bands.monte_carlo_error.push_back(error_points_ > 0 ? error_[k] / error_points_ : 0);
   }
   return bands;

@@ -29,8 +29,8 @@ std::vector<VectorXd> errorsOf(const FoldModel& plant, const EstimationOptions& 
 
 /// The k-th smallest of the values, k = ceil(level (M + 1)); infinite where there are fewer.
 double upperQuantile(std::vector<double> values, double level) {
-  const auto rank = static_cast<std::size_t>(
-      std::ceil(level * (static_cast<double>(values.size()) + 1) - 1e-9));
+  const auto rank =
+      static_cast<std::size_t>(std::ceil(level * (static_cast<double>(values.size()) + 1) - 1e-9));
   if (rank > values.size()) return kInfinite;
   std::nth_element(values.begin(), values.begin() + static_cast<long>(rank) - 1, values.end());
   return values[rank - 1];
@@ -82,8 +82,8 @@ void compareWithModel(PredictionCalibration* calibration) {
     for (double score : calibration->scores) inside += score <= calibration->model_radius[k];
     if (twoSided(inside, trials, level) >= kSignificant) continue;
     std::ostringstream message;
-    message << "the identified model expects " << 100 * level
-            << " % of experiments to stay within " << calibration->model_radius[k]
+    message << "the identified model expects " << 100 * level << " % of experiments to stay within "
+            << calibration->model_radius[k]
             << " of their simulation, of those not used for fitting " << inside << " of " << trials
             << " do: the model does not describe their spread; trust the calibrated radius";
     calibration->warnings.push_back(message.str());
@@ -96,9 +96,7 @@ void compareWithModel(PredictionCalibration* calibration) {
 double guaranteedCoverage(double level, int experiments, int folds) {
   const double M = experiments, K = folds, alpha = 1 - level;
   const double loss =
-      folds >= experiments
-          ? 0
-          : std::min(2 * (1 - 1 / K) / (M / K + 1), (1 - K / M) / (K + 1));
+      folds >= experiments ? 0 : std::min(2 * (1 - 1 / K) / (M / K + 1), (1 - K / M) / (K + 1));
   return std::max(0.0, 1 - 2 * alpha - loss);
 }
 
@@ -126,8 +124,7 @@ std::vector<double> expectedScores(const Estimate& estimate,
                                    const std::vector<Experiment>& experiments) {
   constexpr double kMostSamples = 1e6;
   const PlantDistribution plants(estimate);
-  const auto uncertainty =
-      plants.hasEstimationErrors() ? Uncertainty::total : Uncertainty::mixture;
+  const auto uncertainty = plants.hasEstimationErrors() ? Uncertainty::total : Uncertainty::mixture;
   double samples = 1;
   for (const Experiment& experiment : experiments) samples += experiment.samples();
   const int rounds = static_cast<int>(std::min(std::max(kMostSamples / samples, 1.0), 100.0));
@@ -140,8 +137,7 @@ std::vector<double> expectedScores(const Estimate& estimate,
   for (int i = 0; i < count; ++i) {
     const Experiment& experiment = experiments[static_cast<std::size_t>(i) % experiments.size()];
     std::mt19937_64 random = randomStream(seed, i, RandomPurpose::noise);
-    const VectorXd omega =
-        gaussian(experiment.samples(), estimate.noise_variance.value, random);
+    const VectorXd omega = gaussian(experiment.samples(), estimate.noise_variance.value, random);
     const VectorXd u = experiment.u.array() + estimate.offset_u;
     const VectorXd error =
         filtered(drawn.num.row(i).transpose(), drawn.den.row(i).transpose(), go.delay, u) -

@@ -28,9 +28,10 @@ enum class Sides { two, upper };  ///< upper: the lower limit is 0
 /// Bands from draws, one point of the grid after the other.
 ///
 /// Pointwise limits are order statistics: of S draws the k-th smallest is exceeded by a further
-/// plant with probability 1 - k/(S + 1), whatever the distribution. A simultaneous band is the
-/// pointwise one stretched about the median, by the same factor at all points, until a share
-/// `level` of the draws never leaves it.
+/// plant with probability 1 - k/(S + 1), whatever the distribution. Simultaneous bands have one
+/// shape, the pointwise band of the level nearest 0.9, stretched about the median by the same
+/// factor at all points until a share `level` of the draws never leaves it, and are nowhere
+/// narrower than the pointwise band: so higher levels hold lower ones.
 class BandBuilder {
  public:
   /// Differences below `resolution` count as none: rounding must not stretch a band where all
@@ -56,11 +57,12 @@ class BandBuilder {
   float resolution_;
   Eigen::Index point_ = 0;
   int draws_;
-  std::vector<Limit> limits_;            ///< of each level
-  std::vector<int> ranks_, all_ranks_;   ///< ascending: of the limits and the median; and errors'
-  Eigen::ArrayXXf lower_, upper_;        ///< levels x points
-  Eigen::ArrayXf center_;                ///< of each point
-  std::vector<Eigen::ArrayXf> stretch_;  ///< of each level: what each draw needs
+  std::vector<Limit> limits_;           ///< of each level
+  std::vector<int> ranks_, all_ranks_;  ///< ascending: of the limits and the median; and errors'
+  Eigen::ArrayXXf lower_, upper_;       ///< levels x points
+  Eigen::ArrayXf center_;               ///< of each point
+  std::size_t shape_ = 0;               ///< the level whose band gives the shape
+  Eigen::ArrayXf stretch_;              ///< what each draw needs
   std::vector<double> error_;
   int error_points_ = 0;
   Eigen::ArrayXf sorted_;

@@ -17,11 +17,11 @@ struct FoldModel {
 };
 
 /// Prediction intervals for the output of a new experiment under its input, that hold whatever the
-/// distribution of plants and noise, if the experiments are exchangeable: jackknife+ (each experiment
-/// a fold) and CV+ (Barber, Candes, Ramdas, Tibshirani 2021). Experiment r's score is the largest
-/// error of its simulation by the model identified without it, max_t |y_r(t) - ysim(t)|, so an
-/// interval holds at all times at once. Valid for what is observed, not for the plant's latent
-/// response.
+/// distribution of plants and noise, if the experiments are exchangeable: jackknife+ (each
+/// experiment a fold) and CV+ (Barber, Candes, Ramdas, Tibshirani 2021). Experiment r's score is
+/// the largest error of its simulation by the model identified without it, max_t |y_r(t) -
+/// ysim(t)|, so an interval holds at all times at once. Valid for what is observed, not for the
+/// plant's latent response.
 struct PredictionCalibration {
   std::string method;          ///< "jackknife+" or "cv+"
   std::vector<double> levels;  ///< 1 - alpha: the share covered in practice
@@ -32,8 +32,8 @@ struct PredictionCalibration {
                                ///< below; infinite where M is too small for the level
   std::vector<double> model_radius;  ///< [unit of y] the same as the identified model has it
   std::vector<FoldModel> folds;
-  std::vector<int> fold;       ///< of each experiment used
-  std::vector<double> scores;  ///< [unit of y] of each experiment used
+  std::vector<int> fold;              ///< of each experiment used
+  std::vector<double> scores;         ///< [unit of y] of each experiment used
   std::vector<std::string> warnings;  ///< e.g. that the model and the scores disagree
 };
 
@@ -58,10 +58,9 @@ struct PredictionInterval {
   Eigen::VectorXd lower, upper;  ///< [unit of y]; infinite where M is too small for the level
 };
 
-/// Interval for the output of an experiment under its input. Its own output may be empty; it is used
-/// only where `options` estimate an initial state or an experiment's own offset, and only its first
-/// samples are. Throws
-/// ConfigurationError for a level that was not calibrated.
+/// Interval for the output of an experiment under its input. Its own output may be empty; it is
+/// used only where `options` estimate an initial state or an experiment's own offset, and only its
+/// first samples are. Throws ConfigurationError for a level that was not calibrated.
 PredictionInterval predictionInterval(const PredictionCalibration& calibration, double level,
                                       const EstimationOptions& options,
                                       const Experiment& experiment);

@@ -76,6 +76,18 @@ TEST(Bands, SimultaneousBandsHoldTheirShare) {
   }
 }
 
+TEST(Bands, HigherLevelsHoldLowerOnes) {
+  const Bands bands = bandsOf(walks(999, 30), {0.3, 0.5, 0.95, 0.99}, Sides::two);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Band &band = bands.simultaneous[k], &pointwise = bands.pointwise[k];
+    EXPECT_TRUE((band.upper.array() >= pointwise.upper.array()).all());
+    EXPECT_TRUE((band.lower.array() <= pointwise.lower.array()).all());
+    if (k == 0) continue;
+    EXPECT_TRUE((band.upper.array() >= bands.simultaneous[k - 1].upper.array()).all());
+    EXPECT_TRUE((band.lower.array() <= bands.simultaneous[k - 1].lower.array()).all());
+  }
+}
+
 TEST(Bands, RoundingDoesNotStretchThem) {
   ArrayXXf values = walks(999, 10);
   std::mt19937_64 random(1);

@@ -42,8 +42,7 @@ double shareInside(const PredictionCalibration& calibration, double level,
                    const EstimationOptions& options, const std::vector<Experiment>& fresh) {
   int inside = 0;
   for (const Experiment& experiment : fresh) {
-    const PredictionInterval interval =
-        predictionInterval(calibration, level, options, experiment);
+    const PredictionInterval interval = predictionInterval(calibration, level, options, experiment);
     inside += (experiment.y.array() <= interval.upper.array()).all() &&
               (experiment.y.array() >= interval.lower.array()).all();
   }
@@ -51,8 +50,8 @@ double shareInside(const PredictionCalibration& calibration, double level,
 }
 
 TEST(PredictionCalibration, GuaranteesAsTheTheoremsSay) {
-  EXPECT_DOUBLE_EQ(guaranteedCoverage(0.95, 100, 100), 0.9);                // jackknife+
-  EXPECT_NEAR(guaranteedCoverage(0.95, 100, 10), 0.9 - 0.9 / 11, 1e-12);    // CV+
+  EXPECT_DOUBLE_EQ(guaranteedCoverage(0.95, 100, 100), 0.9);              // jackknife+
+  EXPECT_NEAR(guaranteedCoverage(0.95, 100, 10), 0.9 - 0.9 / 11, 1e-12);  // CV+
   EXPECT_EQ(guaranteedCoverage(0.5, 100, 100), 0);
 }
 
@@ -90,8 +89,8 @@ TEST(PredictionCalibration, IsInfiniteWhereExperimentsAreTooFew) {
   const PredictionCalibration calibration = identifier.calibrate(estimate, experiments);
   EXPECT_TRUE(std::isfinite(calibration.radius[0]));
   EXPECT_TRUE(std::isinf(calibration.radius[1]));  // 90 % of 9 is more than 8
-  const PredictionInterval interval = predictionInterval(
-      calibration, 0.9, identifier.configuration().estimation, experiments[0]);
+  const PredictionInterval interval =
+      predictionInterval(calibration, 0.9, identifier.configuration().estimation, experiments[0]);
   EXPECT_TRUE(std::isinf(interval.upper[5]));
   EXPECT_LT(interval.lower[5], 0);
 }
