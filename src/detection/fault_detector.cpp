@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/model/sensitivity.h"
 #include "uncertainty_identification/require.h"
 
 namespace uncertainty_identification {
@@ -31,6 +32,11 @@ ErrorBasis basisOf(const Estimate& estimate) {
     options = ErrorModelOptions();
     options.taps = 0;
     return ErrorBasis(options);
+  }
+  if (variesParameters(estimate.error_model.options.basis)) {
+    throw DataError(
+        "error_model.basis: fault detection takes fir, laguerre or kautz; found one that varies "
+        "the nominal model's parameters");
   }
   options.constraint = Constraint::explicit_matrix;
   options.T = estimate.error_model.T;

@@ -4,24 +4,11 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "estimate_binding.h"
 #include "uncertainty_identification/io/tree_reader.h"
 #include "uncertainty_identification/io/tree_writer.h"
 
 namespace uncertainty_identification {
-
-template <class Archive>
-void bind(Archive& archive, Band& band) {
-  archive("level", band.level);
-  archive("lower", band.lower);
-  archive("upper", band.upper);
-}
-
-template <class Archive>
-void bind(Archive& archive, Bands& bands) {
-  archive("pointwise", bands.pointwise);
-  archive("simultaneous", bands.simultaneous);
-  archive("monte_carlo_error", bands.monte_carlo_error);
-}
 
 template <class Archive>
 void bind(Archive& archive, UncertaintyBands& bands) {

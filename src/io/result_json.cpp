@@ -2,8 +2,10 @@
 
 #include <limits>
 
+#include "estimate_binding.h"
 #include "uncertainty_identification/data/atomic_file.h"
 #include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/baseline_json.h"
 #include "uncertainty_identification/io/bounds_json.h"
 #include "uncertainty_identification/io/configuration_binding.h"
 #include "uncertainty_identification/io/read_file.h"
@@ -38,20 +40,6 @@ void bind(Archive& archive, ExperimentEstimate& experiment) {
   archive("responsibilities", experiment.responsibilities);
   archive("error_mean", experiment.error_mean);
   archive("log_likelihood", experiment.log_likelihood);
-}
-
-template <class Archive>
-void bindScalar(Archive& archive, ParameterEstimate& parameter) {
-  archive("unit", parameter.unit);
-  archive("value", parameter.value);
-  archive("standard_error", parameter.standard_error);
-  archive("robust_standard_error", parameter.robust_standard_error);
-}
-
-template <class Archive>
-void bind(Archive& archive, ParameterEstimate& parameter) {
-  archive("name", parameter.name);
-  bindScalar(archive, parameter);
 }
 
 template <class Archive>
@@ -165,6 +153,7 @@ Estimate estimateFromJson(const nlohmann::json& json) {
 void saveResult(const std::string& path, const Result& result) {
   nlohmann::json tree = toJson(result.estimate);
   if (result.bounds) tree["bounds"] = toJson(*result.bounds);
+  if (result.baseline) tree["baseline"] = toJson(*result.baseline);
   // Ids come from users: what is not UTF-8 in them must not cost the result.
   writeFileAtomically(path,
                       tree.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
@@ -174,7 +163,8 @@ Result loadResult(const std::string& path) {
   const std::string content = readFile(path);
   try {
     const nlohmann::json tree = nlohmann::json::parse(content);
-    Result result{estimateFromJson(tree), {}};
+    Result result{estimateFromJson(tree), {}, {}};
+    if (tree.contains("baseline")) result.baseline = baselineFromJson(tree["baseline"]);
     if (tree.contains("bounds") && !tree["bounds"].empty())
       result.bounds = boundsFromJson(tree["bounds"]);
     return result;

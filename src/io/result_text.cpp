@@ -138,6 +138,28 @@ std::string predictionText(const PredictionCalibration& calibration) {
 
 }  // namespace
 
+std::string baselineText(const Baseline& baseline) {
+  const bool mem = baseline.method == BaselineMethod::mem;
+  Rows rows{{"parameter", "mean", "deviation over the experiments"}};
+  for (Eigen::Index k = 0; k < baseline.mean.size(); ++k) {
+    rows.push_back({baseline.fits.front().parameters[static_cast<std::size_t>(k)].name,
+                    numberText(baseline.mean[k]), numberText(baseline.deviation[k])});
+  }
+  std::string text =
+      std::to_string(baseline.fits.size()) + " experiments fitted one by one\n" + textTable(rows);
+  if (baseline.magnitude_bands.empty()) return text;
+  Rows bands{{"share of experiments", "|G| at the lowest frequency", "at the highest"}};
+  for (const Band& band : baseline.magnitude_bands.pointwise) {
+    const auto limits = [&band](Eigen::Index k) {
+      return numberText(band.lower[k]) + " to " + numberText(band.upper[k]);
+    };
+    bands.push_back(
+        {numberText(100 * band.level) + " %", limits(0), limits(band.lower.size() - 1)});
+  }
+  return text + "Region of " + (mem ? "their mean plus error models" : "their plants") + "\n" +
+         textTable(bands);
+}
+
 std::string boundsText(const Bounds& bounds) {
   const auto& bands = bounds.frequency.magnitude_bands;
   const auto& errors = bounds.frequency.relative_error;

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "uncertainty_identification/bounds/baseline.h"
+#include "uncertainty_identification/enum_names.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/identifier.h"
 #include "uncertainty_identification/io/command_line.h"
@@ -26,13 +28,14 @@ namespace po = boost::program_options;
 
 const char* const kName = "identify";
 
-void requireAvailable(const std::string& method) {
-  if (method == "se") return;
-  if (method == "mem" || method == "pem") {
-    throw ui::ConfigurationError("--method " + method +
-                                 " is not available in this version; use se");
+/// None: the stochastic embedding.
+std::optional<ui::BaselineMethod> methodOf(const po::variables_map& arguments) {
+  const std::string method = arguments["method"].as<std::string>();
+  if (method == "se") return {};
+  for (const auto& [baseline, name] : ui::enumNames(ui::BaselineMethod())) {
+    if (method == name) return baseline;
   }
-  throw ui::ConfigurationError("--method: found '" + method + "'; allowed: se");
+  throw ui::ConfigurationError("--method: found '" + method + "'; allowed: se, mem, pem");
 }
 
 ui::LoadedData load(const po::variables_map& arguments, const std::string& key,
@@ -59,7 +62,11 @@ std::optional<ui::Bounds> boundsOf(const std::vector<ui::Experiment>& experiment
   return bounds;
 }
 
-ui::Result identify(const po::variables_map& arguments, const ui::InterruptGuard& interrupt) {
+/// By the method asked for. A baseline's estimate is a mean, not a distribution of plants: its region
+/// is its own.
+ui::Result identify(const po::variables_map& arguments,
+                    const std::optional<ui::BaselineMethod>& method,
+                    const ui::InterruptGuard& interrupt) {
   const ui::Configuration configuration =
       ui::loadConfiguration(arguments["config"].as<std::string>());
   const ui::Identifier identifier(configuration);
@@ -71,26 +78,33 @@ ui::Result identify(const po::variables_map& arguments, const ui::InterruptGuard
     bar.show(at);
     return !interrupt.requested();
   };
-  ui::Estimate estimate = identifier.identify(data.experiments, validation.experiments, progress);
+  ui::Result result;
+  if (method) {
+    ui::BaselineResult found = ui::identifyBaseline(*method, configuration, data.experiments);
+    result = {std::move(found.estimate), {}, std::move(found.baseline)};
+  } else {
+    result.estimate = identifier.identify(data.experiments, validation.experiments, progress);
+  }
   for (const ui::LoadedData* loaded : {&data, &validation}) {
+    ui::Estimate& estimate = result.estimate;
     estimate.rejected.insert(estimate.rejected.end(), loaded->rejected.begin(),
                              loaded->rejected.end());
     estimate.warnings.insert(estimate.warnings.end(), loaded->warnings.begin(),
                              loaded->warnings.end());
   }
-  auto bounds = boundsOf(data.experiments, progress, &estimate);
-  return {std::move(estimate), std::move(bounds)};
+  if (!method) result.bounds = boundsOf(data.experiments, progress, &result.estimate);
+  return result;
 }
 
 int run(const po::variables_map& arguments) {
-  requireAvailable(arguments["method"].as<std::string>());
+  const std::optional<ui::BaselineMethod> method = methodOf(arguments);
   if (arguments.count("data") == 0) {
     throw ui::ConfigurationError("no DATA given; see identify --help");
   }
   const std::string output = arguments["output"].as<std::string>();
   ui::requireWritable(output);
   const ui::InterruptGuard interrupt;
-  const ui::Result result = identify(arguments, interrupt);
+  const ui::Result result = identify(arguments, method, interrupt);
   const ui::Estimate& estimate = result.estimate;
   if (interrupt.requested() || estimate.termination == ui::Termination::cancelled) {
     ui::printMessage(kName, "cancelled; nothing was written");
@@ -102,6 +116,7 @@ int run(const po::variables_map& arguments) {
   ui::saveResult(output, result);
   std::cout << ui::resultText(estimate);
   if (result.bounds) std::cout << ui::boundsText(*result.bounds);
+  if (result.baseline) std::cout << ui::baselineText(*result.baseline);
   return ui::kDone;
 }
 
@@ -122,7 +137,8 @@ Exit status: 0 done; 1 the data cannot support an answer, or cancelled; 2 usage 
       ("output", po::value<std::string>()->required()->value_name("FILE"),
        "where the result goes (JSON)")  //
       ("method", po::value<std::string>()->default_value("se")->value_name("NAME"),
-       "se: stochastic embedding with a Gaussian mixture")  //
+       "se: stochastic embedding with a Gaussian mixture; pem: prediction-error fits of each "
+       "experiment by itself; mem: model error modelling on their mean")  //
       ("validation", po::value<std::vector<std::string>>()->composing()->value_name("DATA"),
        "data used only to measure the fit; may be repeated");
   program.arguments = "data";

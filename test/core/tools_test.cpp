@@ -82,7 +82,6 @@ TEST_F(Tools, HelpAndVersion) {
     EXPECT_EQ(help.errors, "");
     EXPECT_TRUE(contains(help.output, "usage: " + name + " --config")) << help.output;
     EXPECT_TRUE(contains(help.output, "--output")) << help.output;
-    EXPECT_FALSE(contains(help.output, "mem")) << "not available yet";
     const ProcessResult version = tool(name, {"--version"});
     EXPECT_EQ(version.status, 0);
     EXPECT_EQ(version.output.rfind(name + " 0.", 0), 0u) << version.output;
@@ -101,12 +100,21 @@ TEST_F(Tools, WrongUsage) {
   EXPECT_FALSE(fs::exists(result_));
 }
 
-TEST_F(Tools, MethodsThatAreNotThere) {
-  expectFailure(identify({"--method", "mem", "d.csv"}), 2, "identify",
-                "--method mem is not available");
-  expectFailure(identify({"--method", "pem", "d.csv"}), 2, "identify",
-                "--method pem is not available");
-  expectFailure(identify({"--method", "ols", "d.csv"}), 2, "identify", "found 'ols'; allowed: se");
+TEST_F(Tools, BaselinesFitEachExperiment) {
+  for (const std::string method : {"mem", "pem"}) {
+    const ProcessResult run = identify({"--method", method, data(30, 1)});
+    ASSERT_EQ(run.status, 0) << run.errors;
+    EXPECT_TRUE(contains(run.output, "30 experiments fitted one by one")) << run.output;
+    const Result result = loadResult(result_);
+    ASSERT_TRUE(result.baseline.has_value());
+    EXPECT_EQ(nameOf(result.baseline->method), method);
+    EXPECT_EQ(result.baseline->fits.size(), 30u);
+    EXPECT_EQ(result.baseline->error_models.size(), method == "mem" ? 30u : 0u);
+    EXPECT_TRUE(result.estimate.usable());
+    EXPECT_FALSE(result.bounds.has_value());
+  }
+  expectFailure(identify({"--method", "ols", "d.csv"}), 2, "identify",
+                "found 'ols'; allowed: se, mem, pem");
 }
 
 TEST_F(Tools, IdentifyWritesTheResultAndASummary) {

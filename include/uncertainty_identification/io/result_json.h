@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "uncertainty_identification/bounds/baseline.h"
 #include "uncertainty_identification/bounds/bounds.h"
 #include "uncertainty_identification/estimation/estimate.h"
 
@@ -22,6 +23,7 @@ Estimate estimateFromJson(const nlohmann::json& json);
 struct Result {
   Estimate estimate;
   std::optional<Bounds> bounds;
+  std::optional<Baseline> baseline = std::nullopt;  ///< identify --method pem or mem
 };
 
 /// Writes result.json, all of it or nothing. Throws FileError.

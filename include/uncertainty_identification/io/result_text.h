@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "uncertainty_identification/bounds/baseline.h"
 #include "uncertainty_identification/bounds/bounds.h"
 #include "uncertainty_identification/estimation/estimate.h"
 
@@ -15,5 +16,8 @@ std::string resultText(const Estimate& estimate);
 
 /// The bounds in a few lines: how far plants depart from the nominal model, and the weight.
 std::string boundsText(const Bounds& bounds);
+
+/// A baseline in a few lines: the spread of the experiments' own fits, and its region.
+std::string baselineText(const Baseline& baseline);
 
 }  // namespace uncertainty_identification
