@@ -55,14 +55,17 @@ PlantSamples plantsOf(const ModelErrorModels& models, double sample_time) {
   const Index size = std::max(go.b.size(), order + na);
   ErrorModelOptions none;
   none.taps = 0;
-  PlantSamples plants{sample_time, go.delay, MatrixXd::Zero(count, size),
-                      go.a.transpose().replicate(count, 1), MatrixXd(count, 0), none};
+  PlantSamples plants{sample_time,
+                      go.delay,
+                      MatrixXd::Zero(count, size),
+                      go.a.transpose().replicate(count, 1),
+                      MatrixXd(count, 0),
+                      none};
   for (Index r = 0; r < count; ++r) {  // (B + A E)/A
     const VectorXd& e = models.fits[static_cast<std::size_t>(r)].b;
     plants.b.row(r).head(go.b.size()) = go.b.transpose();
     plants.b.row(r).head(order) += e.transpose();
-    for (Index k = 0; k < na; ++k)
-      plants.b.row(r).segment(k + 1, order) += go.a[k] * e.transpose();
+    for (Index k = 0; k < na; ++k) plants.b.row(r).segment(k + 1, order) += go.a[k] * e.transpose();
   }
   return plants;
 }

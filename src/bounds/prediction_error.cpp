@@ -34,8 +34,8 @@ std::vector<ParameterEstimate> listed(const NominalModel& nominal, const VectorX
   std::vector<ParameterEstimate> all;
   for (Index k = 0; k < theta.size(); ++k) {
     const auto at = static_cast<std::size_t>(k);
-    all.push_back({names[at], units[at], theta[k], std::sqrt(covariance(k, k)),
-                   std::sqrt(robust(k, k))});
+    all.push_back(
+        {names[at], units[at], theta[k], std::sqrt(covariance(k, k)), std::sqrt(robust(k, k))});
   }
   return all;
 }
@@ -70,7 +70,11 @@ ExperimentFit fitExperiment(const LinearModel& model, const Configuration& confi
   const double offset = climb.at.parameters.size() > own ? climb.at.parameters[own] : 0.0;
   return {experiment.id,
           listed(nominal, theta, errors.covariance, errors.robust_covariance),
-          p.delay, p.b, p.a, p.c, p.d,
+          p.delay,
+          p.b,
+          p.a,
+          p.c,
+          p.d,
           offset,
           climb.at.noise_variance,
           climb.log_likelihood};
@@ -113,8 +117,9 @@ PredictionErrorFits fitExperiments(const Configuration& configuration,
   }
   if (all.fits.size() < 2) {
     throw DataError("fewer than two experiments can be fitted by themselves" +
-                    (all.failed.empty() ? std::string() : "; '" + all.failed.front().id + "': " +
-                                                              all.failed.front().reason));
+                    (all.failed.empty()
+                         ? std::string()
+                         : "; '" + all.failed.front().id + "': " + all.failed.front().reason));
   }
   summarise(&all);
   return all;
@@ -123,8 +128,12 @@ PredictionErrorFits fitExperiments(const Configuration& configuration,
 PlantSamples plantsOf(const PredictionErrorFits& fits, double sample_time) {
   const ExperimentFit& first = fits.fits.front();
   const auto count = static_cast<Index>(fits.fits.size());
-  PlantSamples plants{sample_time, first.delay, MatrixXd(count, first.b.size()),
-                      MatrixXd(count, first.a.size()), MatrixXd(count, 0), noErrorModel()};
+  PlantSamples plants{sample_time,
+                      first.delay,
+                      MatrixXd(count, first.b.size()),
+                      MatrixXd(count, first.a.size()),
+                      MatrixXd(count, 0),
+                      noErrorModel()};
   for (Index r = 0; r < count; ++r) {
     plants.b.row(r) = fits.fits[static_cast<std::size_t>(r)].b.transpose();
     plants.a.row(r) = fits.fits[static_cast<std::size_t>(r)].a.transpose();
@@ -136,8 +145,9 @@ Estimate meanEstimate(const Configuration& configuration, const PredictionErrorF
                       const std::vector<Experiment>& experiments) {
   const NominalModel& nominal = *fits.nominal;
   if (!nominal.admissible(fits.mean)) {
-    throw DataError("the mean of the experiments' fits is no admissible model: A, C or D has roots "
-                    "outside the unit circle");
+    throw DataError(
+        "the mean of the experiments' fits is no admissible model: A, C or D has roots "
+        "outside the unit circle");
   }
   const auto count = static_cast<double>(fits.fits.size());
   const MatrixXd of_mean = fits.covariance / count;
@@ -159,17 +169,23 @@ Estimate meanEstimate(const Configuration& configuration, const PredictionErrorF
   for (std::size_t r = 0; r < experiments.size(); ++r) {
     const int samples = experiments[r].validSamples();
     estimate.sample_count += samples;
-    estimate.experiments.push_back({experiments[r].id, samples, {1.0}, VectorXd(0),
-                                    e.log_likelihood[static_cast<Index>(r)]});
+    estimate.experiments.push_back(
+        {experiments[r].id, samples, {1.0}, VectorXd(0), e.log_likelihood[static_cast<Index>(r)]});
   }
   const Polynomials p = nominal.polynomials(fits.mean);
-  estimate.nominal_model = {nominal.structure(), experiments.front().sample_time, p.delay, p.b,
-                            p.a, p.c, p.d, listed(nominal, fits.mean, of_mean, of_mean), of_mean};
+  estimate.nominal_model = {nominal.structure(),
+                            experiments.front().sample_time,
+                            p.delay,
+                            p.b,
+                            p.a,
+                            p.c,
+                            p.d,
+                            listed(nominal, fits.mean, of_mean, of_mean),
+                            of_mean};
   estimate.error_model.options = estimate.configuration.error_model;
   estimate.error_model.mixture = at.mixture;
-  const MatrixXd to_plant =
-      plantCoordinatesJacobian(nominal, fits.mean) *
-      nominal.unboundedJacobian(nominal.toUnbounded(fits.mean)).inverse();
+  const MatrixXd to_plant = plantCoordinatesJacobian(nominal, fits.mean) *
+                            nominal.unboundedJacobian(nominal.toUnbounded(fits.mean)).inverse();
   estimate.joint_covariance = to_plant * of_mean * to_plant.transpose();
   double squares = 0;
   for (const ExperimentFit& fit : fits.fits)

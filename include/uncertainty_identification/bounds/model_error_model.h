@@ -12,9 +12,9 @@ constexpr int kModelErrorOrder = 10;
 /// Model error modelling (the paper's section 5.2 after Reinelt, Garulli and Ljung): what the mean
 /// of the prediction-error fits leaves of each experiment, epsilon = y - Go u, explained by an FIR
 /// model of its own,
-///   epsilon_r = G_epsilon,r u_r + v_r,   G_epsilon,r = q^-delay (e1 + e2 q^-1 + ...)           (42)
+///   epsilon_r = G_epsilon,r u_r + v_r,   G_epsilon,r = q^-delay (e1 + e2 q^-1 + ...) (42)
 struct ModelErrorModels {
-  Polynomials nominal;             ///< Go, the mean of the fits
+  Polynomials nominal;              ///< Go, the mean of the fits
   std::vector<ExperimentFit> fits;  ///< G_epsilon,r: b holds e1, e2, ...
 };
 

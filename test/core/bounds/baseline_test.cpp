@@ -38,9 +38,7 @@ Configuration configuration() {
   return made;
 }
 
-double pole(int r) {
-  return -drawSystem(truth(), kSeed, r).polynomials.a[0];
-}
+double pole(int r) { return -drawSystem(truth(), kSeed, r).polynomials.a[0]; }
 
 TEST(PredictionError, EachExperimentGivesItsOwnTimeConstant) {
   const BaselineResult result =
@@ -91,8 +89,7 @@ TEST(PredictionError, BandsHoldTheShareOfPlantsThatTheyName) {
   const double angle = baseline.omega[25] * 0.01;
   int inside = 0;
   for (int r = 0; r < kExperiments; ++r) {
-    const double magnitude =
-        (1 - pole(r)) / std::abs(1.0 - pole(r) * std::polar(1.0, -angle));
+    const double magnitude = (1 - pole(r)) / std::abs(1.0 - pole(r) * std::polar(1.0, -angle));
     if (magnitude >= band.lower[25] && magnitude <= band.upper[25]) ++inside;
   }
   // 54 of 60, less what the fits' own errors move across the limits
@@ -109,8 +106,7 @@ TEST(PredictionError, WhatCannotBeFittedIsListed) {
   experiments.back().u.conservativeResize(30);
   experiments.back().y.conservativeResize(30);
   experiments.back().y.setConstant(1e200);
-  const BaselineResult result =
-      identifyBaseline(BaselineMethod::pem, configuration(), experiments);
+  const BaselineResult result = identifyBaseline(BaselineMethod::pem, configuration(), experiments);
   EXPECT_EQ(result.baseline.fits.size(), 3u);
   EXPECT_EQ(result.estimate.rejected.size(), 2u);
   experiments.resize(1);
@@ -127,8 +123,7 @@ TEST(PredictionError, WhatCannotBeFittedIsListed) {
 /// With white noise an FIR model's estimate is least squares on what Go leaves.
 TEST(ModelErrorModel, IsLeastSquaresOnTheResidual) {
   const std::vector<Experiment> experiments = simulate(truth(), kSeed);
-  const BaselineResult result =
-      identifyBaseline(BaselineMethod::mem, configuration(), experiments);
+  const BaselineResult result = identifyBaseline(BaselineMethod::mem, configuration(), experiments);
   const double p = -result.estimate.nominal_model.a[0];
   ASSERT_EQ(result.baseline.error_models.size(), experiments.size());
   for (std::size_t r : {0u, 31u}) {
