@@ -10,6 +10,7 @@
 
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/model/polynomial.h"
+#include "uncertainty_identification/require.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -153,12 +154,13 @@ void findPeak(const Loop& loop, double sample_time, RobustMargin* margin) {
   margin->margin = margin->peak > 0 ? 1 / margin->peak : std::numeric_limits<double>::infinity();
 }
 
-void sampleStability(const PlantDistribution& plants, const RationalFunction& controller,
-                     int samples, std::uint64_t seed, RobustMargin* margin) {
+void sampleStability(const PlantDistribution& plants, const RobustMarginOptions& options,
+                     RobustMargin* margin) {
+  const int samples = options.samples;
   margin->uncertainty = plants.hasEstimationErrors() ? Uncertainty::total : Uncertainty::mixture;
   margin->samples = samples;
-  const MatrixXd all =
-      characteristicPolynomials(plants.draw(samples, margin->uncertainty, seed), controller);
+  const MatrixXd all = characteristicPolynomials(
+      plants.draw(samples, margin->uncertainty, options.seed), options.controller);
   int unstable = 0;
   for (Index i = 0; i < all.rows(); ++i) unstable += isStable(all.row(i).transpose()) ? 0 : 1;
   const double count = samples, share = unstable / count;
@@ -193,6 +195,12 @@ void requireController(const RationalFunction& controller, const std::string& ke
   refuse(message.str());
 }
 
+void RobustMarginOptions::validate() const {
+  requireController(controller);
+  requireRange("minimum_margin", minimum_margin, 1.0, 1000.0);
+  requireRange("samples", samples, 100, 1000000);
+}
+
 MatrixXd characteristicPolynomials(const PlantSamples& plants, const RationalFunction& controller) {
   const TransferFunctions models = transferFunctions(plants);
   MatrixXd all;
@@ -206,8 +214,9 @@ MatrixXd characteristicPolynomials(const PlantSamples& plants, const RationalFun
 }
 
 RobustMargin robustMargin(const PlantDistribution& plants, const RationalFunction& weight,
-                          const RationalFunction& controller, int samples, std::uint64_t seed) {
-  requireController(controller);
+                          const RobustMarginOptions& options) {
+  options.validate();
+  const RationalFunction& controller = options.controller;
   if (weight.num.size() == 0 || weight.den.size() == 0 || !weight.num.allFinite() ||
       !weight.den.allFinite() || weight.den[0] == 0 || !isStable(normalised(weight.den))) {
     throw DataError("the weight W(z) is not a stable rational function");
@@ -222,7 +231,7 @@ RobustMargin robustMargin(const PlantDistribution& plants, const RationalFunctio
     const Loop loop{product(product(weight.num, b), controller.num), product(weight.den, closed)};
     findPeak(loop, go.sample_time, &margin);
   }
-  sampleStability(plants, controller, samples, seed, &margin);
+  sampleStability(plants, options, &margin);
   return margin;
 }
 

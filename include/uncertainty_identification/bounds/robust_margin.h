@@ -21,6 +21,17 @@ struct RationalFunction {
 /// actuator saturates is nearly always a sign gone wrong.
 void requireController(const RationalFunction& controller, const std::string& key = "controller");
 
+/// What to judge, and how.
+struct RobustMarginOptions {
+  RationalFunction controller{Eigen::VectorXd(), Eigen::VectorXd()};  ///< to be given
+  double minimum_margin = 1;  ///< below it counts as lost; 1 to 1000: more than 1 is a reserve
+  int samples = 10000;        ///< plants drawn, 100 to 1000000
+  std::uint64_t seed = 1;
+
+  /// Throws ConfigurationError naming key, value and what is allowed.
+  void validate() const;
+};
+
 /// How robust a control loop is: u = K (r - y) around y = G u, G = Go (1 + W Delta).
 struct RobustMargin {
   bool nominal_stable = false;  ///< the loop with Go; where false, peak and margin mean nothing
@@ -40,11 +51,11 @@ struct RobustMargin {
 };
 
 /// Margin of the controller for the nominal plant with the uncertainty W, and the probability of
-/// instability from `samples` draws, of the estimate's errors too where these are known. Throws
-/// ConfigurationError as requireController() does, or where controller and plant have an algebraic
+/// instability from draws of plants, by the estimate's errors too where these are known. Throws
+/// ConfigurationError as validate() does, or where controller and plant have an algebraic
 /// loop without a solution; DataError for a W that is not stable or not finite.
 RobustMargin robustMargin(const PlantDistribution& plants, const RationalFunction& weight,
-                          const RationalFunction& controller, int samples, std::uint64_t seed);
+                          const RobustMarginOptions& options);
 
 /// Characteristic polynomials of the loop with each plant, without leading 1: one per row. Stable
 /// where all roots lie inside the unit circle (isStable()). Throws ConfigurationError where their

@@ -29,6 +29,7 @@
 #include <uncertainty_identification/ListExperiments.h>
 #include <uncertainty_identification/NominalModel.h>
 #include <uncertainty_identification/Parameter.h>
+#include <uncertainty_identification/RobustMargin.h>
 #include <uncertainty_identification/Sample.h>
 #include <uncertainty_identification/SampleModels.h>
 #include <uncertainty_identification/UncertaintyBounds.h>

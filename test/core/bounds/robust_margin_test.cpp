@@ -9,8 +9,11 @@
 
 #include "support/core_setup.h"
 #include "support/error_message.h"
+#include "support/faults.h"
+#include "support/monte_carlo.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/model/polynomial.h"
+#include "uncertainty_identification/simulation/simulate.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -38,7 +41,10 @@ Estimate plant(const VectorXd& b, const VectorXd& a, int delay, double variance)
 
 RobustMargin marginOf(const Estimate& estimate, const RationalFunction& weight,
                       const RationalFunction& controller) {
-  return robustMargin(PlantDistribution(estimate), weight, controller, kSamples, 1);
+  RobustMarginOptions options;
+  options.controller = controller;
+  options.samples = kSamples;
+  return robustMargin(PlantDistribution(estimate), weight, options);
 }
 
 RationalFunction constant(double value) { return {vectorOf({value}), vectorOf({1})}; }
@@ -140,6 +146,27 @@ TEST(RobustMargin, CharacteristicPolynomialsHoldTheErrorModel) {
                   .sum();
     const std::complex<double> k = (0.7 - 0.1 * w) / (2.0 - 2.0 * w);
     EXPECT_LT(std::abs(1.0 + go * error * k), 1e-8) << root;
+  }
+}
+
+// Example 1 with its true model; scripts/study_robust_margin is the long form.
+TEST(RobustMargin, TheProbabilityIsTheShareOfTrueSystems) {
+  constexpr int kSystems = 4000;
+  const Truth truth = test::example1Truth();
+  const PlantDistribution plants(test::estimateOf(truth));
+  const ErrorBasis basis(truth.error_model.basis);
+  PlantSamples systems = plants.draw(kSystems, Uncertainty::mixture, 2);
+  for (int r = 0; r < kSystems; ++r)
+    systems.eta.row(r) = (basis.T() * drawSystem(truth, 3, r).xi).transpose();
+  for (const double gain : {0.2, 0.5, 2.0}) {
+    RobustMarginOptions options;
+    options.controller = {vectorOf({gain}), vectorOf({1, -1})};
+    const auto found = robustMargin(plants, constant(4), options);
+    const MatrixXd all = characteristicPolynomials(systems, options.controller);
+    double unstable = 0;
+    for (int r = 0; r < kSystems; ++r) unstable += isStable(all.row(r).transpose()) ? 0 : 1;
+    const double share = found.unstable_probability;
+    EXPECT_NEAR(unstable / kSystems, share, 4 * std::sqrt(share * (1 - share) / kSystems)) << gain;
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "uncertainty_identification/io/configuration_yaml.h"
 #include "uncertainty_identification/io/fault_detection_yaml.h"
+#include "uncertainty_identification/io/robust_margin_yaml.h"
 #include "uncertainty_identification/io/truth_yaml.h"
 
 namespace uncertainty_identification {
@@ -23,6 +24,8 @@ TEST(ShippedConfigurations, AllAreAccepted) {
     const std::string name = entry.path().stem().string();
     if (name == "fault_detection") {
       EXPECT_NO_THROW(loadFaultDetection(path)) << path;
+    } else if (name == "robust_margin") {
+      EXPECT_NO_THROW(loadRobustMargin(path)) << path;
     } else if (name.find("truth") != std::string::npos) {
       EXPECT_NO_THROW(loadTruth(path).validate()) << path;
     } else {
