@@ -28,6 +28,12 @@ EstimationOptions nuisances(const Estimate& estimate, const FaultDetectionOption
 /// The basis as the estimate used it: T is that of the result, whatever the constraint.
 ErrorBasis basisOf(const Estimate& estimate) {
   ErrorModelOptions options = estimate.error_model.options;
+  if (variesParameters(options.basis)) {
+    throw ConfigurationError(
+        "error_model.basis: faults are told with fir, laguerre and kautz; identify the model with "
+        "one "
+        "of them");
+  }
   if (options.taps <= 0 || estimate.error_model.mixture.dimension() == 0) {
     options = ErrorModelOptions();
     options.taps = 0;

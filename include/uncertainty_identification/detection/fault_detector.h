@@ -51,8 +51,8 @@ struct FaultWindow {
 /// first sample and looks like a probable xi cannot be told from it.
 class FaultDetector {
  public:
-  /// Throws ConfigurationError for options out of range, DataError for an estimate that is not
-  /// usable or whose noise variance is not positive.
+  /// Throws ConfigurationError for options out of range or an error model that varies parameters of
+  /// Go, DataError for an estimate that is not usable or whose noise variance is not positive.
   explicit FaultDetector(const Estimate& estimate, const FaultDetectionOptions& options = {});
 
   /// Begins a new experiment: of the plant's state and of xi nothing is known but the model.

@@ -179,6 +179,11 @@ TEST(FaultDetector, RefusesWhatItCannotUse) {
   EXPECT_EQ(refusal(50, kNaN), "false_alarm_rate: found nan; allowed: 1e-09 to 0.5");
   EXPECT_NE(messageOf<DataError>([] { FaultDetector(Estimate{}); }).find("not usable"),
             std::string::npos);
+  Estimate varying = estimateOf(test::example1Truth());
+  varying.error_model.options.basis = BasisKind::parameter_spread;
+  EXPECT_NE(
+      messageOf<ConfigurationError>([&] { FaultDetector{varying}; }).find("error_model.basis"),
+      std::string::npos);
   FaultDetector detector(estimateOf(test::example1Truth()));
   EXPECT_NE(messageOf<DataError>([&] { detector.add(kNaN, 0); }).find("input is not finite"),
             std::string::npos);
