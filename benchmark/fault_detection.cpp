@@ -88,8 +88,9 @@ std::vector<double> residualEnergies(const NominalModelEstimate& go, const Exper
   no_errors.taps = 0;
   EstimationOptions at_rest;
   at_rest.initial_state = InitialState::zero;
-  WhitenedStream stream({go.delay, go.b, go.a, {}, {}}, RationalBasis(ErrorBasis(no_errors)),
-                        at_rest, 0, 0);
+  WhitenedStream stream(
+      streamModel({go.delay, go.b, go.a, {}, {}}, RationalBasis(ErrorBasis(no_errors))), at_rest, 0,
+      0);
   std::vector<double> energies(static_cast<std::size_t>(experiment.samples() / kWindow), 0.0);
   for (int t = 0; t < experiment.samples(); ++t)
     energies[static_cast<std::size_t>(t / kWindow)] +=

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/model/sensitivity.h"
@@ -26,18 +27,12 @@ EstimationOptions nuisances(const Estimate& estimate, const FaultDetectionOption
 }
 
 /// The basis as the estimate used it: T is that of the result, whatever the constraint.
-ErrorBasis basisOf(const Estimate& estimate) {
+RationalBasis basisOf(const Estimate& estimate) {
   ErrorModelOptions options = estimate.error_model.options;
-  if (variesParameters(options.basis)) {
-    throw ConfigurationError(
-        "error_model.basis: faults are told with fir, laguerre and kautz; identify the model with "
-        "one "
-        "of them");
-  }
   if (options.taps <= 0 || estimate.error_model.mixture.dimension() == 0) {
     options = ErrorModelOptions();
     options.taps = 0;
-    return ErrorBasis(options);
+    return RationalBasis(ErrorBasis(options));
   }
   if (variesParameters(estimate.error_model.options.basis)) {
     throw DataError(
@@ -46,7 +41,48 @@ ErrorBasis basisOf(const Estimate& estimate) {
   }
   options.constraint = Constraint::explicit_matrix;
   options.T = estimate.error_model.T;
-  return ErrorBasis(options);
+  return RationalBasis(ErrorBasis(options));
+}
+
+/// The result's nominal model, where theta gives its polynomials; else null.
+std::shared_ptr<const NominalModel> nominalModelOf(const Estimate& estimate,
+                                                   const VectorXd& theta) {
+  const NominalModelEstimate& go = estimate.nominal_model;
+  auto model = makeNominalModel(estimate.configuration.nominal_model, go.sample_time);
+  if (model->parameterCount() != theta.size()) return nullptr;
+  const VectorXd found = model->polynomials(theta).stacked();
+  const VectorXd wanted = Polynomials{go.delay, go.b, go.a, go.c, go.d}.stacked();
+  return found.size() == wanted.size() && found.isApprox(wanted, 1e-6) ? model : nullptr;
+}
+
+/// The estimate's model at other parameters of its own nominal model.
+StreamModel modelAt(const Estimate& estimate, const NominalModel& nominal, const VectorXd& theta) {
+  if (variesParameters(estimate.error_model.options.basis))
+    return streamModel(nominal, estimate.error_model.options, theta);
+  return streamModel(nominal.polynomials(theta), basisOf(estimate));
+}
+
+VectorXd valuesOf(const std::vector<ParameterEstimate>& parameters) {
+  VectorXd values(static_cast<Index>(parameters.size()));
+  for (Index k = 0; k < values.size(); ++k)
+    values[k] = parameters[static_cast<std::size_t>(k)].value;
+  return values;
+}
+
+StreamModel modelOf(const Estimate& estimate) {
+  const NominalModelEstimate& go = estimate.nominal_model;
+  const BasisKind basis = estimate.error_model.options.basis;
+  if (!variesParameters(basis))
+    return streamModel({go.delay, go.b, go.a, go.c, go.d}, basisOf(estimate));
+  const VectorXd theta = valuesOf(go.parameters);
+  const auto nominal = nominalModelOf(estimate, theta);
+  if (basis == BasisKind::parameter_spread || nominal == nullptr) {
+    throw ConfigurationError(
+        "error_model.basis: faults are told with fir, laguerre and kautz, and with sensitivity "
+        "where "
+        "the configuration names the nominal model; identify the model with one of them");
+  }
+  return modelAt(estimate, *nominal, theta);
 }
 
 /// Degrees of freedom of a variance estimate with this standard error.
@@ -63,22 +99,6 @@ Mixture predictive(Mixture mixture, int experiments) {
     mixture.covariances[i] *= (m + 1) / std::max(m - n - 2, 1.0);
   }
   return mixture;
-}
-
-Polynomials nominalOf(const NominalModelEstimate& go) { return {go.delay, go.b, go.a, go.c, go.d}; }
-
-VectorXd valuesOf(const std::vector<ParameterEstimate>& parameters) {
-  VectorXd values(static_cast<Index>(parameters.size()));
-  for (Index k = 0; k < values.size(); ++k)
-    values[k] = parameters[static_cast<std::size_t>(k)].value;
-  return values;
-}
-
-/// Whether the model gives the polynomials of the result at these parameters.
-bool reproduces(const NominalModel& model, const VectorXd& theta, const Polynomials& expected) {
-  if (model.parameterCount() != theta.size()) return false;
-  const VectorXd found = model.polynomials(theta).stacked(), wanted = expected.stacked();
-  return found.size() == wanted.size() && found.isApprox(wanted, 1e-6);
 }
 
 }  // namespace
@@ -99,15 +119,14 @@ FaultDetector::FaultDetector(const Estimate& estimate, const FaultDetectionOptio
       noise_variance_(estimate.noise_variance.value),
       threshold_(-std::log10(options.false_alarm_rate)),
       noise_degrees_(std::numeric_limits<double>::infinity()),
-      basis_(basisOf(estimate)),
       mixture_(estimate.error_model.mixture),
-      models_{nominalOf(estimate.nominal_model)} {
+      models_{modelOf(estimate)} {
   options.validate();
   if (!estimate.usable()) throw DataError("the model is not usable: " + estimate.message);
   if (!(noise_variance_ > 0))
     throw DataError("noise_variance: found " + std::to_string(noise_variance_) +
                     "; faults can be told from noise only where it is positive");
-  if (basis_.numerators.empty()) mixture_ = Mixture();
+  if (models_.front().regressors.empty()) mixture_ = Mixture();
   if (options.parameter_uncertainty) {
     noise_degrees_ = degreesOf(estimate.noise_variance);
     if (estimate.experiment_count > 0) mixture_ = predictive(mixture_, estimate.experiment_count);
@@ -119,10 +138,8 @@ FaultDetector::FaultDetector(const Estimate& estimate, const FaultDetectionOptio
 void FaultDetector::prepareParameters(const Estimate& estimate) {
   const NominalModelEstimate& go = estimate.nominal_model;
   const VectorXd theta = valuesOf(go.parameters);
-  const auto model =
-      makeNominalModel(estimate.configuration.nominal_model, estimate.nominal_model.sample_time);
-  if (go.covariance.rows() != theta.size() || !go.covariance.allFinite() ||
-      !reproduces(*model, theta, models_.front())) {
+  const auto model = nominalModelOf(estimate, theta);
+  if (go.covariance.rows() != theta.size() || !go.covariance.allFinite() || model == nullptr) {
     warnings_.push_back(
         "the result holds no covariance of the nominal model's parameters: they are taken as "
         "known, and false alarms will be more frequent than configured");
@@ -133,15 +150,15 @@ void FaultDetector::prepareParameters(const Estimate& estimate) {
     const double deviation = std::sqrt(std::max(eigen.eigenvalues()[k], 0.0));
     if (deviation == 0) continue;
     const VectorXd step = kStep * deviation * eigen.eigenvectors().col(k);
-    models_.push_back(model->polynomials(theta + step));
-    models_.push_back(model->polynomials(theta - step));
+    models_.push_back(modelAt(estimate, *model, theta + step));
+    models_.push_back(modelAt(estimate, *model, theta - step));
   }
 }
 
 void FaultDetector::reset() {
   streams_.clear();
-  for (const Polynomials& model : models_)
-    streams_.emplace_back(model, basis_, estimation_, offset_u_, offset_y_);
+  for (const StreamModel& model : models_)
+    streams_.emplace_back(model, estimation_, offset_u_, offset_y_);
   const auto parameters = static_cast<Index>(models_.size() - 1) / 2;
   const Index n = streams_.front().regressors();
   observation_ = {0, VectorXd::Zero(n), VectorXd::Zero(parameters), MatrixXd::Zero(parameters, n),

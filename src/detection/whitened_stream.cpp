@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "uncertainty_identification/model/polynomial.h"
+#include "uncertainty_identification/model/sensitivity.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -19,17 +20,10 @@ VectorXd padded(const VectorXd& from, Index size) {
 }
 
 /// q^-delay B as one polynomial.
-VectorXd delayed(const Polynomials& p) {
-  VectorXd numerator = VectorXd::Zero(p.delay + p.b.size());
-  numerator.tail(p.b.size()) = p.b;
+VectorXd delayed(int delay, const VectorXd& b) {
+  VectorXd numerator = VectorXd::Zero(delay + b.size());
+  numerator.tail(b.size()) = b;
   return numerator;
-}
-
-/// How many coefficients the free response of Go (1 + GDelta) has, as in LinearModel.
-Index initialDirections(const Polynomials& p, const RationalBasis& basis) {
-  const Index poles = basis.denominator.size();
-  const Index zeros = poles > 0 ? poles : std::max<Index>(basis.taps - 1, 0);
-  return std::max<Index>(p.a.size() + poles, p.delay + p.b.size() - 1 + zeros);
 }
 
 /// Stationary covariance P = F P F' + Q by doubling, as NoiseWhitening starts.
@@ -107,23 +101,52 @@ void StreamWhitening::step(bool measured, VectorXd* signals) {
   }
 }
 
-WhitenedStream::WhitenedStream(const Polynomials& p, const RationalBasis& basis,
-                               const EstimationOptions& options, double offset_u, double offset_y)
-    : plant_(delayed(p), p.a),
-      own_offset_plant_(delayed(p), p.a),
-      free_response_(VectorXd::Ones(1), multiply(p.a, basis.denominator)),
+StreamModel streamModel(const Polynomials& p, const RationalBasis& basis) {
+  const Index poles = basis.denominator.size();
+  const Index zeros = poles > 0 ? poles : std::max<Index>(basis.taps - 1, 0);
+  return {p,
+          basis.numerators,
+          basis.denominator,
+          false,
+          multiply(p.a, basis.denominator),
+          std::max<Index>(p.a.size() + poles, p.delay + p.b.size() - 1 + zeros)};
+}
+
+StreamModel streamModel(const NominalModel& nominal, const ErrorModelOptions& options,
+                        const VectorXd& theta) {
+  const int order = options.sensitivity_order;
+  const SensitivityNumerators all =
+      sensitivityNumerators(nominal, sensitivityTerms(nominal, options), order, theta);
+  StreamModel model;
+  model.polynomials = nominal.polynomials(theta);
+  for (Index i = 0; i < all.terms.cols(); ++i)
+    model.regressors.push_back(delayed(all.delay, all.terms.col(i)));
+  model.regressor_denominator = model.free_denominator = all.denominator;
+  model.regressors_of_input = true;
+  const Index na = model.polynomials.a.size(), nb = model.polynomials.b.size();
+  model.free_directions = std::max<Index>((order + 1) * na, all.delay + nb - 1 + order * na);
+  return model;
+}
+
+WhitenedStream::WhitenedStream(const StreamModel& model, const EstimationOptions& options,
+                               double offset_u, double offset_y)
+    : plant_(delayed(model.polynomials.delay, model.polynomials.b), model.polynomials.a),
+      own_offset_plant_(plant_),
+      free_response_(VectorXd::Ones(1), model.free_denominator),
+      regressors_of_input_(model.regressors_of_input),
       own_offset_(options.offsets == Offsets::per_experiment),
       offset_at_input_(options.offset_side == OffsetSide::input),
       offset_u_(offset_u),
       offset_y_(offset_y),
       discard_(options.initial_state == InitialState::discard ? options.discard_samples : 0),
-      whitening_(p.c, p.d, options.noise_start, 0) {
-  for (const VectorXd& numerator : basis.numerators)
-    basis_.emplace_back(numerator, basis.denominator);
+      whitening_(model.polynomials.c, model.polynomials.d, options.noise_start, 0) {
+  for (const VectorXd& numerator : model.regressors)
+    basis_.emplace_back(numerator, model.regressor_denominator);
   if (options.initial_state == InitialState::estimate)
-    initial_ = VectorXd::Zero(initialDirections(p, basis));
+    initial_ = VectorXd::Zero(model.free_directions);
   signals_ = VectorXd::Zero(2 + regressors() + columns());
-  whitening_ = StreamWhitening(p.c, p.d, options.noise_start, signals_.size());
+  whitening_ = StreamWhitening(model.polynomials.c, model.polynomials.d, options.noise_start,
+                               signals_.size());
 }
 
 const VectorXd& WhitenedStream::step(double u, double y) {
@@ -131,7 +154,8 @@ const VectorXd& WhitenedStream::step(double u, double y) {
   signals_[0] = y - x - offset_y_;
   signals_[1] = x;
   Index next = 2;
-  for (StreamFilter& filter : basis_) signals_[next++] = filter.step(x);
+  const double source = regressors_of_input_ ? u + offset_u_ : x;
+  for (StreamFilter& filter : basis_) signals_[next++] = filter.step(source);
   if (initial_.size() > 0) {
     for (Index k = initial_.size() - 1; k > 0; --k) initial_[k] = initial_[k - 1];
     initial_[0] = free_response_.step(first_ ? 1 : 0);

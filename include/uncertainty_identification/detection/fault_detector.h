@@ -51,8 +51,9 @@ struct FaultWindow {
 /// first sample and looks like a probable xi cannot be told from it.
 class FaultDetector {
  public:
-  /// Throws ConfigurationError for options out of range or an error model that varies parameters of
-  /// Go, DataError for an estimate that is not usable or whose noise variance is not positive.
+  /// Throws ConfigurationError for options out of range or an error model of basis
+  /// parameter_spread, DataError for an estimate that is not usable or whose noise variance is not
+  /// positive.
   explicit FaultDetector(const Estimate& estimate, const FaultDetectionOptions& options = {});
 
   /// Begins a new experiment: of the plant's state and of xi nothing is known but the model.
@@ -77,10 +78,9 @@ class FaultDetector {
   EstimationOptions estimation_;
   double sample_time_, offset_u_, offset_y_, noise_variance_, threshold_;
   double noise_degrees_;  ///< of freedom of the noise variance
-  RationalBasis basis_;
   Mixture mixture_;
   /// At theta_hat, then in pairs at a step ahead and back along each direction of its errors.
-  std::vector<Polynomials> models_;
+  std::vector<StreamModel> models_;
   std::vector<std::string> warnings_;
 
   std::vector<WhitenedStream> streams_;  ///< one for each of models_

@@ -21,6 +21,23 @@ class StreamFilter {
   Eigen::VectorXd numerator_, denominator_, state_;
 };
 
+/// A model as filters, sample by sample.
+struct StreamModel {
+  Polynomials polynomials;                  ///< Go and H
+  std::vector<Eigen::VectorXd> regressors;  ///< numerators, n of them
+  Eigen::VectorXd regressor_denominator;    ///< common, monic, without the leading 1
+  bool regressors_of_input = false;         ///< they filter u; else Go u
+  Eigen::VectorXd free_denominator;         ///< of what an initial state can do, monic
+  Eigen::Index free_directions = 0;         ///< and how many coefficients that has
+};
+
+/// Errors as filters behind Go.
+StreamModel streamModel(const Polynomials& polynomials, const RationalBasis& basis);
+
+/// BasisKind::sensitivity: errors as sensitivities of Go at theta.
+StreamModel streamModel(const NominalModel& nominal, const ErrorModelOptions& options,
+                        const Eigen::VectorXd& theta);
+
 /// Noise whitening H^-1 of several signals, sample by sample: the recursion of NoiseWhitening.
 class StreamWhitening {
  public:
@@ -43,8 +60,8 @@ class WhitenedStream {
  public:
   /// Of `options` only the nuisance options are used (initial_state, discard_samples, noise_start,
   /// offsets, offset_side); the offsets are values [units of u and y].
-  WhitenedStream(const Polynomials& polynomials, const RationalBasis& basis,
-                 const EstimationOptions& options, double offset_u, double offset_y);
+  WhitenedStream(const StreamModel& model, const EstimationOptions& options, double offset_u,
+                 double offset_y);
 
   /// Takes the next sample; a y that is NaN was not measured. The signals, whitened: residual e,
   /// effect of the nominal model H^-1 Go u, n regressors Phi, columns(). All 0 where y was not
@@ -62,9 +79,9 @@ class WhitenedStream {
  private:
   StreamFilter plant_, own_offset_plant_;
   std::vector<StreamFilter> basis_;
-  StreamFilter free_response_;  ///< 1/(A D_F)
-  Eigen::VectorXd initial_;     ///< its newest samples: the effects of the initial state
-  bool own_offset_, offset_at_input_;
+  StreamFilter free_response_;
+  Eigen::VectorXd initial_;  ///< its newest samples: the effects of the initial state
+  bool regressors_of_input_, own_offset_, offset_at_input_;
   double offset_u_, offset_y_;
   int discard_ = 0;  ///< samples still to be discarded
   bool first_ = true, measured_ = false;

@@ -24,8 +24,8 @@ TEST(ErrorFilter, EndsAtLikelihoodResponsibilitiesAndMeansOfTheExperiments) {
   const NominalModelEstimate& go = estimate.nominal_model;
   const RationalBasis basis{ErrorBasis(estimate.error_model.options)};
   for (std::size_t r = 0; r < experiments.size(); ++r) {
-    WhitenedStream stream({go.delay, go.b, go.a, go.c, go.d}, basis, configuration.estimation, 0,
-                          0);
+    WhitenedStream stream(streamModel({go.delay, go.b, go.a, go.c, go.d}, basis),
+                          configuration.estimation, 0, 0);
     ErrorFilter filter(estimate.error_model.mixture, 0, 0, estimate.noise_variance.value);
     double log_likelihood = 0;
     for (int t = 0; t < experiments[r].samples(); ++t) {

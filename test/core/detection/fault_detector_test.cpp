@@ -91,6 +91,36 @@ TEST(FaultDetector, CountsWithWhatTheEstimateDoesNotKnow) {
   EXPECT_GT(without.rate(), 1.3 * with.rate());
 }
 
+// A spread of Go's own parameters, followed by sensitivities: two parameters of a continuous model.
+TEST(FaultDetector, FollowsErrorsOfGosParameters) {
+  Truth truth;
+  truth.sample_time = 0.1;
+  truth.experiments = 60;
+  truth.samples = {150};
+  truth.plant.structure = PlantStructure::first_order;
+  truth.plant.time_constant = 0.5;
+  truth.plant.time_constant_spread = 0.05;
+  truth.noise.variance = 0.01;
+  Configuration configuration;
+  configuration.nominal_model.structure = Structure::continuous;
+  configuration.nominal_model.nc = configuration.nominal_model.nd = 0;
+  configuration.error_model.basis = BasisKind::sensitivity;
+  configuration.error_model.constraint = Constraint::zero_mean;
+  configuration.error_model.parameters = {"tau1"};
+  configuration.error_model.components = 1;
+  configuration.estimation.threads = 1;
+  const Estimate estimate = Identifier(configuration).identify(simulate(truth, 1));
+  FaultDetectionOptions options;
+  options.false_alarm_rate = 0.05;
+  FaultDetector detector(estimate, options);
+  EXPECT_TRUE(detector.warnings().empty());
+  truth.samples = {520};
+  const Alarms found = falseAlarms(&detector, truth, 100);
+  // 1,000 windows: standard deviation 0.7 %; sigma^2's own error moves the rate by a tenth.
+  EXPECT_EQ(found.windows, 1000);
+  EXPECT_NEAR(found.rate(), 0.05, 0.025);
+}
+
 struct FaultCase {
   Fault fault;
   WindowTest seen_by;

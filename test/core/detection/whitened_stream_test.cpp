@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/core_setup.h"
 
 namespace uncertainty_identification {
@@ -54,7 +56,7 @@ TEST_P(WhitenedStreamTest, IsWhatTheModelSaysOfTheWholeExperiment) {
   const RationalBasis basis(setup.model().basis());
   for (int lane = 0; lane < block.lanes; ++lane) {
     const Experiment& experiment = *block.experiments[static_cast<std::size_t>(lane)];
-    WhitenedStream stream(polynomials, basis, estimation, common && at_input ? 0.7 : 0,
+    WhitenedStream stream(streamModel(polynomials, basis), estimation, common && at_input ? 0.7 : 0,
                           common && !at_input ? 0.7 : 0);
     ASSERT_EQ(stream.regressors(), 3);
     ASSERT_EQ(stream.columns(), static_cast<Eigen::Index>(response.value.columns.size()));
@@ -75,6 +77,50 @@ TEST_P(WhitenedStreamTest, IsWhatTheModelSaysOfTheWholeExperiment) {
     EXPECT_EQ(measured, static_cast<int>(response.effective_samples[lane]));
   }
 }
+
+class SensitivityStream : public testing::TestWithParam<int> {};
+
+// Errors of Go's own parameters, of first and second order.
+TEST_P(SensitivityStream, IsWhatTheModelSaysOfTheWholeExperiment) {
+  test::RandomSystemOptions options;
+  options.experiments = 3;
+  options.missing = 0.2;
+  std::vector<Experiment> experiments = test::randomSystem(options, 5).experiments;
+  for (Experiment& experiment : experiments) experiment.sample_time = 0.01;
+  Configuration configuration;
+  configuration.nominal_model.structure = Structure::continuous;
+  configuration.error_model.basis = BasisKind::sensitivity;
+  configuration.error_model.sensitivity_order = GetParam();
+  configuration.error_model.constraint = Constraint::zero_mean;
+  configuration.error_model.parameters = {"gain", "tau1"};
+  configuration.estimation.offsets = Offsets::none;
+  const test::CoreSetup setup(configuration, experiments);
+  const VectorXd at = test::vectorOf({1.5, 0.03, 0.2, -0.4});
+  Response response;
+  setup.model().evaluate(setup.blocks()[0], at, false, &response);
+  for (int lane = 0; lane < setup.blocks()[0].lanes; ++lane) {
+    const Experiment& experiment = *setup.blocks()[0].experiments[static_cast<std::size_t>(lane)];
+    WhitenedStream stream(streamModel(setup.model().nominal(), configuration.error_model, at),
+                          configuration.estimation, 0, 0);
+    const Eigen::Index n = stream.regressors(), columns = stream.columns();
+    ASSERT_EQ(n, setup.model().regressors());
+    ASSERT_EQ(columns, static_cast<Eigen::Index>(response.value.columns.size()));
+    for (int t = 0; t < experiment.samples(); ++t) {
+      const VectorXd found = stream.step(experiment.u[t], experiment.y[t]);
+      EXPECT_NEAR(found[0], response.value.residual(lane, t), 1e-9);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        const double expected = response.value.regressors[static_cast<std::size_t>(i)](lane, t);
+        ASSERT_NEAR(found[2 + i], expected, 1e-6 * (1 + std::abs(expected))) << i << " at " << t;
+      }
+      for (Eigen::Index k = 0; k < columns; ++k) {
+        const double expected = (*response.value.columns[static_cast<std::size_t>(k)])(lane, t);
+        ASSERT_NEAR(found[2 + n + k], expected, 1e-9 * (1 + std::abs(expected))) << k;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Orders, SensitivityStream, testing::Values(1, 2));
 
 INSTANTIATE_TEST_SUITE_P(All, WhitenedStreamTest,
                          testing::Values(Case{InitialState::zero, NoiseStart::zero, Offsets::none,
