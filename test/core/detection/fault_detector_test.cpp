@@ -175,6 +175,20 @@ TEST(FaultDetector, AFaultThatGoesAwayIsForgotten) {
   EXPECT_EQ(differing, 0) << "the fault was learned as an error of the model";
 }
 
+// Part of the effect of this fault looks like another xi, and little is known of xi when it begins.
+TEST(FaultDetector, AFaultIsNotLearned) {
+  const Truth truth = test::example1Truth(1, 1000);
+  FaultDetector detector(estimateOf(test::example1Truth()));
+  for (int r = 0; r < 5; ++r) {
+    const auto windows = decisions(
+        &detector, FaultyPlant(truth, 12).experiment(r, {FaultKind::effectiveness, 0.3, 50}));
+    for (std::size_t k = 1; k < windows.size(); ++k) {
+      EXPECT_TRUE(windows[k].fault) << k;
+      EXPECT_EQ(windows[k].error_mean, windows[0].error_mean);
+    }
+  }
+}
+
 TEST(FaultDetector, WindowsCountMeasuredSamplesAndResetBeginsAnew) {
   FaultDetector detector(estimateOf(test::example1Truth()));
   std::vector<FaultWindow> windows;

@@ -117,10 +117,13 @@ TEST(LiveFaultDetector, MarkersBeginAndEndExperiments) {
   EXPECT_TRUE(live.add(piece(experiment, 0, 100)).empty());
   live.addMarker(kBegin + 1.05, true);
   live.addMarker(kBegin + 2.50, false);
+  live.addMarker(kBegin + 3.00, true);
+  live.addMarker(kBegin + 3.55, false);
   const auto found = inPieces(&live, experiment, 20);
-  ASSERT_EQ(found.size(), 2u);  // 145 samples
+  ASSERT_EQ(found.size(), 3u);  // of 145 and of 55 samples
   EXPECT_NEAR(found[0].start, kBegin + 1.05, 1e-9);
   EXPECT_NEAR(found[1].end, kBegin + 2.04, 1e-9);
+  EXPECT_NEAR(found[2].start, kBegin + 3.00, 1e-9) << "the 45 samples before are forgotten";
   EXPECT_FALSE(live.active());
 }
 
