@@ -46,7 +46,8 @@ void ExperimentCutter::openDurationWindow() {
   if (next == kEndless) return;
   const double length = options_.duration;
   double index = std::floor((next - first_window_) / length);
-  if (next >= first_window_ + (index + 1) * length) ++index;  // rounding of the quotient
+  if (next >= first_window_ + (index + 1) * length) ++index;  // rounding of the quotient, up
+  if (next < first_window_ + index * length) --index;         // ... and down
   openWindow(std::max(first_window_ + index * length, released_until_),
              first_window_ + (index + 1) * length);
 }

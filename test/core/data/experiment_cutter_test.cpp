@@ -288,6 +288,23 @@ TEST(Cutter, AHeldInputGoesWithEveryWindow) {
   }
 }
 
+// 1 + 297 * 0.1 is a little more than 30.7, where the signals go on after a pause.
+TEST(Cutter, DurationLosesNoSampleToRounding) {
+  ExperimentCutter cutter(mode(ExperimentMode::duration, 0.1), {});
+  int fed = 0;
+  for (int run = 0; run < 100; ++run) {
+    for (int k = 0; k < 100; ++k, ++fed) {
+      const double stamp = static_cast<double>(100 + 110 * run + k) / 100;
+      cutter.addInput(stamp, 1);
+      cutter.addOutput(stamp, 1);
+    }
+  }
+  cutter.flush();
+  std::size_t cut = 0;
+  for (const Recording& recording : cutter.takeFinished()) cut += recording.output.stamps.size();
+  EXPECT_EQ(cut, static_cast<std::size_t>(fed));
+}
+
 TEST(Cutter, DurationPassesOverEmptyWindows) {
   ExperimentCutter cutter(mode(ExperimentMode::duration, 2), {});
   feed(cutter, 0, 2);
