@@ -150,13 +150,17 @@ Estimate estimateFromJson(const nlohmann::json& json) {
   return estimate;
 }
 
-void saveResult(const std::string& path, const Result& result) {
+nlohmann::json toJson(const Result& result) {
   nlohmann::json tree = toJson(result.estimate);
   if (result.bounds) tree["bounds"] = toJson(*result.bounds);
   if (result.baseline) tree["baseline"] = toJson(*result.baseline);
+  return tree;
+}
+
+void saveResult(const std::string& path, const Result& result) {
   // Ids come from users: what is not UTF-8 in them must not cost the result.
-  writeFileAtomically(path,
-                      tree.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  writeFileAtomically(
+      path, toJson(result).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 Result loadResult(const std::string& path) {

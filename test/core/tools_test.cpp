@@ -12,6 +12,7 @@
 #include "support/temporary_folder.h"
 #include "uncertainty_identification/data/csv.h"
 #include "uncertainty_identification/io/read_file.h"
+#include "uncertainty_identification/io/report.h"
 #include "uncertainty_identification/io/result_json.h"
 #include "uncertainty_identification/io/truth_yaml.h"
 #include "uncertainty_identification/simulation/simulate.h"
@@ -76,11 +77,11 @@ class Tools : public testing::Test {
 };
 
 TEST_F(Tools, HelpAndVersion) {
-  for (const std::string name : {"identify", "simulate"}) {
+  for (const std::string name : {"identify", "simulate", "report"}) {
     const ProcessResult help = tool(name, {"--help"});
     EXPECT_EQ(help.status, 0);
     EXPECT_EQ(help.errors, "");
-    EXPECT_TRUE(contains(help.output, "usage: " + name + " --config")) << help.output;
+    EXPECT_TRUE(contains(help.output, "usage: " + name + " --")) << help.output;
     EXPECT_TRUE(contains(help.output, "--output")) << help.output;
     const ProcessResult version = tool(name, {"--version"});
     EXPECT_EQ(version.status, 0);
@@ -98,6 +99,39 @@ TEST_F(Tools, WrongUsage) {
                 "positional");
   expectFailure(simulateExample("x.csv", {"--seed", "many"}), 2, "simulate", "--seed");
   EXPECT_FALSE(fs::exists(result_));
+}
+
+TEST_F(Tools, ReportOfAResult) {
+  ASSERT_EQ(identify({data(10, 1)}).status, 0);
+  const std::string output = folder_ / "report.html";
+  const auto report = [&](const std::vector<std::string>& files) {
+    std::vector<std::string> arguments{"--output", output};
+    arguments.insert(arguments.end(), files.begin(), files.end());
+    return tool("report", arguments);
+  };
+  const std::string obstacle = reportObstacle();
+  if (!obstacle.empty()) {  // built without Chart.js
+    expectFailure(report({result_}), 1, "report", "libjs-chart.js");
+    return;
+  }
+  const std::string content = readFile(result_);
+  expectFailure(report({}), 2, "report", "no result.json given");
+  expectFailure(report({folder_ / "none.json"}), 2, "report", "none.json: cannot be opened");
+  expectFailure(report({write("cut.json", content.substr(0, content.size() / 2))}), 2, "report",
+                "cut.json: not JSON, or truncated");
+  std::string other = content;
+  other.replace(other.find("result/1"), 8, "result/9");
+  expectFailure(report({write("other.json", other)}), 2, "report",
+                "found 'uncertainty_identification/result/9'");
+  expectFailure(report({result_, "explanation.json"}), 2, "report",
+                "explanation.json: explanations are not available in this version");
+  expectFailure(tool("report", {"--output", folder_ / "no/report.html", result_}), 2, "report",
+                "there is no folder");
+  EXPECT_FALSE(fs::exists(output));
+  const ProcessResult run = report({result_});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(run.output + run.errors, "");
+  EXPECT_EQ(readFile(output), reportHtml(loadResult(result_)));
 }
 
 TEST_F(Tools, BaselinesFitEachExperiment) {

@@ -26,6 +26,9 @@ struct Result {
   std::optional<Baseline> baseline = std::nullopt;  ///< identify --method pem or mem
 };
 
+/// What result.json holds, as JSON.
+nlohmann::json toJson(const Result& result);
+
 /// Writes result.json, all of it or nothing. Throws FileError.
 void saveResult(const std::string& path, const Result& result);
 

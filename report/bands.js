@@ -1,0 +1,68 @@
+'use strict';
+// Figures with bands of all levels, and the buttons that say which kind of bands they show.
+
+function hasBands(bands) {
+  return Boolean(bands && bands.pointwise.length > 0);
+}
+
+/// Which bands are drawn: shared by all figures, which are told when it changes.
+class BandChoice {
+  constructor() {
+    this.source = 'total';
+    this.kind = 'pointwise';
+    this.followers = [];
+  }
+
+  /// The bands chosen of {mixture, total}; the mixture's where errors of the estimate are not known; none: [].
+  of(bands) {
+    if (!bands) return [];
+    const chosen = hasBands(bands[this.source]) ? bands[this.source] : bands.mixture;
+    return hasBands(chosen) ? chosen[this.kind] : [];
+  }
+
+  set(change) {
+    Object.assign(this, change);
+    this.followers.forEach(follow => follow());
+  }
+}
+
+function showBandChoice(parent, bands, choices, withErrorModel) {
+  const frequency = bands.frequency;
+  const controls = [choice('kind', 'Bands hold', [
+    {value: 'pointwise', title: 'at each point by itself'}, {value: 'simultaneous', title: 'at all points at once'}],
+    kind => choices.set({kind}))];
+  if (withErrorModel && hasBands(frequency.magnitude_bands.total)) {
+    controls.push(choice('source', 'They count', [
+      {value: 'total', title: 'the plants\u2019 spread and the estimate\u2019s errors'},
+      {value: 'mixture', title: 'the plants\u2019 spread only'}], source => choices.set({source})));
+  }
+  parent.append(element('div', {class: 'choices'}, ...controls));
+}
+
+/// What the bands mean, for captions.
+function bandsInWords(choices, withTotal) {
+  const where = choices.kind === 'pointwise' ? 'at each point by itself' : 'at all points at once';
+  const errors = `the estimate\u2019s errors${choices.source === 'total' && withTotal ? '' : ' not'} included`;
+  return `Shaded: where the named share of plants lies, ${where}; ${errors}.`;
+}
+
+/// A figure of a nominal curve in bands. spec: figure()'s title, caption, height and axes, and
+///   x, nominal, bands ({mixture, total}), toAxis (value to axis), describe (index, chosen bands), stepped.
+function bandFigure(parent, spec, choices) {
+  const datasets = () => {
+    const chosen = choices.of(spec.bands);
+    const shown = chosen.map(band => ({level: band.level, lower: band.lower.map(spec.toAxis), upper: band.upper.map(spec.toAxis)}));
+    const line = {label: 'nominal model', data: points(spec.x, spec.nominal.map(spec.toAxis)), borderColor: kInk,
+                  backgroundColor: kInk, stepped: spec.stepped, describe: k => spec.describe(k, chosen)};
+    return [line, ...bandDatasets(spec.x, shown, kColors[0], {stepped: spec.stepped})];
+  };
+  const words = () => spec.caption + (spec.bands ? ' ' + bandsInWords(choices, hasBands(spec.bands.total)) : '');
+  const chart = figure(parent, {...spec, caption: words(), datasets: datasets(), mode: 'index'});
+  const caption = chart.canvas.closest('figure').querySelector('figcaption');
+  choices.followers.push(() => {
+    chart.data.datasets = datasets();
+    chart.update();
+    caption.textContent = words();
+  });
+  return chart;
+}

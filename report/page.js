@@ -1,0 +1,62 @@
+'use strict';
+// Building the page. Text from the result enters as text nodes only, so that an id cannot become markup.
+
+function element(tag, attributes = {}, ...children) {
+  const node = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+  node.append(...children.filter(child => child !== null));
+  return node;
+}
+
+function paragraph(text, style) {
+  return element('p', style ? {class: style} : {}, text);
+}
+
+function section(parent, id, title) {
+  const node = element('section', {id}, element('h2', {}, title));
+  parent.append(node);
+  return node;
+}
+
+/// Columns: {title, number: whether right-aligned}. Rows: lists of texts or nodes.
+function table(columns, rows, isChosen = () => false) {
+  const style = column => (column.number ? {class: 'number'} : {});
+  const head = element('tr', {}, ...columns.map(column => element('th', style(column), column.title)));
+  const body = rows.map((row, index) => element('tr', isChosen(index) ? {class: 'chosen'} : {},
+    ...row.map((cell, k) => element('td', style(columns[k]), cell))));
+  return element('table', {}, element('thead', {}, head), element('tbody', {}, ...body));
+}
+
+/// A long table in a box of its own on the screen; whole on paper.
+function scrolling(content, rows) {
+  return rows > 20 ? element('div', {class: 'scroll', tabindex: '0'}, content) : content;
+}
+
+/// Radio buttons. Options: {value, title}; one is chosen from the start. Calls back with the value chosen.
+function choice(name, title, options, changed, chosen = options[0].value) {
+  const node = element('fieldset', {}, element('legend', {}, title));
+  options.forEach(({value, title: text}) => {
+    const input = element('input', {type: 'radio', name, ...(value === chosen ? {checked: ''} : {})});
+    input.addEventListener('change', () => changed(value));
+    node.append(element('label', {}, input, ' ' + text));
+  });
+  return node;
+}
+
+function fraction(numerator, denominator) {
+  return element('span', {class: 'fraction'}, element('span', {}, numerator), element('span', {}, denominator));
+}
+
+/// sum of coefficients times variable^power; powers start at `first` and go by `step`.
+function polynomial(coefficients, variable, first = 0, step = -1) {
+  let text = '';
+  coefficients.forEach((coefficient, k) => {
+    const power = first + step * k;
+    if (coefficient === 0 && coefficients.length > 1) return;
+    const size = number(Math.abs(coefficient), 5);
+    const symbol = power === 0 ? '' : power === 1 ? variable : variable + superscript(power);
+    const sign = coefficient < 0 ? (text ? ' \u2212 ' : '\u2212') : (text ? ' + ' : '');
+    text += sign + (size === '1' && symbol ? symbol : size + (symbol ? ' ' : '') + symbol);
+  });
+  return text || '0';
+}

@@ -1,0 +1,57 @@
+'use strict';
+// The multiplicative uncertainty |G/Go - 1| and the weight W that covers it, for robust control.
+
+function showRelativeError(parent, result, choices) {
+  const {frequency, weight} = result.bounds, {omega} = frequency, Ts = result.nominal_model.sample_time;
+  const cover = weight ? omega.map(value => magnitudeOf(weight.num, weight.den, value * Ts)) : null;
+  const describe = k => [`${number(omega[k])} rad/s`, ...(cover ? [`|W|: ${number(cover[k], 3)}`] : []),
+    ...choices.of(frequency.relative_error).map(band => `${percent(band.level)}: up to ${number(band.upper[k], 3)}`)];
+  const limits = errorLimits(frequency.relative_error, cover);
+  const datasets = () => {
+    const bands = choices.of(frequency.relative_error).map(({level, upper}) => ({level, upper: upper.map(value => Math.max(value, limits[0]))}));
+    const drawn = bandDatasets(omega, bands, kColors[2]);
+    drawn[0].describe = describe;
+    if (cover) drawn.unshift({label: `weight |W|, for ${percent(weight.level)} at all frequencies`, data: points(omega, cover),
+                              borderColor: kColors[1], backgroundColor: kColors[1], borderDash: [7, 4], describe});
+    if (cover) delete drawn[1].describe;
+    return drawn;
+  };
+  const words = () => (cover ? 'The weight covers the bound that holds at all frequencies at once. ' : '') +
+    bandsInWords(choices, hasBands(frequency.relative_error.total));
+  const chart = figure(parent, {
+    title: 'Relative error |G/Go \u2212 1|', height: 330, datasets: datasets(), mode: 'index',
+    caption: words(),
+    axes: {x: frequencyAxis(omega), y: aligningAxis(logarithmicAxis('|G/Go \u2212 1| [1]', ...limits))}});
+  choices.followers.push(() => {
+    chart.data.datasets = datasets();
+    chart.update();
+    chart.canvas.closest('figure').querySelector('figcaption').textContent = words();
+  });
+  showWeight(parent, weight);
+}
+
+/// Whole decades that hold the bounds and the weight, at most five: |G/Go - 1| may vanish at low frequency.
+function errorLimits(bands, cover) {
+  const all = ['mixture', 'total'].filter(source => hasBands(bands[source]))
+    .flatMap(source => [...bands[source].simultaneous, ...bands[source].pointwise].flatMap(band => band.upper)).concat(cover || []);
+  const positive = all.filter(value => value > 0);
+  if (positive.length === 0) return [1e-3, 1];
+  const top = Math.ceil(Math.log10(Math.max(...positive)) - 1e-9);
+  return [10 ** Math.max(top - 4, Math.floor(Math.log10(Math.min(...positive)))), 10 ** top];
+}
+
+function showWeight(parent, weight) {
+  if (!weight) {
+    parent.append(paragraph('There is no weight for robust control: the plants do not differ.'));
+    return;
+  }
+  const degree = values => values.length - 1;
+  const continuous = weight.continuous;
+  parent.append(paragraph('For robust control: G = Go (1 + W \u0394) with |\u0394| \u2264 1. ' +
+    `W, of order ${weight.order}, is stable and minimum phase. It covers ${percent(weight.level_held)} of the plants at all frequencies ` +
+    `(asked for: ${percent(weight.level)}) and lies ${number(weight.over_bounding_median, 4)} times the bound in the median, ` +
+    `${number(weight.over_bounding_max, 4)} times at most; checked at ${count(weight.check_frequencies)} frequencies.`));
+  parent.append(formula('W(z) = ', fraction(polynomial(weight.num, 'z'), polynomial(weight.den, 'z'))),
+    formula('W(s) = ', fraction(polynomial(continuous.num, 's', degree(continuous.num)), polynomial(continuous.den, 's', degree(continuous.den))),
+      element('span', {class: 'note'}, ' by Tustin\u2019s rule')));
+}

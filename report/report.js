@@ -1,0 +1,46 @@
+'use strict';
+// The report of a result (result.json), top to bottom.
+
+function showResponses(parent, result) {
+  const choices = new BandChoice(), bounds = hasBounds(result) ? result.bounds : null;
+  if (bounds) {
+    const spread = hasErrorModel(result) ? 'the identified distribution' : 'the distribution of the estimate\u2019s errors';
+    parent.append(paragraph(`Bands from ${counted(bounds.samples, 'plant')} drawn from ${spread}; the Nyquist frequency is ` +
+      `${number(Math.PI / result.nominal_model.sample_time)} rad/s.`));
+    showBandChoice(parent, bounds, choices, hasErrorModel(result));
+  } else {
+    parent.append(paragraph('This result holds no bounds (bounds: {frequencies: 0} in its configuration, or they could not be computed; see the ' +
+      'notes at the top). The nominal model\u2019s own responses are drawn, without uncertainty.'));
+  }
+  const frequency = bounds ? bounds.frequency : nominalFrequencyResponse(result.nominal_model);
+  showBode(parent, frequency, result.nominal_model.sample_time, choices);
+  const pair = element('div', {class: 'figures'}), left = element('div'), right = element('div');
+  pair.append(left, right);
+  parent.append(pair);
+  showNyquist(left, result, frequency);
+  showStep(right, bounds ? bounds.step : nominalStepResponse(result.nominal_model), choices);
+  if (bounds) showRelativeError(parent, result, choices);
+}
+
+const kSections = [
+  {id: 'data', title: 'Data', show: showData},
+  {id: 'model', title: 'Nominal model', show: showNominalModel},
+  {id: 'uncertainty', title: 'Distribution of the model error', show: showMixture},
+  {id: 'responses', title: 'Responses and their uncertainty', show: showResponses},
+  {id: 'validation', title: 'Validation', show: showValidation},
+  {id: 'estimation', title: 'How the model was found', show: (parent, result) => {
+    showConvergence(parent, result);
+    showCandidates(parent, result.candidates);
+  }},
+  {id: 'configuration', title: 'Configuration', show: showConfiguration},
+];
+
+function showReport(result, parent) {
+  const origin = `uncertainty_identification ${result.version} \u00b7 data ${result.data_fingerprint} \u00b7 seed ${result.seed}`;
+  parent.append(element('header', {}, element('h1', {}, 'Identification report'),
+    element('nav', {}, ...kSections.map(({id, title}) => element('a', {href: '#' + id}, title)))));
+  showWarnings(parent, result);
+  showSummary(parent, result);
+  kSections.forEach(({id, title, show}) => show(section(parent, id, title), result));
+  parent.append(element('footer', {}, origin));
+}

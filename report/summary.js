@@ -1,0 +1,89 @@
+'use strict';
+// What a reader should know first: warnings, the result in words, its main figures.
+
+const kStructures = {output_error: 'output-error', arx: 'ARX', armax: 'ARMAX', box_jenkins: 'Box-Jenkins',
+                     continuous: 'continuous-time'};
+const kEndings = {
+  converged: 'The estimation converged', iteration_limit: 'The estimation stopped at its limit of iterations',
+  stalled: 'The estimation stalled', cancelled: 'The estimation was cancelled', not_run: 'The estimation was not run'};
+
+function hasErrorModel(result) {
+  return result.error_model.T.length > 0 && result.error_model.means[0].length > 0;
+}
+
+function hasBounds(result) {
+  return Boolean(result.bounds && result.bounds.frequency);
+}
+
+/// With a capital, unless it begins with a name such as b2, and a full stop.
+function asSentence(text) {
+  const begun = /^[a-z]+ /.test(text) ? text.charAt(0).toUpperCase() + text.slice(1) : text;
+  return begun.endsWith('.') ? begun : begun + '.';
+}
+
+function showWarnings(parent, result) {
+  const warnings = [...result.warnings, ...(hasBounds(result) ? result.bounds.warnings : [])];
+  if (result.termination !== 'converged') warnings.unshift(`${kEndings[result.termination]}: ${result.message}.`);
+  const rejected = result.experiments.rejected.length;
+  if (rejected > 0) {
+    warnings.push(`${counted(rejected, 'experiment')} ${rejected === 1 ? 'was' : 'were'} left out; section Data says why.`);
+  }
+  if (warnings.length === 0) return;
+  parent.append(element('div', {class: 'warnings', role: 'note'}, element('h2', {}, 'Please note'),
+    element('ul', {}, ...warnings.map(text => element('li', {}, asSentence(text))))));
+}
+
+function modelSentence(result) {
+  const model = result.nominal_model, name = kStructures[model.structure] || model.structure;
+  return `${/^[aeio]/i.test(name) ? 'An' : 'A'} ${name} model with ${counted(model.a.length, 'pole')} and a delay of ` +
+    `${counted(model.delay, 'sample')} was identified from ${counted(result.experiments.count, 'experiment')} with ` +
+    `${counted(result.experiments.samples, 'sample')} in all, taken every ${number(model.sample_time)} s.`;
+}
+
+function uncertaintySentence(result) {
+  if (!hasErrorModel(result)) return 'How the plant varies from experiment to experiment was not modelled.';
+  const {weights, means} = result.error_model;
+  const shape = weights.length === 1 ? 'a Gaussian distribution' : `a mixture of ${weights.length} Gaussian components`;
+  return `The plant varies from experiment to experiment: its relative error follows ${shape} in ` +
+    `${counted(means[0].length, 'dimension')}.`;
+}
+
+function boundsSentence(result) {
+  if (!hasBounds(result)) return '';
+  const {levels, frequency} = result.bounds;
+  const errors = frequency.relative_error, kind = hasBands(errors.total) ? errors.total : errors.mixture;
+  if (!hasBands(kind)) return '';
+  const level = levels.includes(0.95) ? levels.indexOf(0.95) : levels.length - 1;
+  const upper = kind.simultaneous[level].upper, largest = Math.max(...upper);
+  const whose = hasErrorModel(result) ? `For ${percent(levels[level])} of plants` : `With a probability of ${percent(levels[level])}`;
+  return `${whose} the relative error |G/Go \u2212 1| stays below ${inPercent(100 * largest, 2)} at all frequencies; ` +
+    `this bound is largest at ${number(frequency.omega[upper.indexOf(largest)], 3)} rad/s.`;
+}
+
+function validationSentence(result) {
+  const fit = result.validation.simulation_fit_percent_pooled, tried = result.validation.experiments.length;
+  if (tried === 0) return 'No data were set aside to validate the model.';
+  return `On ${counted(tried, 'experiment')} set aside for validation the nominal model alone, in free simulation, ` +
+    `reproduces ${inPercent(fit, 3)} of the output (100\u00a0% is perfect, 0\u00a0% no better than the mean)` +
+    (hasErrorModel(result) ? '; the rest is noise and what this plant differs from the nominal one.' : '.');
+}
+
+function tile(value, text) {
+  return element('div', {class: 'tile'}, element('b', {}, value), element('span', {}, text));
+}
+
+function showSummary(parent, result) {
+  const {validation, noise_variance: noise} = result, variance = withError(noise.value, noise.standard_error);
+  parent.append(paragraph([modelSentence(result), uncertaintySentence(result), boundsSentence(result),
+                           validationSentence(result)].filter(Boolean).join(' '), 'lead'));
+  parent.append(paragraph(`${kEndings[result.termination]} after ${counted(result.iterations, 'iteration')}, ` +
+    `${counted(result.passes, 'pass', 'passes')} over the data and ${number(result.seconds, 2)} s: ${result.message}.`));
+  parent.append(element('div', {class: 'tiles'},
+    tile(count(result.experiments.count), result.experiments.count === 1 ? 'experiment' : 'experiments'),
+    tile(count(result.experiments.samples), 'output samples'),
+    tile(`${number(result.nominal_model.sample_time)} s`, 'sample time'),
+    tile(number(staticGain(result.nominal_model)), 'static gain of the nominal model'),
+    tile(variance.value, `noise variance, standard error ${variance.error}`),
+    tile(validation.experiments.length > 0 ? inPercent(validation.simulation_fit_percent_pooled, 3) : kNone,
+         'simulation fit on validation data')));
+}

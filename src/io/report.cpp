@@ -1,0 +1,63 @@
+#include "uncertainty_identification/io/report.h"
+
+#include <map>
+
+#include "uncertainty_identification/data/atomic_file.h"
+#include "uncertainty_identification/errors.h"
+
+namespace uncertainty_identification {
+namespace {
+
+/// JSON that may stand in a <script> element: with no "<" left, nothing in it can end the element,
+/// whatever ids and messages hold.
+std::string embeddable(const nlohmann::json& json) {
+  // Ids come from users: what is not UTF-8 in them must not cost the report.
+  const std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char character : text) {
+    if (character == '<') {
+      safe += "\\u003c";
+    } else {
+      safe += character;
+    }
+  }
+  return safe;
+}
+
+/// The page with each {{name}} replaced. In one pass: what is put in is not looked at again.
+std::string filled(const std::string& page, const std::map<std::string, std::string>& parts) {
+  std::string text;
+  std::size_t done = 0;
+  for (std::size_t begin = 0; (begin = page.find("{{", done)) != std::string::npos;) {
+    const std::size_t end = page.find("}}", begin);
+    text += page.substr(done, begin - done) + parts.at(page.substr(begin + 2, end - begin - 2));
+    done = end + 2;
+  }
+  return text + page.substr(done);
+}
+
+}  // namespace
+
+std::string reportObstacle(const ReportFiles& files) {
+  if (!files.chart.empty()) return "";
+  return "reports need Chart.js 3 or newer, and none was found when this program was built: "
+         "install "
+         "libjs-chart.js (Debian 12), or configure with "
+         "-DCHART_JS=/path/to/chart.min.js, and build again";
+}
+
+std::string reportHtml(const Result& result, const ReportFiles& files) {
+  const std::string obstacle = reportObstacle(files);
+  if (!obstacle.empty()) throw FileError(obstacle);
+  return filled(files.page, {{"style", files.style},
+                             {"chart", files.chart},
+                             {"script", files.script},
+                             {"result", embeddable(toJson(result))}});
+}
+
+void writeReport(const std::string& path, const Result& result) {
+  writeFileAtomically(path, reportHtml(result));
+}
+
+}  // namespace uncertainty_identification
