@@ -7,7 +7,9 @@ function hasBands(bands) {
 
 /// Which bands are drawn: shared by all figures, which are told when it changes.
 class BandChoice {
-  constructor() {
+  /// withSpread: whether the bands hold plants that differ, or one plant that is not known well.
+  constructor(withSpread) {
+    this.withSpread = withSpread;
     this.source = 'total';
     this.kind = 'pointwise';
     this.followers = [];
@@ -26,12 +28,12 @@ class BandChoice {
   }
 }
 
-function showBandChoice(parent, bands, choices, withErrorModel) {
+function showBandChoice(parent, bands, choices) {
   const frequency = bands.frequency;
   const controls = [choice('kind', 'Bands hold', [
     {value: 'pointwise', title: 'at each point by itself'}, {value: 'simultaneous', title: 'at all points at once'}],
     kind => choices.set({kind}))];
-  if (withErrorModel && hasBands(frequency.magnitude_bands.total)) {
+  if (choices.withSpread && hasBands(frequency.magnitude_bands.total)) {
     controls.push(choice('source', 'They count', [
       {value: 'total', title: 'the plants\u2019 spread and the estimate\u2019s errors'},
       {value: 'mixture', title: 'the plants\u2019 spread only'}], source => choices.set({source})));
@@ -42,6 +44,7 @@ function showBandChoice(parent, bands, choices, withErrorModel) {
 /// What the bands mean, for captions.
 function bandsInWords(choices, withTotal) {
   const where = choices.kind === 'pointwise' ? 'at each point by itself' : 'at all points at once';
+  if (!choices.withSpread) return `Shaded: where the plant lies with the named probability, ${where}, by the estimate\u2019s errors.`;
   const errors = `the estimate\u2019s errors${choices.source === 'total' && withTotal ? '' : ' not'} included`;
   return `Shaded: where the named share of plants lies, ${where}; ${errors}.`;
 }

@@ -39,13 +39,14 @@ function logarithmicAxis(title, minimum, maximum) {
 
 /// Each dataset may have describe(index), which gives the tooltip's lines, and a group: datasets of one group
 /// are shown and hidden together from the legend, where the one with a label stands.
-function options(axes, mode) {
+function options(axes, mode, datasets) {
+  const lines = datasets.some(({label, showLine}) => label && showLine !== false);
   return {
     animation: false, maintainAspectRatio: false, devicePixelRatio: Math.max(2, window.devicePixelRatio),
-    interaction: {mode, axis: mode === 'index' ? 'x' : 'xy', intersect: false}, scales: axes,
+    interaction: {mode, intersect: false}, scales: axes,
     elements: {point: {radius: 0, hitRadius: 4, hoverRadius: 4}, line: {borderWidth: 2}},
     plugins: {
-      legend: {labels: {color: kInk, usePointStyle: true, pointStyleWidth: 24, boxHeight: 8, generateLabels: legendLabels},
+      legend: {labels: {color: kInk, usePointStyle: true, pointStyleWidth: lines ? 24 : undefined, boxHeight: 8, generateLabels: legendLabels},
                onClick: (event, item, legend) => toggleGroup(legend.chart, item.datasetIndex)},
       tooltip: {filter: item => Boolean(item.dataset.describe), displayColors: false,
                 callbacks: {title: () => '', label: item => item.dataset.describe(item.dataIndex)}},
@@ -62,6 +63,19 @@ function legendLabels(chart) {
   });
 }
 
+/// Of all points with something to say the one nearest to the pointer; bands' edges and ellipses do not stand in the way.
+function nearestDescribed(chart, event) {
+  let nearest = [], least = Infinity;
+  for (const {data, index: datasetIndex} of chart.getSortedVisibleDatasetMetas()) {
+    if (!chart.data.datasets[datasetIndex].describe) continue;
+    data.forEach((point, index) => {
+      const distance = Math.hypot(point.x - event.x, point.y - event.y);
+      if (distance < least) [nearest, least] = [[{element: point, datasetIndex, index}], distance];
+    });
+  }
+  return nearest;
+}
+
 function toggleGroup(chart, index) {
   const visible = !chart.isDatasetVisible(index);
   const group = chart.data.datasets[index].group;
@@ -72,11 +86,12 @@ function toggleGroup(chart, index) {
 }
 
 /// A figure with its title above, its canvas of the given height [px] and its caption below.
-function figure(parent, {title, caption, height, datasets, axes, mode = 'nearest', type = 'line'}) {
+function figure(parent, {title, caption, height, datasets, axes, mode = 'described', type = 'line'}) {
   const canvas = element('canvas', {role: 'img', 'aria-label': title});
   const frame = element('div', {class: 'canvas', style: `height: ${height}px`}, canvas);
   parent.append(element('figure', {}, element('b', {}, title), frame, element('figcaption', {}, caption)));
-  return new Chart(canvas, {type, data: {datasets}, options: options(axes, mode)});
+  Chart.Interaction.modes.described = nearestDescribed;
+  return new Chart(canvas, {type, data: {datasets}, options: options(axes, mode, datasets)});
 }
 
 function points(x, y) {

@@ -46,7 +46,7 @@ function showBode(parent, frequency, sampleTime, choices) {
     caption: `|G| in decibel: 0 dB is 1 ${kGainUnit}, 20 dB is 10. Hover for values.`,
     toAxis: value => decibel(Math.max(value, floor)),
     describe: (k, bands) => [head(k), `nominal: ${gain(magnitude[k])}`, ...bands.map(band => interval(at(band, k), gain))],
-    axes: {x: frequencyAxis(omega), y: aligningAxis(linearAxis(`|G| [dB re 1 ${kGainUnit}]`))}}, choices);
+    axes: {x: frequencyAxis(omega), y: aligningAxis(linearAxis(`|G| [dB re 1 ${kGainUnit}]`, {grace: '2%'}))}}, choices);
   // At the Nyquist frequency responses are real: a phase there is one of two, half a turn apart, and says nothing.
   const nyquist = Math.PI / sampleTime, last = omega.findIndex(value => value > 0.9999 * nyquist);
   const below = values => values.slice(0, last < 0 ? undefined : last);
@@ -65,5 +65,5 @@ function showStep(parent, step, choices) {
     stepped: time.length <= 120 ? 'before' : false, caption: 'Output after the input has stepped from 0 to 1 at time 0, without noise.',
     describe: (k, shown) => [`${number(time[k], 4)} s`, `nominal: ${text(nominal[k])}`,
                              ...shown.map(band => interval(at(band, k), text))],
-    axes: {x: linearAxis('time [s]', {min: 0, max: time[time.length - 1]}), y: linearAxis(`y [${kGainUnit}]`)}}, choices);
+    axes: {x: linearAxis('time [s]', {min: 0, max: time[time.length - 1]}), y: linearAxis(`y [${kGainUnit}]`, {grace: '4%'})}}, choices);
 }

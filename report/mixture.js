@@ -10,13 +10,32 @@ function showMixture(parent, result) {
       'more show how the plant varies; a mixture needs at least four, better twenty.'));
     return;
   }
-  parent.append(paragraph(`G = Go (1 + G\u0394), where G\u0394 = \u2211 \u03b7\u2096 F\u2096 over ${counted(model.T.length, 'tap')} of ` +
-    `${kBases[model.basis] || model.basis}, \u03b7 = T \u03be with T = ${matrix(model.T)}. Each experiment\u2019s \u03be is drawn from ` +
+  parent.append(paragraph(`${errorModelSentence(model)} Each experiment\u2019s \u03be is drawn from ` +
     (model.weights.length === 1 ? 'one Gaussian.' : `a mixture of ${model.weights.length} Gaussians.`)));
   parent.append(componentsTable(model));
   const dimension = model.means[0].length;
   if (dimension === 1) showDensity(parent, result);
   else showPairs(parent, result, dimension);
+}
+
+function errorModelSentence(model) {
+  const names = listed(model.varied_parameters || []);
+  if (model.basis === 'parameter_spread') {
+    return `The parameters of Go themselves vary from experiment to experiment: \u03be are the relative deviations of ${names}.`;
+  }
+  if (model.basis === 'sensitivity') {
+    return `The parameters of Go vary from experiment to experiment: \u03be are the relative deviations of ${names}` +
+      `${model.sensitivity_order === 2 ? ' and products of two of them' : ''}, as Go\u2019s derivatives carry them into G.`;
+  }
+  return `G = Go (1 + G\u0394), where G\u0394 = \u2211 \u03b7\u2096 F\u2096 over ${counted(model.T.length, 'tap')} of ` +
+    `${kBases[model.basis] || model.basis}, \u03b7 = T \u03be with T = ${matrix(model.T)}.`;
+}
+
+/// An axis' title: the k-th coordinate of xi, and what it is where it is the deviation of one parameter.
+function coordinateName(model, k) {
+  const index = model.means[0].length === 1 ? '' : '\u2080\u2081\u2082\u2083\u2084\u2085\u2086\u2087\u2088\u2089'[k + 1];
+  const parameter = (model.varied_parameters || [])[k];
+  return `\u03be${index}${parameter ? ', relative deviation of ' + parameter : ''} [1]`;
 }
 
 function standardErrors(model) {
@@ -76,7 +95,7 @@ function showDensity(parent, result) {
     title: 'Density of the relative error\u2019s coordinate \u03be', height: 320, datasets,
     caption: 'Ticks: the posterior mean of \u03be of each experiment, in the colour of its most probable component. ' +
       'Posterior means are pulled towards the components\u2019 means, the more so the noisier the experiment.',
-    axes: {x: linearAxis('\u03be [1]', {min: grid[0], max: grid[grid.length - 1]}), y: linearAxis('probability density [1]', {
+    axes: {x: linearAxis(coordinateName(model, 0), {min: grid[0], max: grid[grid.length - 1]}), y: linearAxis('probability density [1]', {
              min: -0.09 * peak, max: 1.06 * peak, ticks: {callback: value => (value < 0 ? '' : number(value))}})}});
 }
 
@@ -110,10 +129,9 @@ function showPair(parent, result, i, j) {
     [0.5, 0.95].forEach(share => datasets.push({group, data: ellipse(mean, covariance, share), borderColor: color, borderWidth: 1.5,
       borderDash: share < 0.9 ? [] : [6, 4], backgroundColor: 'rgba(0, 0, 0, 0)', pointHitRadius: 0}));
   });
-  const name = k => `\u03be${'\u2080\u2081\u2082\u2083\u2084\u2085\u2086\u2087\u2088\u2089'[k + 1]} [1]`;
   figure(parent, {
     title: `Relative error, coordinates ${i + 1} and ${j + 1} of \u03be`, height: 380, datasets,
     caption: 'Ellipses hold 50 % (solid) and 95 % (dashed) of each component. Points: the posterior mean of each experiment, by its most ' +
       'probable component.',
-    axes: {x: linearAxis(name(i), {grace: '4%'}), y: linearAxis(name(j), {grace: '4%'})}});
+    axes: {x: linearAxis(coordinateName(model, i), {grace: '4%'}), y: linearAxis(coordinateName(model, j), {grace: '4%'})}});
 }

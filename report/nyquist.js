@@ -16,7 +16,7 @@ function nyquistCurve({omega, magnitude, phase}) {
 function regionDatasets(regions, level) {
   return regions.filter(region => region.level === level).map((region, index) => {
     const corners = points(region.real, region.imaginary);
-    return {label: index === 0 ? `region of ${percent(level)} of plants` : '', group: 'regions', data: [...corners, corners[0]],
+    return {label: index === 0 ? `region of ${percent(level)}` : '', group: 'regions', data: [...corners, corners[0]],
             fill: 'shape', borderWidth: 1, borderColor: 'rgba(0, 114, 178, 0.45)', backgroundColor: 'rgba(0, 114, 178, 0.13)',
             pointHitRadius: 0};
   });
@@ -38,7 +38,8 @@ function showNyquist(parent, result, frequency) {
   const chart = figure(parent, {
     title: 'Complex plane (Nyquist)', height: 400, datasets: datasets(preferred),
     caption: 'G(e^(j\u03c9Ts)) from the lowest frequency to the highest' + (regions.length > 0 ?
-      '. Each polygon holds the named share of plants at one frequency, the estimate\u2019s errors included where they are known.' : '.'),
+      `. Each polygon holds the ${hasErrorModel(result) ? 'named share of plants' : 'plant with the named probability'} at one frequency, ` +
+      'the estimate\u2019s errors included where they are known.' : '.'),
     axes: {x: linearAxis(`real part [${kGainUnit}]`), y: linearAxis(`imaginary part [${kGainUnit}]`)}});
   const fit = () => chart.chartArea && equalUnits(chart, nyquistBox(chart.data.datasets));
   chart.options.onResize = () => setTimeout(fit);

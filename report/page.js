@@ -36,7 +36,7 @@ function scrolling(content, rows) {
 function choice(name, title, options, changed, chosen = options[0].value) {
   const node = element('fieldset', {}, element('legend', {}, title));
   options.forEach(({value, title: text}) => {
-    const input = element('input', {type: 'radio', name, ...(value === chosen ? {checked: ''} : {})});
+    const input = element('input', {type: 'radio', name, value: String(value), ...(value === chosen ? {checked: ''} : {})});
     input.addEventListener('change', () => changed(value));
     node.append(element('label', {}, input, ' ' + text));
   });

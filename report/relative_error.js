@@ -30,14 +30,15 @@ function showRelativeError(parent, result, choices) {
   showWeight(parent, weight);
 }
 
-/// Whole decades that hold the bounds and the weight, at most five: |G/Go - 1| may vanish at low frequency.
+/// What holds the bounds and the weight, at most five decades: |G/Go - 1| may vanish at low frequency.
 function errorLimits(bands, cover) {
   const all = ['mixture', 'total'].filter(source => hasBands(bands[source]))
     .flatMap(source => [...bands[source].simultaneous, ...bands[source].pointwise].flatMap(band => band.upper)).concat(cover || []);
   const positive = all.filter(value => value > 0);
   if (positive.length === 0) return [1e-3, 1];
-  const top = Math.ceil(Math.log10(Math.max(...positive)) - 1e-9);
-  return [10 ** Math.max(top - 4, Math.floor(Math.log10(Math.min(...positive)))), 10 ** top];
+  const largest = Math.max(...positive), decade = 10 ** Math.floor(Math.log10(largest));
+  const lowest = 10 ** Math.floor(Math.log10(Math.min(...positive)));
+  return [Math.max(decade / 1e4, lowest), [1, 2, 5, 10].find(factor => factor * decade >= largest) * decade];
 }
 
 function showWeight(parent, weight) {
@@ -48,7 +49,7 @@ function showWeight(parent, weight) {
   const degree = values => values.length - 1;
   const continuous = weight.continuous;
   parent.append(paragraph('For robust control: G = Go (1 + W \u0394) with |\u0394| \u2264 1. ' +
-    `W, of order ${weight.order}, is stable and minimum phase. It covers ${percent(weight.level_held)} of the plants at all frequencies ` +
+    `W, of order ${weight.order}, is stable and minimum phase. It covers ${percent(weight.level_held)} of the plants drawn at all frequencies ` +
     `(asked for: ${percent(weight.level)}) and lies ${number(weight.over_bounding_median, 4)} times the bound in the median, ` +
     `${number(weight.over_bounding_max, 4)} times at most; checked at ${count(weight.check_frequencies)} frequencies.`));
   parent.append(formula('W(z) = ', fraction(polynomial(weight.num, 'z'), polynomial(weight.den, 'z'))),

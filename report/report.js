@@ -2,12 +2,12 @@
 // The report of a result (result.json), top to bottom.
 
 function showResponses(parent, result) {
-  const choices = new BandChoice(), bounds = hasBounds(result) ? result.bounds : null;
+  const choices = new BandChoice(hasErrorModel(result)), bounds = hasBounds(result) ? result.bounds : null;
   if (bounds) {
     const spread = hasErrorModel(result) ? 'the identified distribution' : 'the distribution of the estimate\u2019s errors';
     parent.append(paragraph(`Bands from ${counted(bounds.samples, 'plant')} drawn from ${spread}; the Nyquist frequency is ` +
       `${number(Math.PI / result.nominal_model.sample_time)} rad/s.`));
-    showBandChoice(parent, bounds, choices, hasErrorModel(result));
+    showBandChoice(parent, bounds, choices);
   } else {
     parent.append(paragraph('This result holds no bounds (bounds: {frequencies: 0} in its configuration, or they could not be computed; see the ' +
       'notes at the top). The nominal model\u2019s own responses are drawn, without uncertainty.'));

@@ -44,8 +44,9 @@ function uncertaintySentence(result) {
   if (!hasErrorModel(result)) return 'How the plant varies from experiment to experiment was not modelled.';
   const {weights, means} = result.error_model;
   const shape = weights.length === 1 ? 'a Gaussian distribution' : `a mixture of ${weights.length} Gaussian components`;
-  return `The plant varies from experiment to experiment: its relative error follows ${shape} in ` +
-    `${counted(means[0].length, 'dimension')}.`;
+  const names = result.error_model.varied_parameters || [];
+  const what = names.length > 0 ? `the relative deviations of ${listed(names)} follow` : 'its relative error follows';
+  return `The plant varies from experiment to experiment: ${what} ${shape} in ${counted(means[0].length, 'dimension')}.`;
 }
 
 function boundsSentence(result) {
@@ -74,8 +75,8 @@ function tile(value, text) {
 
 function showSummary(parent, result) {
   const {validation, noise_variance: noise} = result, variance = withError(noise.value, noise.standard_error);
-  parent.append(paragraph([modelSentence(result), uncertaintySentence(result), boundsSentence(result),
-                           validationSentence(result)].filter(Boolean).join(' '), 'lead'));
+  const sentences = [modelSentence(result), uncertaintySentence(result), boundsSentence(result), validationSentence(result)];
+  parent.append(element('ul', {class: 'lead'}, ...sentences.filter(Boolean).map(text => element('li', {}, text))));
   parent.append(paragraph(`${kEndings[result.termination]} after ${counted(result.iterations, 'iteration')}, ` +
     `${counted(result.passes, 'pass', 'passes')} over the data and ${number(result.seconds, 2)} s: ${result.message}.`));
   parent.append(element('div', {class: 'tiles'},
