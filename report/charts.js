@@ -111,6 +111,18 @@ function bandDatasets(x, bands, color, more = {}) {
   return drawn;
 }
 
+const kPrintWidth = 680;  // [px] of a page's text
+
+/// Figures drawn anew for paper, and back: scaled down from the screen's width their labels would be too small.
+function printFigures() {
+  const redraw = size => Object.values(Chart.instances).forEach(chart => {
+    chart.resize(...size(chart));
+    if (chart.fit) chart.fit();
+  });
+  window.addEventListener('beforeprint', () => redraw(chart => [kPrintWidth, chart.height]));
+  window.addEventListener('afterprint', () => redraw(() => []));
+}
+
 /// Makes one unit equally long on both axes; the box {x: [min, max], y: [min, max]} stays visible.
 function equalUnits(chart, box) {
   for (let pass = 0; pass < 2; ++pass) {  // labels, and so the space that is left, change with the limits

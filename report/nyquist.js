@@ -42,6 +42,7 @@ function showNyquist(parent, result, frequency) {
       'the estimate\u2019s errors included where they are known.' : '.'),
     axes: {x: linearAxis(`real part [${kGainUnit}]`), y: linearAxis(`imaginary part [${kGainUnit}]`)}});
   const fit = () => chart.chartArea && equalUnits(chart, nyquistBox(chart.data.datasets));
+  chart.fit = fit;
   chart.options.onResize = () => setTimeout(fit);
   fit();
   if (levels.length < 2) return;

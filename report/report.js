@@ -42,5 +42,6 @@ function showReport(result, parent) {
   showWarnings(parent, result);
   showSummary(parent, result);
   kSections.forEach(({id, title, show}) => show(section(parent, id, title), result));
+  printFigures();
   parent.append(element('footer', {}, origin));
 }
