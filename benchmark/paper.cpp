@@ -34,8 +34,7 @@ Example makeExample(const std::string& name, double low, double pole) {
   constexpr int kFrequencies = 60;
   Example example{loadTruth(configPath(name)), {}, {}};
   const double high = 0.9999 * M_PI / example.truth.sample_time;
-  example.omega =
-      VectorXd::LinSpaced(kFrequencies, std::log(low), std::log(high)).array().exp();
+  example.omega = VectorXd::LinSpaced(kFrequencies, std::log(low), std::log(high)).array().exp();
   example.fresh = trueMagnitudes(example.truth, kFreshSystems, example.omega);
   (example.omega.array() - pole).abs().minCoeff(&example.pole);
   return example;
@@ -119,15 +118,16 @@ json figure(const Example& example, const Polynomials& truth, const MethodResult
   const auto plant = [&](const VectorXd& b, const VectorXd& a) {
     ErrorModelOptions none;
     none.taps = 0;
-    return PlantSamples{example.truth.sample_time, 1,    b.transpose(), a.transpose(),
+    return PlantSamples{example.truth.sample_time, 1,   b.transpose(), a.transpose(),
                         Eigen::MatrixXd(1, 0),     none};
   };
-  return {{"omega", curve(example.omega)},
-          {"true", curve(magnitudesOf(plant(truth.b, truth.a), example.omega))},
-          {"nominal", curve(result.nominal / static_cast<double>(result.mixture.area.values.size()))},
-          {"lower", curve(result.first.lower)},
-          {"upper", curve(result.first.upper)},
-          {"own_models", std::move(own_models)}};
+  return {
+      {"omega", curve(example.omega)},
+      {"true", curve(magnitudesOf(plant(truth.b, truth.a), example.omega))},
+      {"nominal", curve(result.nominal / static_cast<double>(result.mixture.area.values.size()))},
+      {"lower", curve(result.first.lower)},
+      {"upper", curve(result.first.upper)},
+      {"own_models", std::move(own_models)}};
 }
 
 json mixtureOf(const Mixture& mixture) {
@@ -218,8 +218,8 @@ void checkExample2(const std::vector<MethodResult>& results, int runs, Checks* c
   const Scores& spread = results[4].total;
   checks->within("Example 2: taps 2, share inside at the lowest frequency",
                  results[0].mixture.inside[0], 0.2, 0.5);
-  checks->within("Example 2: parameter_spread, least share inside", spread.inside.minCoeff(),
-                 0.94, 1);
+  checks->within("Example 2: parameter_spread, least share inside", spread.inside.minCoeff(), 0.94,
+                 1);
 }
 
 json example2(const Arguments& arguments, Checks* checks) {
@@ -229,15 +229,15 @@ json example2(const Arguments& arguments, Checks* checks) {
   std::printf("Example 2, %d data sets\n", arguments.runs);
   for (std::size_t k = 0; k < methods.size(); ++k) printParameters(methods[k].first, results[k]);
   printParameters("MEM", results.back());
-  std::printf("  paper: SE tau 0.0097 +- 1.7e-04, sigma^2 0.133 +- 0.0059; "
-              "MEM tau 0.0101 +- 0.0023, sigma^2 0.099 +- 0.0029\n");
+  std::printf(
+      "  paper: SE tau 0.0097 +- 1.7e-04, sigma^2 0.133 +- 0.0059; "
+      "MEM tau 0.0101 +- 0.0023, sigma^2 0.099 +- 0.0029\n");
   printRegions(methods, results, example);
   checkExample2(results, arguments.runs, checks);
 
   const Configuration own = configured("example2");
   const auto lines = [&] {
-    return ownModels(example, own,
-                     makeNominalModel(own.nominal_model, example.truth.sample_time));
+    return ownModels(example, own, makeNominalModel(own.nominal_model, example.truth.sample_time));
   };
   Truth nominal = example.truth;
   nominal.plant.time_constant_spread = 0;

@@ -142,9 +142,9 @@ struct MethodResult {
   std::map<std::string, Spread> parameters;  ///< theta and "noise_variance"
   Scores mixture, total;  ///< regions of the distribution alone, and with the estimate's errors
   Band first;             ///< the region of the first data set
-  std::vector<Mixture> mixtures;   ///< of all data sets
-  Eigen::VectorXd nominal;         ///< sum of |Go| over the data sets
-  int failed = 0;         ///< estimates that did not converge
+  std::vector<Mixture> mixtures;  ///< of all data sets
+  Eigen::VectorXd nominal;        ///< sum of |Go| over the data sets
+  int failed = 0;                 ///< estimates that did not converge
 };
 
 inline void addParameters(const Estimate& estimate, MethodResult* result) {
@@ -193,12 +193,13 @@ inline void addModelErrorModel(Configuration configuration,
                                MethodResult* result) {
   configuration.bounds.grid = omega;
   configuration.bounds.levels = {kLevel};
-  const BaselineResult found =
-      identifyBaseline(BaselineMethod::mem, configuration, experiments);
+  const BaselineResult found = identifyBaseline(BaselineMethod::mem, configuration, experiments);
   addParameters(found.estimate, result);
   const Eigen::VectorXd& deviation = found.baseline.deviation;
   for (Eigen::Index k = 0; k < deviation.size(); ++k) {
-    result->parameters["deviation of " + found.baseline.fits[0].parameters[static_cast<std::size_t>(k)].name]
+    result
+        ->parameters["deviation of " +
+                     found.baseline.fits[0].parameters[static_cast<std::size_t>(k)].name]
         .values.push_back(deviation[k]);
   }
   const Band& band = found.baseline.magnitude_bands.pointwise.front();

@@ -34,6 +34,7 @@ ModelErrorModels modelErrorModels(const Configuration& configuration,
   models.nominal = nominal.nominal->polynomials(nominal.mean);
   const bool at_input = configuration.estimation.offset_side == OffsetSide::input;
   std::vector<Experiment> residuals;
+  residuals.reserve(experiments.size());
   for (const Experiment& experiment : experiments) {
     residuals.push_back(residualOf(experiment, models.nominal, at_input ? nominal.offset : 0.0,
                                    at_input ? 0.0 : nominal.offset));

@@ -90,14 +90,14 @@ void subtract(const VectorXd& term, VectorXd* from) {
 class PlantNumerators {
  public:
   PlantNumerators(const NominalModel& nominal, const VectorXd& theta)
-      : plant_(nominal, theta), A_(1 + plant_.na()) {
-    A_ << 1, plant_.derivative({}).tail(plant_.na());
+      : plant_(nominal, theta), denominator_(1 + plant_.na()) {
+    denominator_ << 1, plant_.derivative({}).tail(plant_.na());
   }
 
   int delay() const { return plant_.delay(); }
 
   VectorXd timesPower(VectorXd x, std::size_t power) const {
-    for (; power > 0; --power) x = product(x, A_);
+    for (; power > 0; --power) x = product(x, denominator_);
     return x;
   }
 
@@ -117,7 +117,7 @@ class PlantNumerators {
 
  private:
   PlantCoefficients plant_;
-  VectorXd A_;
+  VectorXd denominator_;
 };
 
 }  // namespace

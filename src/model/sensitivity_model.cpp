@@ -48,6 +48,7 @@ class SensitivityResponse : public PlantResponse {
 
   std::vector<Signals> regressors() override {
     std::vector<Signals> all;
+    all.reserve(terms_.indices.size());
     for (int i = 0; i < terms_.count(); ++i)
       all.push_back(terms_.scale(i, at_.theta) * plant_.signal(term(i)));
     return all;

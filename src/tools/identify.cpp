@@ -62,8 +62,8 @@ std::optional<ui::Bounds> boundsOf(const std::vector<ui::Experiment>& experiment
   return bounds;
 }
 
-/// By the method asked for. A baseline's estimate is a mean, not a distribution of plants: its region
-/// is its own.
+/// By the method asked for. A baseline's estimate is a mean, not a distribution of plants: its
+/// region is its own.
 ui::Result identify(const po::variables_map& arguments,
                     const std::optional<ui::BaselineMethod>& method,
                     const ui::InterruptGuard& interrupt) {
