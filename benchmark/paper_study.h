@@ -74,11 +74,13 @@ class Checks {
   std::string lines_;
 };
 
-/// |G| of the systems that experiments of a truth are made with: systems x frequencies.
-inline Eigen::ArrayXXd trueMagnitudes(const Truth& truth, int count, const Eigen::VectorXd& omega) {
+/// |G| of the systems that experiments of a truth are made with, from the `first` on: systems x
+/// frequencies.
+inline Eigen::ArrayXXd trueMagnitudes(const Truth& truth, int count, const Eigen::VectorXd& omega,
+                                      int first = 0) {
   Eigen::ArrayXXd magnitudes(count, omega.size());
   for (int r = 0; r < count; ++r) {
-    const DrawnSystem system = drawSystem(truth, kFreshSeed, r);
+    const DrawnSystem system = drawSystem(truth, kFreshSeed, first + r);
     for (Eigen::Index k = 0; k < omega.size(); ++k) {
       const std::complex<double> shift = std::polar(1.0, -omega[k] * truth.sample_time);
       std::complex<double> b = 0, a = 1, power = 1;
