@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "identification.h"
 #include "uncertainty_identification/estimation/plant_coordinates.h"
+#include "uncertainty_identification/estimation/residual_tests.h"
 #include "uncertainty_identification/estimation/selection.h"
 #include "uncertainty_identification/estimation/standard_errors.h"
 #include "uncertainty_identification/model/sensitivity.h"
@@ -29,6 +31,11 @@ void Identification::describe() {
   estimate_.error_model.mixture = at_.mixture;
   describeExperiments();
   describeParameters();
+  if (estimate_.termination != Termination::cancelled) {
+    const int noise = static_cast<int>(p.c.size() + p.d.size());
+    estimate_.residual_tests = residualTests(*model_, blocks_, at_.parameters, noise,
+                                             std::max(0, nominal.parameterCount() - noise));
+  }
   const int mixture = mixtureParameters(configuration.error_model.constraint, model_->regressors(),
                                         at_.mixture.components());
   const int parameters = model_->parameterCount() + static_cast<int>(plant_parameters_.size()) + 1;

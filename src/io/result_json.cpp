@@ -90,6 +90,15 @@ void bind(Archive& archive, Validation& validation) {
 }
 
 template <class Archive>
+void bind(Archive& archive, ResidualTests& tests) {
+  archive("samples", tests.samples);
+  archive("autocorrelation", tests.autocorrelation);
+  archive("cross_correlation", tests.cross_correlation);
+  archive("whiteness_p_value", tests.whiteness_p_value);
+  archive("independence_p_value", tests.independence_p_value);
+}
+
+template <class Archive>
 void bind(Archive& archive, Estimate& estimate) {
   Word format{"uncertainty_identification/result/1"};
   archive("format", format);
@@ -121,6 +130,7 @@ void bind(Archive& archive, Estimate& estimate) {
   archive("seconds", estimate.seconds);
   archive("trace", estimate.trace);
   archive("validation", estimate.validation);
+  archive("residual_tests", estimate.residual_tests);
   archive("candidates", estimate.candidates);
   archive("warnings", estimate.warnings);
 }

@@ -78,6 +78,16 @@ struct Validation {
   double log_density_per_experiment = 0;     ///< mean log predictive density [nats]
 };
 
+/// Whether the residuals are white and hold nothing of the input, over all experiments
+/// (estimation/residual_tests.h). Empty where there are too few residuals, or not computed.
+struct ResidualTests {
+  long samples = 0;                       ///< residuals
+  std::vector<double> autocorrelation;    ///< at lags 1, 2, ...; standard deviation 1/sqrt(samples)
+  std::vector<double> cross_correlation;  ///< with the input 0, 1, ... samples before; likewise
+  double whiteness_p_value = 0;           ///< of a portmanteau test of the autocorrelation
+  double independence_p_value = 0;        ///< of a test of all cross-correlations together
+};
+
 /// One accepted iterate.
 struct TracePoint {
   int iteration = 0;
@@ -115,6 +125,7 @@ struct Estimate {
   std::vector<ExperimentEstimate> experiments;
   std::vector<Candidate> candidates;
   Validation validation;
+  ResidualTests residual_tests;
   std::vector<std::string> warnings;
 
   /// Whether the model may be used: it converged, or stopped at the iteration limit with finite

@@ -58,6 +58,7 @@ Estimate estimate() {
   full.experiments = {{"exp \"1\"", 100, {0.1, 0.9}, vector({0.7}), -10.25}};
   full.candidates = {{"orders", "output_error nb=2 na=2 delay=1", 4, kNan, 5, 93.5, true}};
   full.validation = {{"v1", "v2"}, {90.5, -3}, 85, -12};
+  full.residual_tests = {150, {0.1, -0.2}, {1.0 / 3, 0.01}, 0.25, kNan};
   full.warnings = {"a warning"};
   return full;
 }
@@ -78,7 +79,7 @@ TEST(ResultJson, HoldsTheFieldsOfTheFormat) {
         "experiments",    "nominal_model", "error_model",   "noise_variance", "offsets",
         "log_likelihood", "bic",           "termination",   "message",        "iterations",
         "passes",         "seconds",       "validation",    "candidates",     "bounds",
-        "warnings"}) {
+        "warnings",       "residual_tests"}) {
     EXPECT_TRUE(tree.contains(key)) << key;
   }
   EXPECT_EQ(tree["format"], "uncertainty_identification/result/1");
