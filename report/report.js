@@ -28,6 +28,7 @@ const kSections = [
   {id: 'uncertainty', title: 'Distribution of the model error', show: showMixture},
   {id: 'responses', title: 'Responses and their uncertainty', show: showResponses},
   {id: 'validation', title: 'Validation', show: showValidation},
+  {id: 'residuals', title: 'Residuals', show: showResiduals},
   {id: 'estimation', title: 'How the model was found', show: (parent, result) => {
     showConvergence(parent, result);
     showCandidates(parent, result.candidates);
@@ -35,13 +36,16 @@ const kSections = [
   {id: 'configuration', title: 'Configuration', show: showConfiguration},
 ];
 
+const kBaselineSection = {id: 'baseline', title: 'Fits of each experiment', show: showBaseline};
+
 function showReport(result, parent) {
+  const sections = result.baseline ? [...kSections.slice(0, 2), kBaselineSection, ...kSections.slice(2)] : kSections;
   const origin = `uncertainty_identification ${result.version} \u00b7 data ${result.data_fingerprint} \u00b7 seed ${result.seed}`;
   parent.append(element('header', {}, element('h1', {}, 'Identification report'),
-    element('nav', {}, ...kSections.map(({id, title}) => element('a', {href: '#' + id}, title)))));
+    element('nav', {}, ...sections.map(({id, title}) => element('a', {href: '#' + id}, title)))));
   showWarnings(parent, result);
   showSummary(parent, result);
-  kSections.forEach(({id, title, show}) => show(section(parent, id, title), result));
+  sections.forEach(({id, title, show}) => show(section(parent, id, title), result));
   printFigures();
   parent.append(element('footer', {}, origin));
 }

@@ -88,6 +88,15 @@ def without_bounds(folder):
     return base + ".html"
 
 
+def prediction_errors(folder):
+    """Each experiment of Example 1 by itself."""
+    base = os.path.join(folder, "prediction_errors")
+    run("identify", "--config", os.path.join(ROOT, "config/example1.yaml"), "--method", "pem", "--output", base + ".json",
+        "--", os.path.join(folder, "example1_data.csv"))
+    run("report", "--output", base + ".html", base + ".json")
+    return base + ".html"
+
+
 def open_browser():
     """A browser without a window, as wide as a laptop's, that remembers its console and what it fetched."""
     from selenium import webdriver
