@@ -59,8 +59,9 @@ ArrayXXd freshMagnitudes(const Case& of, int first, int count, const VectorXd& o
   return all;
 }
 
-/// Standard error of a mean share. Where systems agree, as at low frequency, an identification holds
-/// all or none: then a few of them may all agree by chance, and the binomial error at `level` counts.
+/// Standard error of a mean share. Where systems agree, as at low frequency, an identification
+/// holds all or none: then a few of them may all agree by chance, and the binomial error at `level`
+/// counts.
 double errorOf(const Spread& shares, double level) {
   bool all_or_none = true;
   for (double share : shares.values) all_or_none = all_or_none && (share == 0 || share == 1);
@@ -114,21 +115,22 @@ void addBounds(const Case& of, const std::vector<Experiment>& experiments, const
   plain.error_model.taps = 0;
   plain.error_model.components = 1;
   const Estimate pooled = Identifier(plain).identify(experiments);
-  result->pooled.add(frequencyBounds(PlantDistribution(pooled), omega, plain.bounds, 1)
-                         .magnitude_bands.total,
-                     fresh, omega);
+  result->pooled.add(
+      frequencyBounds(PlantDistribution(pooled), omega, plain.bounds, 1).magnitude_bands.total,
+      fresh, omega);
 
   const PredictionCalibration calibration =
       Identifier(of.configuration).calibrate(estimate, experiments);
-  const auto seed = 500000 + static_cast<std::uint64_t>(result->pooled.levels[0].simultaneous.values.size());
+  const auto seed =
+      500000 + static_cast<std::uint64_t>(result->pooled.levels[0].simultaneous.values.size());
   const std::vector<Experiment> others = simulateCase(of, seed, kPredicted);
   result->predicted.resize(calibration.levels.size());
   result->guaranteed = calibration.guaranteed;
   for (std::size_t k = 0; k < calibration.levels.size(); ++k) {
     int inside = 0;
     for (const Experiment& other : others) {
-      const PredictionInterval interval = predictionInterval(
-          calibration, calibration.levels[k], of.configuration.estimation, other);
+      const PredictionInterval interval = predictionInterval(calibration, calibration.levels[k],
+                                                             of.configuration.estimation, other);
       inside += (other.y.array() <= interval.upper.array()).all() &&
                 (other.y.array() >= interval.lower.array()).all();
     }
@@ -156,7 +158,8 @@ void judge(const Case& of, const CaseResult& result, Checks* checks) {
     char what[100];
     std::snprintf(what, sizeof what, "%s, prediction, %.0f %%", of.name.c_str(), 100 * levels[k]);
     const Spread& predicted = result.predicted[k];
-    checks->within(what, predicted.mean(), result.guaranteed[k] - 2 * predicted.errorOfMean(), 1.001);
+    checks->within(what, predicted.mean(), result.guaranteed[k] - 2 * predicted.errorOfMean(),
+                   1.001);
     if (!of.model_is_true) continue;
     const Tally& tally = result.total.levels[k];
     // the frequency that strays farthest, measured by its own tolerance
@@ -192,9 +195,8 @@ std::vector<Case> cases() {
       {"heavy tails", example1, configured("example1"), false, true}};
   const auto scalar = [](double x) { return Eigen::MatrixXd::Constant(1, 1, x); };
   const auto at = [](double x) { return VectorXd::Constant(1, x); };
-  all[4].truth.error_model.mixture = {{0.3, 0.4, 0.3},
-                                      {at(-1.5), at(0), at(1.5)},
-                                      {scalar(0.05), scalar(0.05), scalar(0.05)}};
+  all[4].truth.error_model.mixture = {
+      {0.3, 0.4, 0.3}, {at(-1.5), at(0), at(1.5)}, {scalar(0.05), scalar(0.05), scalar(0.05)}};
   all[4].configuration.error_model.components = 3;
   return all;
 }

@@ -203,6 +203,8 @@ void Configuration::validate() const {
   initial.validate();
   resampling.validate();
   bounds.validate();
+  require(!report_each_result || !report_directory.empty(), "report_each_result", "true",
+          "false, as long as report_directory is empty");
   validateSignal("input", input);
   validateSignal("output", output);
   validateCovariates(covariates);

@@ -190,7 +190,9 @@ struct Configuration {
   LimitOptions limits;
   std::string bag_directory;  ///< folder that bag names in requests resolve in; empty = such names
                               ///< are refused
-  std::string store_directory;  ///< folder that finished experiments are kept in; empty = none
+  std::string report_directory;     ///< folder that reports go to; empty = none are written
+  bool report_each_result = false;  ///< write report.html there after each result
+  std::string store_directory;      ///< folder that finished experiments are kept in; empty = none
 
   /// Throws ConfigurationError naming key, value and allowed range.
   void validate() const;

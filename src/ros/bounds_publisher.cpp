@@ -6,8 +6,9 @@
 
 namespace uncertainty_identification {
 
-BoundsPublisher::BoundsPublisher(ros::NodeHandle node, const BoundsOptions& options)
+BoundsPublisher::BoundsPublisher(ros::NodeHandle node, const BoundsOptions& options, Done done)
     : wanted_(options.frequencies > 0),
+      done_(std::move(done)),
       publisher_(node.advertise<messages::UncertaintyBounds>("uncertainty_bounds", 1, true)),
       thread_([this] { run(); }) {}
 
@@ -29,6 +30,11 @@ void BoundsPublisher::add(std::shared_ptr<const Estimate> estimate, const Result
   changed_.notify_one();
 }
 
+std::optional<Bounds> BoundsPublisher::boundsOf(std::uint32_t sequence) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return last_sequence_ == sequence ? last_ : std::nullopt;
+}
+
 void BoundsPublisher::run() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (true) {
@@ -43,7 +49,14 @@ void BoundsPublisher::run() {
 
 void BoundsPublisher::publish(const Request& request) {
   try {
-    publisher_.publish(toMessage(computeBounds(*request.estimate), request.context));
+    const Bounds bounds = computeBounds(*request.estimate);
+    publisher_.publish(toMessage(bounds, request.context));
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      last_ = bounds;
+      last_sequence_ = request.context.sequence;
+    }
+    done_({*request.estimate, bounds, {}});
   } catch (const Error& error) {
     ROS_WARN_STREAM("result " << request.context.sequence << " has no bounds: " << error.what());
   }

@@ -31,7 +31,13 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                                            const Configuration& configuration)
     : configuration_(requireAvailable(configuration)),
       results_(private_node),
-      bounds_(private_node, configuration.bounds),
+      reports_(configuration.report_directory),
+      bounds_(private_node, configuration.bounds,
+              [this](const Result& result) {
+                if (!configuration_.report_each_result) return;
+                const auto answer = reports_.answer({}, &result);
+                if (answer.code != messages::WriteReport::Response::OK) warn(answer.message);
+              }),
       status_(
           private_node, [this] { return worker_.status(); },
           [this] { return results_.sequence(); }),
@@ -104,6 +110,7 @@ void IdentificationServer::advertiseRequests() {
   using messages::Identify;
   using messages::ListExperiments;
   using messages::SampleModels;
+  using messages::WriteReport;
   const boost::function<bool(Identify::Request&, Identify::Response&)> identify =
       [this](Identify::Request& request, Identify::Response& response) {
         response =
@@ -130,6 +137,12 @@ void IdentificationServer::advertiseRequests() {
   services_.push_back(query_thread_.node().advertiseService("get_result", get_result));
   services_.push_back(query_thread_.node().advertiseService("list_experiments", list));
   services_.push_back(query_thread_.node().advertiseService("sample_models", sample));
+  const boost::function<bool(WriteReport::Request&, WriteReport::Response&)> report =
+      [this](WriteReport::Request& request, WriteReport::Response& response) {
+        response = writeReport(request);
+        return true;
+      };
+  services_.push_back(query_thread_.node().advertiseService("write_report", report));
 }
 
 messages::GetResult::Response IdentificationServer::getResult() const {
@@ -150,6 +163,14 @@ messages::ListExperiments::Response IdentificationServer::listExperiments() cons
   for (const auto& digest : worker_.experiments())
     response.experiments.push_back(toMessage(digest));
   return response;
+}
+
+messages::WriteReport::Response IdentificationServer::writeReport(
+    const messages::WriteReport::Request& request) const {
+  const auto [estimate, sequence] = results_.lastEstimate();
+  if (estimate == nullptr) return reports_.answer(request, nullptr);
+  const Result result{*estimate, bounds_.boundsOf(sequence), {}};
+  return reports_.answer(request, &result);
 }
 
 }  // namespace uncertainty_identification

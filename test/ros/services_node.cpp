@@ -128,6 +128,16 @@ TEST_F(ServicesTest, ResultsHaveBoundsAndPlants) {
   EXPECT_EQ(drawn.num.size(), 7 * drawn.numerator_size);
   EXPECT_EQ(drawn.den.size(), 7 * drawn.denominator_size);
   EXPECT_EQ(client_.call<SampleModels>("sample_models", request).num, drawn.num);
+  messages::WriteReport::Request report;
+  const auto written = client_.call<messages::WriteReport>("write_report", report);
+  EXPECT_EQ(written.code, messages::WriteReport::Response::OK) << written.message;
+  EXPECT_NE(readFile(written.path).find("Nyquist"), std::string::npos);
+  for (const std::string name : {"../a.html", "/tmp/a.html", "a.txt", ".html", "a b.html"}) {
+    report.name = name;
+    EXPECT_EQ(client_.call<messages::WriteReport>("write_report", report).code,
+              messages::WriteReport::Response::REFUSED)
+        << name;
+  }
   request.count = 10001;
   EXPECT_EQ(client_.call<SampleModels>("sample_models", request).code,
             SampleModels::Response::REQUEST_ERROR);

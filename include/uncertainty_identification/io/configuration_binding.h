@@ -151,6 +151,8 @@ void bind(Archive& archive, Configuration& configuration) {
   archive("bounds", configuration.bounds);
   archive("limits", configuration.limits);
   archive("bag_directory", configuration.bag_directory);
+  archive("report_directory", configuration.report_directory);
+  archive("report_each_result", configuration.report_each_result);
   archive("store_directory", configuration.store_directory);
 }
 

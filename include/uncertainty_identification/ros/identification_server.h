@@ -12,6 +12,7 @@
 #include "uncertainty_identification/ros/experiment_recorder.h"
 #include "uncertainty_identification/ros/identification_worker.h"
 #include "uncertainty_identification/ros/messages.h"
+#include "uncertainty_identification/ros/report_writer.h"
 #include "uncertainty_identification/ros/result_publisher.h"
 #include "uncertainty_identification/ros/service_thread.h"
 #include "uncertainty_identification/ros/status_publisher.h"
@@ -43,10 +44,12 @@ class IdentificationServer {
   Trigger::Response reset();
   messages::GetResult::Response getResult() const;
   messages::ListExperiments::Response listExperiments() const;
+  messages::WriteReport::Response writeReport(const messages::WriteReport::Request& request) const;
 
   const Configuration configuration_;
   std::atomic<bool> stopping_{false};
   ResultPublisher results_;
+  ReportWriter reports_;
   BoundsPublisher bounds_;
   StatusPublisher status_;
   IdentificationWorker worker_;

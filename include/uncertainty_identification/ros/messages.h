@@ -33,6 +33,7 @@
 #include <uncertainty_identification/Sample.h>
 #include <uncertainty_identification/SampleModels.h>
 #include <uncertainty_identification/UncertaintyBounds.h>
+#include <uncertainty_identification/WriteReport.h>
 #undef uncertainty_identification
 
 namespace uncertainty_identification {

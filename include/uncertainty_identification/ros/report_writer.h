@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "uncertainty_identification/io/result_json.h"
+#include "uncertainty_identification/ros/messages.h"
+
+namespace uncertainty_identification {
+
+/// Writes reports of results into one folder, whoever asks: a name in a request never leads out.
+class ReportWriter {
+ public:
+  /// `directory` empty: requests are refused.
+  explicit ReportWriter(std::string directory) : directory_(std::move(directory)) {}
+
+  /// Answers a request; `result` null: there is none yet.
+  messages::WriteReport::Response answer(const messages::WriteReport::Request& request,
+                                         const Result* result) const;
+
+ private:
+  std::string directory_;
+};
+
+}  // namespace uncertainty_identification
