@@ -15,6 +15,10 @@ function showNominalModel(parent, result) {
       : fraction(polynomial([1, ...model.c], q), polynomial([1, ...model.d], q))));
   parent.append(parametersTable([...model.parameters, {...result.noise_variance, name: 'noise variance'}]));
   const undetermined = model.parameters.filter(parameter => !isNumber(parameter.standard_error)).length;
+  if (result.baseline) {
+    parent.append(paragraph('The mean of the experiments\u2019 own fits; standard errors of this mean come from their spread.', 'note'));
+    return;
+  }
   parent.append(paragraph('Standard errors come from the observed information and hold if the model is right; robust ones, from ' +
     'the spread of the experiments\u2019 scores, hold if it is not. A large difference between the two says that it is not.' +
     (undetermined > 0 ? ' A dash stands where the data do not determine the parameter, or not its error.' : ''), 'note'));

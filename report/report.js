@@ -8,6 +8,8 @@ function showResponses(parent, result) {
     parent.append(paragraph(`Bands from ${counted(bounds.samples, 'plant')} drawn from ${spread}; the Nyquist frequency is ` +
       `${number(Math.PI / result.nominal_model.sample_time)} rad/s.`));
     showBandChoice(parent, bounds, choices);
+  } else if (result.baseline) {
+    parent.append(paragraph('This method gives bands of the magnitude only, drawn above. Here are the mean model\u2019s own responses.'));
   } else {
     parent.append(paragraph('This result holds no bounds (bounds: {frequencies: 0} in its configuration, or they could not be computed; see the ' +
       'notes at the top). The nominal model\u2019s own responses are drawn, without uncertainty.'));

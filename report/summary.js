@@ -41,6 +41,7 @@ function modelSentence(result) {
 }
 
 function uncertaintySentence(result) {
+  if (result.baseline) return 'Each experiment was fitted by itself; this model is the mean of the fits.';
   if (!hasErrorModel(result)) return 'How the plant varies from experiment to experiment was not modelled.';
   const {weights, means} = result.error_model;
   const shape = weights.length === 1 ? 'a Gaussian distribution' : `a mixture of ${weights.length} Gaussian components`;

@@ -137,10 +137,9 @@ void bind(Archive& archive, Estimate& estimate) {
 
 nlohmann::json toJson(const Estimate& estimate) {
   Estimate copy = estimate;
-  if (copy.validation.experiments.empty()) {
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    copy.validation = {{}, {}, kNone, kNone};
-  }
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  if (copy.validation.experiments.empty()) copy.validation = {{}, {}, kNone, kNone};
+  if (copy.residual_tests.autocorrelation.empty()) copy.residual_tests = {0, {}, {}, kNone, kNone};
   TreeWriter writer;
   bind(writer, copy);
   nlohmann::json tree = writer.tree();
@@ -157,6 +156,7 @@ Estimate estimateFromJson(const nlohmann::json& json) {
   ErrorModelOptions& options = estimate.error_model.options;
   if (options.constraint != Constraint::explicit_matrix) options.T.resize(0, 0);
   if (estimate.validation.experiments.empty()) estimate.validation = {};
+  if (estimate.residual_tests.autocorrelation.empty()) estimate.residual_tests = {};
   return estimate;
 }
 

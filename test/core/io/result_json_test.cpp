@@ -161,6 +161,15 @@ TEST(ResultJson, NamesOfVaryingParametersSurviveBesideTheEstimates) {
   EXPECT_EQ(back.error_model.parameters.size(), 1u);
 }
 
+TEST(ResultJson, WithoutResidualTestsThereAreNoProbabilities) {
+  Estimate without = estimate();
+  without.residual_tests = {};
+  const json tree = toJson(without);
+  EXPECT_TRUE(tree["residual_tests"]["whiteness_p_value"].is_null());
+  EXPECT_TRUE(tree["residual_tests"]["independence_p_value"].is_null());
+  EXPECT_EQ(toJson(estimateFromJson(tree)), tree);
+}
+
 TEST(ResultJson, WithoutValidationThereIsNoFit) {
   Estimate full = estimate();
   full.validation = {};
