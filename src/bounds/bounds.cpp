@@ -19,6 +19,18 @@ Eigen::VectorXd someOf(const Eigen::VectorXd& omega) {
   });
 }
 
+/// Errors so large that they bend: plants drawn with them scatter about something else than plants
+/// drawn without, because responses depend on the parameters nonlinearly.
+bool errorsBend(const FrequencyBounds& bounds) {
+  constexpr double kShare = 0.1;  // of the frequencies
+  const UncertaintyBands& bands = bounds.magnitude_bands;
+  if (bands.total.empty()) return false;
+  const Band &mixture = bands.mixture.pointwise.front(), &total = bands.total.pointwise.front();
+  const Eigen::ArrayXd center = (mixture.lower + mixture.upper) / 2;
+  const auto outside = center < total.lower.array() || center > total.upper.array();
+  return static_cast<double>(outside.count()) > kShare * static_cast<double>(center.size());
+}
+
 }  // namespace
 
 Bounds computeBounds(const Estimate& estimate) {
@@ -39,6 +51,11 @@ Bounds computeBounds(const Estimate& estimate) {
         "too narrow");
   }
   bounds.frequency = frequencyBounds(plants, omega, options, bounds.seed);
+  if (errorsBend(bounds.frequency)) {
+    bounds.warnings.push_back(
+        "the errors of the estimate are so large that the bounds, which propagate them from the "
+        "parameters, are rough: lower the orders, or record more or longer experiments");
+  }
   bounds.step = stepBounds(plants, options, bounds.seed);
   bounds.regions = complexRegions(plants, someOf(omega), options, bounds.seed);
   try {

@@ -33,8 +33,7 @@ Response answerOf(std::uint8_t code, const std::string& message) {
 Response ReportWriter::answer(const messages::WriteReport::Request& request,
                               const Result* result) const {
   if (directory_.empty()) {
-    return answerOf(Response::REFUSED,
-                    "reports are refused until report_directory is configured");
+    return answerOf(Response::REFUSED, "reports are refused until report_directory is configured");
   }
   const std::string name = request.name.empty() ? "report.html" : request.name;
   if (!isPlainName(name)) {

@@ -46,6 +46,18 @@ TEST(ComputeBounds, SayWhatTheyCannotCount) {
   EXPECT_NE(certain.warnings[0].find("no robust-control weight"), std::string::npos);
 }
 
+/// A pole near 1 known so badly that the static gain, 1/(1 - p), is nearly always smaller.
+TEST(ComputeBounds, SayWhenErrorsAreTooLargeForThem) {
+  Estimate estimate = test::estimateWithoutErrorModel(vectorOf({0.1}), vectorOf({-0.9}), 1e-6);
+  EXPECT_TRUE(computeBounds(estimate).warnings.empty());
+  estimate.nominal_model.b = vectorOf({1.0, -0.9});
+  estimate.nominal_model.a = vectorOf({-1.8, 0.82});
+  estimate.joint_covariance = 0.3 * Eigen::MatrixXd::Identity(4, 4);
+  const std::vector<std::string> warnings = computeBounds(estimate).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("rough"), std::string::npos) << warnings[0];
+}
+
 TEST(ComputeBounds, AreTheSameEveryTime) {
   const Estimate estimate = test::plainEstimate(vectorOf({1.0}), vectorOf({-0.5}), 1e-5);
   const Bounds first = computeBounds(estimate), second = computeBounds(estimate);
