@@ -42,6 +42,13 @@ void sortAt(const std::vector<int>& ranks, const ArrayXf& values, ArrayXf* sorte
   }
 }
 
+/// Overflow, and what came of it, counts as very large.
+float withinReach(float value) {
+  constexpr float kFar = 1e25F;
+  if (std::isnan(value)) return kFar;
+  return std::min(std::max(value, -kFar), kFar);
+}
+
 /// The rank (from 0) below which a further plant lies with probability `share`, rounded outwards.
 int upperRank(double share, int draws) {
   return std::min(draws, static_cast<int>(std::ceil(share * (draws + 1) - 1e-9))) - 1;
@@ -93,7 +100,8 @@ BandBuilder::BandBuilder(std::vector<double> levels, int draws, Index points, Si
   }
 }
 
-void BandBuilder::add(const ArrayXf& values) {
+void BandBuilder::add(const ArrayXf& drawn) {
+  const ArrayXf values = drawn.unaryExpr(&withinReach);
   const bool with_error = point_ % kErrorEvery == 0;
   sortAt(with_error ? all_ranks_ : ranks_, values, &sorted_);
   const float center = sides_ == Sides::two ? sorted_[draws_ / 2] : 0;

@@ -167,6 +167,9 @@ UncertaintyWeight uncertaintyWeight(const PlantDistribution& plants, const Vecto
   if (!(bound.maxCoeff() > 1e-9)) {
     throw DataError("the plants do not differ from the nominal model: no weight is needed");
   }
+  if (!bound.allFinite() || bound.maxCoeff() > 1e20) {
+    throw DataError("the errors of the estimate are too large for a weight");
+  }
   UncertaintyWeight weight;
   weight.level = options.weight_level;
   weight.floor = kFloor * bound.maxCoeff();

@@ -1,9 +1,7 @@
 #include "uncertainty_identification/ros/bounds_publisher.h"
 
+#include <exception>
 #include <utility>
-
-#include "uncertainty_identification/errors.h"
-
 namespace uncertainty_identification {
 
 BoundsPublisher::BoundsPublisher(ros::NodeHandle node, const BoundsOptions& options, Done done)
@@ -57,7 +55,7 @@ void BoundsPublisher::publish(const Request& request) {
       last_sequence_ = request.context.sequence;
     }
     done_({*request.estimate, bounds, {}});
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {  // whatever it is, the node goes on
     ROS_WARN_STREAM("result " << request.context.sequence << " has no bounds: " << error.what());
   }
 }

@@ -39,8 +39,8 @@ class BandBuilder {
   BandBuilder(std::vector<double> levels, int draws, Eigen::Index points, Sides sides,
               float resolution);
 
-  /// The values of all draws at the next point.
-  void add(const Eigen::ArrayXf& values);
+  /// The values of all draws at the next point; those that are not finite count as very large.
+  void add(const Eigen::ArrayXf& drawn);
 
   /// After all points.
   Bands bands() const;

@@ -29,7 +29,7 @@ struct UncertaintyWeight {
 
 /// Designs W on the grid `omega` [rad/s] and lifts it until it covers the bound at 10,000
 /// frequencies, by the errors of the estimate and the mixture together (of the mixture alone where
-/// the former are not known). Throws DataError when the plants do not differ.
+/// the former are not known). Throws DataError when the plants do not differ, or beyond measure.
 UncertaintyWeight uncertaintyWeight(const PlantDistribution& plants, const Eigen::VectorXd& omega,
                                     const BoundsOptions& options, std::uint64_t seed);
 

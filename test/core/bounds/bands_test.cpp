@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -99,6 +100,22 @@ TEST(Bands, RoundingDoesNotStretchThem) {
   const Bands without = bandsOf(values, {0.9}, Sides::two);
   EXPECT_NEAR(bands.simultaneous[0].upper[9], without.simultaneous[0].upper[9], 1e-5);
   EXPECT_LT(bands.simultaneous[0].upper[3], 1e-4);
+}
+
+/// Errors of an estimate may be so large that responses overflow: such draws lie at the far end.
+TEST(Bands, TakeWhatIsNotFinite) {
+  ArrayXXf values = walks(999, 3);
+  const float infinite = std::numeric_limits<float>::infinity();
+  values.block(0, 1, 100, 1).setConstant(infinite);
+  values.block(100, 1, 100, 1).setConstant(std::numeric_limits<float>::quiet_NaN());
+  values.block(200, 1, 100, 1).setConstant(-infinite);
+  values.col(2).setConstant(infinite);
+  const Bands bands = bandsOf(values, {0.3, 0.95}, Sides::two);
+  EXPECT_LT(std::abs(bands.pointwise[0].upper[1]), 1e6);
+  EXPECT_GT(bands.pointwise[1].upper[1], 1e20);
+  EXPECT_LT(bands.pointwise[1].lower[1], -1e20);
+  EXPECT_GT(bands.pointwise[0].upper[2], 1e20);
+  for (const Band& band : bands.simultaneous) EXPECT_TRUE(band.upper.allFinite());
 }
 
 /// Normal values: the standard deviation of the 95 % limit is sqrt(q(1-q)/S)/density.
