@@ -100,8 +100,9 @@ BandBuilder::BandBuilder(std::vector<double> levels, int draws, Index points, Si
   }
 }
 
-void BandBuilder::add(const ArrayXf& drawn) {
-  const ArrayXf values = drawn.unaryExpr(&withinReach);
+void BandBuilder::add(const ArrayXf& values) {
+  const bool finite = (0 * values).sum() == 0;  // in a fifth of allFinite()'s time
+  if (!finite) return add(values.unaryExpr(&withinReach));
   const bool with_error = point_ % kErrorEvery == 0;
   sortAt(with_error ? all_ranks_ : ranks_, values, &sorted_);
   const float center = sides_ == Sides::two ? sorted_[draws_ / 2] : 0;

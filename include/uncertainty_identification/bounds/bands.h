@@ -40,7 +40,7 @@ class BandBuilder {
               float resolution);
 
   /// The values of all draws at the next point; those that are not finite count as very large.
-  void add(const Eigen::ArrayXf& drawn);
+  void add(const Eigen::ArrayXf& values);
 
   /// After all points.
   Bands bands() const;
