@@ -68,11 +68,11 @@ StreamWhitening::StreamWhitening(const VectorXd& c, const VectorXd& d, NoiseStar
   d_ = padded(d, order);
   gain_ = c_;
   state_ = MatrixXd::Zero(order + 1, signals);  // the last row stays 0
-  P_ = MatrixXd::Zero(order, order);
+  covariance_ = MatrixXd::Zero(order, order);
   const VectorXd K = c_ - d_;
   if (start == NoiseStart::stationary && order > 0)
-    P_ = stationary(transition(d_), K * K.transpose());
-  settled_ = order == 0 || P_.cwiseAbs().maxCoeff() < 1e-17;
+    covariance_ = stationary(transition(d_), K * K.transpose());
+  settled_ = order == 0 || covariance_.cwiseAbs().maxCoeff() < 1e-17;
 }
 
 void StreamWhitening::step(bool measured, VectorXd* signals) {
@@ -81,13 +81,13 @@ void StreamWhitening::step(bool measured, VectorXd* signals) {
   if (!settled_ || (!measured && order > 0)) {
     const MatrixXd F = transition(d_);
     const VectorXd K = c_ - d_;
-    const double S = P_(0, 0) + 1;
-    const VectorXd gain = (F * P_.col(0) + K) / S;
-    P_ = (F * P_ * F.transpose() + K * K.transpose()).eval();
-    if (measured) P_ -= S * gain * gain.transpose();
+    const double S = covariance_(0, 0) + 1;
+    const VectorXd gain = (F * covariance_.col(0) + K) / S;
+    covariance_ = (F * covariance_ * F.transpose() + K * K.transpose()).eval();
+    if (measured) covariance_ -= S * gain * gain.transpose();
     scale = 1 / std::sqrt(S);
     gain_ = gain + d_;
-    settled_ = P_.cwiseAbs().maxCoeff() < 1e-17;
+    settled_ = covariance_.cwiseAbs().maxCoeff() < 1e-17;
   } else if (order > 0) {
     gain_ = c_;
   }

@@ -49,9 +49,9 @@ class StreamWhitening {
 
  private:
   Eigen::VectorXd c_, d_, gain_;
-  Eigen::MatrixXd P_;      ///< covariance of the noise model's state over sigma^2
-  bool settled_ = false;   ///< P_ = 0: the start is forgotten and gain_ = c
-  Eigen::MatrixXd state_;  ///< order x signals
+  Eigen::MatrixXd covariance_;  ///< covariance of the noise model's state over sigma^2
+  bool settled_ = false;        ///< covariance_ = 0: the start is forgotten and gain_ = c
+  Eigen::MatrixXd state_;       ///< order x signals
 };
 
 /// What the linear model says of a stream of samples, one at a time: the residual, regressors and
