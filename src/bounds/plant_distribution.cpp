@@ -217,7 +217,7 @@ TransferFunctions transferFunctions(const PlantSamples& plants) {
   options.taps = static_cast<int>(taps);
   options.constraint = Constraint::free;
   const RationalBasis basis{ErrorBasis(options)};
-  const VectorXd of_basis = joined(VectorXd::Ones(1), basis.denominator);
+  const VectorXd of_basis = withLeadingOne(basis.denominator);
   const Index degree = std::max(of_basis.size() - 1, taps - 1);
   TransferFunctions all{MatrixXd::Zero(count, nb + degree),
                         MatrixXd(count, plants.a.cols() + of_basis.size())};
@@ -228,7 +228,7 @@ TransferFunctions transferFunctions(const PlantSamples& plants) {
       error += plants.eta(i, k) * basis.numerators[static_cast<std::size_t>(k)];
     for (Index k = 0; k <= degree; ++k) all.num.row(i).segment(k, nb) += error[k] * plants.b.row(i);
     const VectorXd a = multiply(plants.a.row(i).transpose(), basis.denominator);
-    all.den.row(i) = joined(VectorXd::Ones(1), a).transpose();
+    all.den.row(i) = withLeadingOne(a).transpose();
   }
   return all;
 }

@@ -10,6 +10,7 @@
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/estimation/simulation_fit.h"
 #include "uncertainty_identification/model/held_plant.h"
+#include "uncertainty_identification/model/polynomial.h"
 #include "uncertainty_identification/simulation/random_stream.h"
 
 namespace uncertainty_identification {
@@ -44,12 +45,6 @@ VectorXd filtered(const VectorXd& num, const VectorXd& den, int delay, const Vec
     for (Index k = 1; k < den.size() && k <= t; ++k) y[t] -= den[k] * y[t - k];
   }
   return y;
-}
-
-VectorXd withLeadingOne(const VectorXd& monic) {
-  VectorXd full(monic.size() + 1);
-  full << 1, monic;
-  return full;
 }
 
 /// The simulation is wanted where nothing was measured, too: gaps are bridged.

@@ -23,23 +23,10 @@ constexpr double kOnCircle = 1e-6;  // by how much a pole on the unit circle may
 constexpr int kGridPoints = 4096;   // before the points at resonances
 constexpr double kConfidence = 0.95;
 
-/// Product of polynomials with all their coefficients.
-VectorXd product(const VectorXd& left, const VectorXd& right) {
-  VectorXd all = VectorXd::Zero(left.size() + right.size() - 1);
-  for (Index i = 0; i < left.size(); ++i) all.segment(i, right.size()) += left[i] * right;
-  return all;
-}
-
 VectorXd sum(const VectorXd& left, const VectorXd& right) {
   VectorXd all = VectorXd::Zero(std::max(left.size(), right.size()));
   all.head(left.size()) += left;
   all.head(right.size()) += right;
-  return all;
-}
-
-VectorXd full(const VectorXd& monic) {
-  VectorXd all(monic.size() + 1);
-  all << 1, monic;
   return all;
 }
 
@@ -48,12 +35,6 @@ VectorXd delayed(int delay, const VectorXd& b) {
   VectorXd all = VectorXd::Zero(delay + b.size());
   all.tail(b.size()) = b;
   return all;
-}
-
-std::complex<double> valueAt(const VectorXd& polynomial, std::complex<double> z_inverse) {
-  std::complex<double> value = 0;
-  for (Index k = polynomial.size() - 1; k >= 0; --k) value = value * z_inverse + polynomial[k];
-  return value;
 }
 
 /// Without its leading coefficient, which becomes 1.
@@ -222,7 +203,7 @@ RobustMargin robustMargin(const PlantDistribution& plants, const RationalFunctio
     throw DataError("the weight W(z) is not a stable rational function");
   }
   const PlantSamples& go = plants.nominal();
-  const VectorXd a = full(go.a.row(0).transpose());
+  const VectorXd a = withLeadingOne(go.a.row(0).transpose());
   const VectorXd b = delayed(go.delay, go.b.row(0).transpose());
   const VectorXd closed = characteristic(a, b, controller);
   RobustMargin margin;

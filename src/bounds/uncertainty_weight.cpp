@@ -110,12 +110,6 @@ VectorXd tustin(const VectorXd& in_z_inverse, double sample_time) {
   return ascending.reverse();
 }
 
-VectorXd withLeading(double leading, const VectorXd& monic) {
-  VectorXd all(monic.size() + 1);
-  all << leading, leading * monic;
-  return all;
-}
-
 double median(const ArrayXd& values) {
   std::vector<double> sorted(values.data(), values.data() + values.size());
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2),
@@ -125,8 +119,8 @@ double median(const ArrayXd& values) {
 
 void describe(const MinimumPhase& fit, double sample_time, UncertaintyWeight* weight) {
   weight->order = fit.order();
-  weight->num = withLeading(fit.gain, fit.n);
-  weight->den = withLeading(1.0, fit.d);
+  weight->num = fit.gain * withLeadingOne(fit.n);
+  weight->den = withLeadingOne(fit.d);
   weight->continuous_num = tustin(weight->num, sample_time);
   weight->continuous_den = tustin(weight->den, sample_time);
   const double leading = weight->continuous_den[0];

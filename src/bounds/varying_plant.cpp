@@ -5,6 +5,7 @@
 
 #include "uncertainty_identification/enum_names.h"
 #include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -20,19 +21,6 @@ std::shared_ptr<const NominalModel> nominalOf(const Estimate& estimate) {
                     "model itself must be given");
   }
   return makeNominalModel(options, estimate.nominal_model.sample_time);
-}
-
-VectorXd withLeadingOne(const VectorXd& monic) {
-  VectorXd full(monic.size() + 1);
-  full << 1, monic;
-  return full;
-}
-
-std::complex<double> valueAt(const VectorXd& coefficients, double angle) {
-  std::complex<double> sum = 0;
-  for (Index k = 0; k < coefficients.size(); ++k)
-    sum += coefficients[k] * std::polar(1.0, -angle * static_cast<double>(k));
-  return sum;
 }
 
 }  // namespace
@@ -83,12 +71,12 @@ void VaryingPlant::checkConditioning() const {
     const Polynomials zero = plant(theta_, VectorXd::Zero(terms_.count()));
     const Polynomials one = plant(theta_, VectorXd::Unit(terms_.count(), i));
     for (Index k = 0; k < angles.size(); ++k) {
-      const std::complex<double> denominator = valueAt(withLeadingOne(one.a), angles[k]);
+      const std::complex<double> shift = std::polar(1.0, -angles[k]);
+      const std::complex<double> denominator = valueAt(withLeadingOne(one.a), shift);
       const std::complex<double> found =
-          valueAt(one.b - zero.b, angles[k]) / denominator *
+          valueAt(one.b - zero.b, shift) / denominator *
           std::polar(1.0, -angles[k] * static_cast<double>(one.delay));
-      const double scale =
-          std::abs(exact(k, i)) + std::abs(valueAt(zero.b, angles[k]) / denominator);
+      const double scale = std::abs(exact(k, i)) + std::abs(valueAt(zero.b, shift) / denominator);
       if (std::abs(found - exact(k, i)) > kTolerance * scale) {
         throw DataError(
             "the nominal model's poles lie too near to 1 for bounds with basis sensitivity, whose "

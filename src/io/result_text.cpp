@@ -4,18 +4,13 @@
 
 #include "uncertainty_identification/enum_names.h"
 #include "uncertainty_identification/io/text_table.h"
+#include "uncertainty_identification/model/polynomial.h"
 #include "uncertainty_identification/model/sensitivity.h"
 
 namespace uncertainty_identification {
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
-
-Eigen::VectorXd withLeadingOne(const Eigen::VectorXd& monic) {
-  Eigen::VectorXd full(monic.size() + 1);
-  full << 1, monic;
-  return full;
-}
 
 void addParameters(const std::vector<ParameterEstimate>& parameters, Rows* rows) {
   for (const ParameterEstimate& parameter : parameters) {

@@ -70,11 +70,7 @@ ErrorBasis::ErrorBasis(const ErrorModelOptions& options) : options_(options), ta
 
 Eigen::VectorXcd ErrorBasis::responses(std::complex<double> z_inverse) const {
   const Chain chain = chainOf(options_);
-  const auto at = [z_inverse](const Eigen::VectorXd& p) {
-    std::complex<double> value = 0;
-    for (Eigen::Index k = p.size() - 1; k >= 0; --k) value = value * z_inverse + p[k];
-    return value;
-  };
+  const auto at = [z_inverse](const Eigen::VectorXd& p) { return valueAt(p, z_inverse); };
   const std::complex<double> section = 1.0 + z_inverse * at(chain.denominator);
   Eigen::VectorXcd values(taps_);
   std::complex<double> allpass = 1;

@@ -78,6 +78,25 @@ Eigen::VectorXd stabilised(const Eigen::VectorXd& monic, double radius) {
   return product.tail(monic.size()).real();
 }
 
+Eigen::VectorXd withLeadingOne(const Eigen::VectorXd& monic) {
+  Eigen::VectorXd all(monic.size() + 1);
+  all << 1, monic;
+  return all;
+}
+
+Eigen::VectorXd product(const Eigen::VectorXd& left, const Eigen::VectorXd& right) {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(left.size() + right.size() - 1);
+  for (Eigen::Index i = 0; i < left.size(); ++i) all.segment(i, right.size()) += left[i] * right;
+  return all;
+}
+
+std::complex<double> valueAt(const Eigen::VectorXd& polynomial, std::complex<double> z_inverse) {
+  std::complex<double> value = 0;
+  for (Eigen::Index k = polynomial.size() - 1; k >= 0; --k)
+    value = value * z_inverse + polynomial[k];
+  return value;
+}
+
 Eigen::VectorXd multiply(const Eigen::VectorXd& left, const Eigen::VectorXd& right) {
   Eigen::VectorXd product = Eigen::VectorXd::Zero(left.size() + right.size());
   product.head(left.size()) = left;

@@ -6,6 +6,7 @@
 
 #include "plant_derivatives.h"
 #include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/model/polynomial.h"
 #include "uncertainty_identification/require.h"
 
 namespace uncertainty_identification {
@@ -74,12 +75,6 @@ class PlantResponses {
   ArrayXcd backward_shift_;
   std::map<DerivativeIndex, ArrayXcd> responses_;
 };
-
-VectorXd product(const VectorXd& left, const VectorXd& right) {
-  VectorXd all = VectorXd::Zero(left.size() + right.size() - 1);
-  for (Index i = 0; i < left.size(); ++i) all.segment(i, right.size()) += left[i] * right;
-  return all;
-}
 
 void subtract(const VectorXd& term, VectorXd* from) {
   if (from->size() < term.size()) from->conservativeResizeLike(VectorXd::Zero(term.size()));

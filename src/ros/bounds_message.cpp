@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "number_list.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
@@ -9,18 +10,6 @@ namespace {
 
 void append(const Eigen::VectorXd& values, std::vector<double>* list) {
   list->insert(list->end(), values.data(), values.data() + values.size());
-}
-
-std::vector<double> toList(const Eigen::VectorXd& values) {
-  std::vector<double> list;
-  append(values, &list);
-  return list;
-}
-
-std::vector<double> toRowMajor(const Eigen::MatrixXd& matrix) {
-  std::vector<double> list;
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) append(matrix.row(i).transpose(), &list);
-  return list;
 }
 
 /// The limits of all levels, a row for each.

@@ -1,5 +1,6 @@
 #include <map>
 
+#include "number_list.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/ros/message_conversions.h"
 
@@ -39,10 +40,6 @@ void addCovariate(const messages::Experiment& message, const messages::Covariate
     fail(message, name + " is of kind " + std::to_string(covariate.kind) +
                       "; allowed: 0 (CONSTANT), 1 (SIGNAL)");
   }
-}
-
-std::vector<double> toList(const Eigen::VectorXd& vector) {
-  return {vector.data(), vector.data() + vector.size()};
 }
 
 messages::Covariate covariateMessage(const std::string& name, std::uint8_t kind,

@@ -1,23 +1,12 @@
 #include "uncertainty_identification/ros/message_conversions.h"
 
+#include "number_list.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
 #include "uncertainty_identification/io/result_json.h"
 
 namespace uncertainty_identification {
 namespace {
-
-std::vector<double> toList(const Eigen::VectorXd& vector) {
-  return {vector.data(), vector.data() + vector.size()};
-}
-
-std::vector<double> toRowMajor(const Eigen::MatrixXd& matrix) {
-  std::vector<double> list;
-  list.reserve(static_cast<std::size_t>(matrix.size()));
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i)
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j) list.push_back(matrix(i, j));
-  return list;
-}
 
 std::vector<messages::Parameter> toMessage(const std::vector<ParameterEstimate>& parameters) {
   std::vector<messages::Parameter> list;

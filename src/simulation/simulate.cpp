@@ -33,12 +33,6 @@ Eigen::VectorXd filtered(const Eigen::VectorXd& numerator, const Eigen::VectorXd
   return out.row(0).matrix();
 }
 
-Eigen::VectorXd withLeadingOne(const Eigen::VectorXd& monic) {
-  Eigen::VectorXd full(monic.size() + 1);
-  full << 1, monic;
-  return full;
-}
-
 Eigen::VectorXd drawFrom(const Mixture& mixture, std::mt19937_64& random, int* component) {
   std::discrete_distribution<int> pick(mixture.weights.begin(), mixture.weights.end());
   *component = pick(random);

@@ -71,6 +71,11 @@ ui::Result identify(const po::variables_map& arguments,
       ui::loadConfiguration(arguments["config"].as<std::string>());
   const ui::Identifier identifier(configuration);
   const ui::LoadedData data = load(arguments, "data", configuration);
+  if (method && arguments.count("validation") > 0) {
+    throw ui::ConfigurationError("--validation: found with --method " +
+                                 arguments["method"].as<std::string>() +
+                                 ", which measures nothing on other experiments; allowed: with se");
+  }
   const ui::LoadedData validation = load(arguments, "validation", configuration);
 
   ui::ProgressBar bar(std::cerr, isatty(STDERR_FILENO) != 0);

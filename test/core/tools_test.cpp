@@ -147,6 +147,8 @@ TEST_F(Tools, BaselinesFitEachExperiment) {
     EXPECT_TRUE(result.estimate.usable());
     EXPECT_FALSE(result.bounds.has_value());
   }
+  expectFailure(identify({"--method", "pem", "--validation", data(3, 2), "--", data(5, 1)}), 2,
+                "identify", "--validation: found with --method pem");
   expectFailure(identify({"--method", "ols", "d.csv"}), 2, "identify",
                 "found 'ols'; allowed: se, mem, pem");
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <complex>
 
 namespace uncertainty_identification {
 
@@ -25,6 +26,15 @@ Eigen::VectorXd stabilised(const Eigen::VectorXd& monic, double radius = 0.999);
 
 /// Roots in the q plane (n complex numbers), by the eigenvalues of the companion matrix.
 Eigen::VectorXcd roots(const Eigen::VectorXd& monic);
+
+/// [1; monic]: all coefficients.
+Eigen::VectorXd withLeadingOne(const Eigen::VectorXd& monic);
+
+/// Product of two polynomials given by all their coefficients.
+Eigen::VectorXd product(const Eigen::VectorXd& left, const Eigen::VectorXd& right);
+
+/// p0 + p1 z^-1 + ... of a polynomial given by all its coefficients.
+std::complex<double> valueAt(const Eigen::VectorXd& polynomial, std::complex<double> z_inverse);
 
 /// Product of two monic polynomials.
 Eigen::VectorXd multiply(const Eigen::VectorXd& left, const Eigen::VectorXd& right);
