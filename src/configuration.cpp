@@ -185,6 +185,15 @@ void BoundsOptions::validate() const {
   if (folds != 0) requireRange("bounds.folds", folds, 2, 1000, "0");
 }
 
+void ExplanationOptions::validate() const {
+  requireRange("explanation.max_causes", max_causes, 0, 10);
+  requirePositive("explanation.acceptance", acceptance);
+  require(validation_share > 0 && validation_share <= 0.9, "explanation.validation_share",
+          validation_share, "above 0, at most 0.9");
+  requireRange("explanation.after_experiments", after_experiments, 0,
+               std::numeric_limits<int>::max());
+}
+
 void LimitOptions::validate() const {
   constexpr int kMost = std::numeric_limits<int>::max();
   requireRange("limits.max_experiments", max_experiments, 1, kMost);
@@ -201,6 +210,7 @@ void Configuration::validate() const {
   error_model.validate();
   estimation.validate();
   initial.validate();
+  explanation.validate();
   resampling.validate();
   bounds.validate();
   require(!report_each_result || !report_directory.empty(), "report_each_result", "true",

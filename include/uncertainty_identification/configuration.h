@@ -164,6 +164,27 @@ struct BoundsOptions {
   void validate() const;
 };
 
+/// An effect of the catalogue (explanation/catalogue.h) that extends the linear model, its
+/// parameters estimated with the others.
+struct EffectOptions {
+  std::string name;  ///< e.g. "act_deadzone"
+  std::string
+      variant;  ///< where an effect has several, e.g. "per_experiment" or a covariate's name
+  std::map<std::string, double> parameters;  ///< start values; absent: from the data
+};
+
+/// How causes of what the simulation gets wrong are looked for.
+struct ExplanationOptions {
+  int max_causes = 4;             ///< named at most, 0 to 10
+  double acceptance = 6;          ///< [nats] that a cause must gain beyond its penalty, above 0
+  double validation_share = 0.3;  ///< of the experiments, kept out of the fit where no others are
+                                  ///< given to measure with, in (0, 0.9]
+  std::vector<std::string> exclude;  ///< names of the catalogue that are not considered
+  int after_experiments = 0;         ///< the node explains after each so many; 0 = never by itself
+
+  void validate() const;
+};
+
 /// Bounds on what is kept and accepted.
 struct LimitOptions {
   int max_experiments = 1000;  ///< the newest so many are identified from
@@ -181,6 +202,8 @@ struct Configuration {
   ErrorModelOptions error_model;
   EstimationOptions estimation;
   InitialOptions initial;
+  std::vector<EffectOptions> effects;  ///< extend the linear model
+  ExplanationOptions explanation;
   ResamplingOptions resampling;
   SignalOptions input{"", "actuator/command", "auto"};
   SignalOptions output{"", "sensor/measurement", "auto"};

@@ -64,6 +64,13 @@ void bind(Archive& archive, ErrorModelEstimate& model) {
 }
 
 template <class Archive>
+void bind(Archive& archive, EffectEstimate& effect) {
+  archive("name", effect.name);
+  archive("variant", effect.variant);
+  archive("parameters", effect.parameters);
+}
+
+template <class Archive>
 void bind(Archive& archive, TracePoint& point) {
   archive("iteration", point.iteration);
   archive("passes", point.passes);
@@ -114,6 +121,7 @@ void bind(Archive& archive, Estimate& estimate) {
   });
   archive("nominal_model", estimate.nominal_model);
   archive("error_model", estimate.error_model);
+  archive("effects", estimate.effects);
   archive("joint_covariance", estimate.joint_covariance);
   archive.section("noise_variance",
                   [&estimate](auto& section) { bindScalar(section, estimate.noise_variance); });

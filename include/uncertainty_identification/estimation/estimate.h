@@ -48,6 +48,12 @@ struct ErrorModelEstimate {
       parameters;  ///< weights, means, covariance entries with standard errors
 };
 
+/// An effect that extends the linear model, with its estimated parameters.
+struct EffectEstimate {
+  std::string name, variant;  ///< as in the configuration
+  std::vector<ParameterEstimate> parameters;
+};
+
 /// What the model says of one experiment it was fitted to.
 struct ExperimentEstimate {
   std::string id;
@@ -106,6 +112,7 @@ struct Estimate {
 
   NominalModelEstimate nominal_model;
   ErrorModelEstimate error_model;
+  std::vector<EffectEstimate> effects;
   /// Covariance of the plant's and the mixture's estimation errors in unbounded coordinates:
   /// [plantCoordinates(b, a); MixtureCoordinates]; where the error model varies parameters of Go,
   /// [NominalModel::toUnbounded(theta); MixtureCoordinates]. What bounds that count these errors in

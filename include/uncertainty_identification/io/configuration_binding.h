@@ -123,6 +123,22 @@ void bind(Archive& archive, BoundsOptions& options) {
 }
 
 template <class Archive>
+void bind(Archive& archive, EffectOptions& options) {
+  archive("name", options.name);
+  archive("variant", options.variant);
+  archive("parameters", options.parameters);
+}
+
+template <class Archive>
+void bind(Archive& archive, ExplanationOptions& options) {
+  archive("max_causes", options.max_causes);
+  archive("acceptance", options.acceptance);
+  archive("validation_share", options.validation_share);
+  archive("exclude", options.exclude);
+  archive("after_experiments", options.after_experiments);
+}
+
+template <class Archive>
 void bind(Archive& archive, LimitOptions& options) {
   archive("max_experiments", options.max_experiments);
   archive("max_samples", options.max_samples);
@@ -143,6 +159,8 @@ void bind(Archive& archive, Configuration& configuration) {
   archive("error_model", configuration.error_model);
   archive("estimation", configuration.estimation);
   archive("initial", configuration.initial);
+  archive("effects", configuration.effects);
+  archive("explanation", configuration.explanation);
   archive("resampling", configuration.resampling);
   signal("input", configuration.input);
   signal("output", configuration.output);
