@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "uncertainty_identification/edit_distance.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

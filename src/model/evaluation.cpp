@@ -1,4 +1,4 @@
-#include "evaluation.h"
+#include "uncertainty_identification/model/evaluation.h"
 
 #include "uncertainty_identification/model/filter.h"
 

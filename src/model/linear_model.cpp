@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "evaluation.h"
+#include "uncertainty_identification/model/evaluation.h"
 #include "fused_statistics.h"
 #include "uncertainty_identification/model/filter.h"
 #include "uncertainty_identification/model/polynomial.h"
@@ -81,10 +81,7 @@ class LinearEvaluation : public Evaluation {
     const Polynomials& p = polynomials();
     const VectorXd of_basis = basis_.denominator();
     const int na = static_cast<int>(p.a.size()), nb = static_cast<int>(p.b.size());
-    const int poles = static_cast<int>(of_basis.size());
-    const int zeros = poles > 0 ? poles : std::max(basis_.taps() - 1, 0);
-    const int directions =
-        std::min(std::max(na + poles, p.delay + nb - 1 + zeros), block().samples);
+    const int directions = freeResponseDirections(p, basis_, block().samples);
     Signals impulse = Signals::Zero(kLanes, block().samples), response_of_a, sensitivity, shifted;
     impulse.col(0).setOnes();
     filter(VectorXd::Ones(1), multiply(p.a, of_basis), 0, impulse, &response_of_a);
@@ -113,6 +110,13 @@ class LinearEvaluation : public Evaluation {
 };
 
 }  // namespace
+
+int freeResponseDirections(const Polynomials& go, const ErrorBasis& basis, int samples) {
+  const int na = static_cast<int>(go.a.size()), nb = static_cast<int>(go.b.size());
+  const int poles = static_cast<int>(basis.denominator().size());
+  const int zeros = poles > 0 ? poles : std::max(basis.taps() - 1, 0);
+  return std::min(std::max(na + poles, go.delay + nb - 1 + zeros), samples);
+}
 
 LinearModel::LinearModel(std::shared_ptr<const NominalModel> nominal, const ErrorBasis& basis,
                          const EstimationOptions& options)

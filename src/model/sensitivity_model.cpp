@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "evaluation.h"
+#include "uncertainty_identification/model/evaluation.h"
 #include "plant_derivatives.h"
 #include "uncertainty_identification/model/filter.h"
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <sstream>
 
+#include "uncertainty_identification/edit_distance.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/tree.h"
 

@@ -23,11 +23,11 @@ const std::vector<std::string> kCoreLibraries{"Eigen/", "unsupported/Eigen/", "b
 const std::vector<std::string> kIoLibraries{"yaml-cpp/", "nlohmann/", "boost/program_options"};
 
 /// Layers from the lowest; a file may include what is in its own or a lower one.
-const std::map<std::string, int> kLayers{{"data", 1},        {"model", 2},  {"estimation", 3},
-                                         {"simulation", 3},  {"bounds", 4}, {"detection", 5},
-                                         {"explanation", 5}, {"io", 7},     {"ros", 8},
-                                         {"nodes", 9},       {"tools", 10}};
-constexpr int kIdentifier = 6;
+const std::map<std::string, int> kLayers{
+    {"data", 1},       {"model", 2},  {"effects", 3},   {"estimation", 4},
+    {"simulation", 4}, {"bounds", 5}, {"detection", 6}, {"explanation", 8},
+    {"io", 9},         {"ros", 10},   {"nodes", 11},    {"tools", 12}};
+constexpr int kIdentifier = 7;
 constexpr int kSharedVocabulary = 0;  // configuration.h, errors.h, ...
 
 /// The layer of a path relative to include/<package>/ or src/.

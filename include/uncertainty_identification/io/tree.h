@@ -47,8 +47,4 @@ std::string pathOf(const std::string& parent, const std::string& key);
 /// "<parent>[<index>]".
 std::string pathOf(const std::string& parent, std::size_t index);
 
-/// Smallest number of insertions, deletions and replacements of characters that turn one text into
-/// the other.
-int editDistance(const std::string& from, const std::string& to);
-
 }  // namespace uncertainty_identification

@@ -8,6 +8,10 @@
 
 namespace uncertainty_identification {
 
+/// Number of directions that unknown past inputs and the initial state of Go (1 + GDelta) span,
+/// whatever eta, in a record of `samples`.
+int freeResponseDirections(const Polynomials& go, const ErrorBasis& basis, int samples);
+
 /// The paper's model (2), (13): y = Go (1 + GDelta(eta_r)) u + H omega with the nuisances of real
 /// records, an unknown initial state of Go, noise that was running before the first sample, missing
 /// outputs, an operating point. Parameters: theta of the nominal model, then `offset_y` or

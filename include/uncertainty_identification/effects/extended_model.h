@@ -1,0 +1,87 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "uncertainty_identification/effects/effect.h"
+#include "uncertainty_identification/model/linear_model.h"
+
+namespace uncertainty_identification {
+
+/// An effect with its parameters.
+struct SetEffect {
+  const Effect* effect;
+  Eigen::VectorXd psi;
+};
+
+/// The linear model extended by effects, in the physical order actuator, plant, sensor, noise.
+/// Parameters: those of the linear model, then the effects' in the order given. Nuisances (initial
+/// state, offset, missing outputs) as in the linear model. Derivatives by differences of the whole
+/// chain: effects compose without knowing of each other.
+class ExtendedModel : public LinearModel {
+ public:
+  /// `scales` chooses the steps of differences; `experiments` is M of the data set that blocks come
+  /// from. `points` as of linearisedAbout(); empty: about zero.
+  ExtendedModel(std::shared_ptr<const NominalModel> nominal, const ErrorBasis& basis,
+                const EstimationOptions& options, Effects effects, const DataSummary& scales,
+                int experiments, Eigen::MatrixXd points = {});
+
+  const Effects& effects() const { return effects_; }
+
+  /// Where effect k's parameters begin among all.
+  int offsetOf(std::size_t k) const { return offsets_[k]; }
+  Eigen::VectorXd psi(const Eigen::VectorXd& parameters, std::size_t k) const;
+
+  /// The same with other effects, of another data set, or linearised about other points.
+  std::unique_ptr<ExtendedModel> with(Effects effects) const;
+  std::unique_ptr<ExtendedModel> forExperiments(int experiments) const;
+
+  std::vector<std::string> names() const override;
+  void evaluate(const Block& block, const Eigen::VectorXd& parameters, bool derivatives,
+                Response* response) const override;
+  bool fusedStatistics(const Block& block, const Eigen::VectorXd& parameters, bool derivatives,
+                       Statistics* statistics) const override;
+  bool admissible(const Eigen::VectorXd& parameters) const override;
+  Eigen::VectorXd toUnbounded(const Eigen::VectorXd& parameters) const override;
+  Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& unbounded) const override;
+  Eigen::MatrixXd unboundedJacobian(const Eigen::VectorXd& unbounded) const override;
+
+  /// Points are xi (n rows), then the experiments' clock shifts [samples] where exp_clock is among
+  /// the effects.
+  bool isLocallyLinear() const override;
+  Eigen::MatrixXd points(const Eigen::VectorXd& parameters,
+                         const Eigen::MatrixXd& xi) const override;
+  std::unique_ptr<LinearModel> linearisedAbout(const Eigen::MatrixXd& points) const override;
+  std::unique_ptr<ExtendedModel> about(const Eigen::MatrixXd& points) const;
+  const Eigen::MatrixXd& currentPoints() const { return points_; }
+
+  /// What drives the linear part of the plant, once the actuator's effects and extra lags have
+  /// acted.
+  Signals drivingInput(const Block& block, const Eigen::VectorXd& parameters) const;
+
+  /// Free simulation of the measurement: what the chain makes of the input at given error
+  /// parameters of each experiment (n x M), from rest, with its regressors and random signals.
+  Chain simulated(const Block& block, const Eigen::VectorXd& parameters,
+                  const Eigen::MatrixXd& xi) const;
+
+  /// Value and the derivatives to the parameters listed only; the other derivatives stay empty.
+  void evaluate(const Block& block, const Eigen::VectorXd& parameters,
+                const std::vector<int>& derivatives, Response* response) const;
+
+ private:
+  std::vector<SetEffect> setEffects(const Eigen::VectorXd& parameters) const;
+  void value(const Block& block, const Eigen::VectorXd& parameters, Response* response) const;
+  Chain chain(const Block& block, const Eigen::VectorXd& parameters) const;
+  double step(const Eigen::VectorXd& parameters, int j) const;
+  Eigen::Index own() const;
+
+  Effects effects_;
+  DataSummary scales_;
+  int experiments_;
+  Eigen::MatrixXd points_;
+  std::vector<int> offsets_;
+  int count_ = 0;  ///< of all parameters
+};
+
+}  // namespace uncertainty_identification

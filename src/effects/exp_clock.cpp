@@ -1,0 +1,44 @@
+#include <cmath>
+
+#include "uncertainty_identification/effects/catalogue.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::VectorXd;
+
+/// Output taken tau_r later in each experiment, tau_r random: about the shift known so far, the
+/// rest as a random multiple of dx/dt.
+class ClockOffset : public Effect {
+ public:
+  ClockOffset()
+      : Effect({"exp_clock",
+                "",
+                "clocks of input and output that differ by experiment",
+                "Stamp command and measurement by one clock, or send a common trigger.",
+                {},
+                Stage::output,
+                ScreeningKind::likelihood,
+                {logVariance("deviation", "samples")},
+                values({0, 3, 6}),
+                true}) {}
+
+  void apply(const VectorXd& psi, Chain* chain) const override {
+    constexpr double kStep = 0.05;
+    const Signals expected = chain->expected();
+    Signals shift = Signals::Zero(kLanes, chain->x.cols());
+    shift.colwise() += chain->points.row(chain->regressors).transpose().array();
+    const Signals slope =
+        (interpolated(expected, shift + kStep) - interpolated(expected, shift - kStep)) /
+        (2 * kStep);
+    chain->x = interpolated(chain->x, shift) - slope * shift;
+    for (Signals& regressor : chain->X) regressor = interpolated(regressor, shift);
+    chain->random.push_back({slope, std::exp(psi[0])});
+  }
+};
+
+const EffectRegistration kRegistration(80, [](const DataSummary&) -> MadeEffects {
+  return {std::make_shared<ClockOffset>()};
+});
+}  // namespace
+}  // namespace uncertainty_identification

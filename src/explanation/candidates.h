@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "fit.h"
+#include "uncertainty_identification/estimation/worker_pool.h"
+
+namespace uncertainty_identification {
+
+/// An effect fitted on top of a base.
+struct FittedEffect {
+  std::shared_ptr<const Effect> effect;
+  Fit fit;
+  double penalty = 0;  ///< [nats]: BIC's, and the logarithm of the number of starts
+  double score = 0;    ///< [nats] gain of likelihood less the penalty
+};
+
+/// What fits share: options of a climb, the seed of the mixture's restarts, threads, and whether to
+/// go on.
+struct FitContext {
+  ClimbOptions options;
+  std::uint64_t seed = 1;
+  WorkerPool* pool = nullptr;
+  std::function<bool()> going_on;
+};
+
+/// To convergence, from new starts of theta and of the mixture too: what further iterations gain
+/// must not count for a candidate.
+Fit polished(Fit fit, const FitData& data, const FitContext& context);
+
+/// Zooming search along the parameters that the likelihood has no useful derivative to.
+Fit searched(Fit fit, const FitData& data, const FitContext& context);
+
+/// All effects of `effects` on top of `base`, best score first: screened, the promising ones
+/// fitted, the best to convergence.
+std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
+                                        const Effects& effects, const FitContext& context);
+
+/// One component more, if the mixture's likelihood ratio exceeds all of those simulated without it.
+FittedEffect oneMoreComponent(const Fit& base, const FitData& data,
+                              const std::shared_ptr<const Effect>& effect,
+                              const FitContext& context);
+
+/// Whether an effect is one of the mixture: about a nat per experiment, whatever their length.
+bool isOfMixture(const Effect& effect);
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,185 @@
+#include "measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "uncertainty_identification/model/filter.h"
+#include "uncertainty_identification/model/polynomial.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Mean and deviation of one experiment's output by each component, from rest.
+struct Prediction {
+  std::vector<double> weights;
+  std::vector<ArrayXd> means, deviations;
+};
+
+/// Variance of H omega from the start on, relative to sigma^2.
+ArrayXd noisePower(const Fit& fit, Index samples) {
+  const Polynomials p = fit.model->nominal().polynomials(
+      fit.at.parameters.head(fit.model->nominal().parameterCount()));
+  Signals impulse = Signals::Zero(kLanes, std::max<Index>(samples, 200)), response;
+  impulse.col(0).setOnes();
+  filter(withLeadingOne(p.c), p.d, 0, impulse, &response);
+  return ArrayXd::Constant(samples, response.row(0).square().sum());
+}
+
+Prediction predicted(const Fit& fit, const Chain& chain, int lane, const MatrixXd& about,
+                     const ArrayXd& noise) {
+  const Index samples = chain.block.lengths[static_cast<std::size_t>(lane)];
+  const Index n = about.rows();
+  const ArrayXd base = chain.x.row(lane).head(samples).transpose();
+  MatrixXd X(samples, n);
+  for (Index i = 0; i < n; ++i)
+    X.col(i) = chain.X[static_cast<std::size_t>(i)].row(lane).head(samples).transpose().matrix();
+  ArrayXd own = noise;
+  if (chain.deviation.size() > 0)
+    own *= chain.deviation.row(lane).head(samples).transpose().square();
+  for (const RandomSignal& random : chain.random)
+    own += random.variance * random.z.row(lane).head(samples).transpose().square();
+  own *= fit.at.noise_variance;
+  Prediction all;
+  if (n == 0) return {{1.0}, {base}, {own.sqrt()}};
+  all.weights = fit.at.mixture.weights;
+  for (std::size_t i = 0; i < all.weights.size(); ++i) {
+    all.means.push_back(base + (X * fit.at.mixture.means[i]).array());
+    const MatrixXd spread = X * fit.at.mixture.covariances[i];
+    all.deviations.push_back((own + spread.cwiseProduct(X).rowwise().sum().array()).sqrt());
+  }
+  return all;
+}
+
+double normal(double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); }
+
+MatrixXd meanErrors(const Fit& fit, int count) {
+  if (fit.at.mixture.components() == 0) return MatrixXd::Zero(0, count);
+  return fit.at.mixture.mean().replicate(1, count);
+}
+
+}  // namespace
+
+HeldOut heldOut(const Fit& fit, const FitData& data) {
+  HeldOut measured;
+  const Fit there = judged(fit, data);
+  measured.log_density = there.of_experiments.size() == data.count()
+                             ? there.of_experiments
+                             : VectorXd::Constant(data.count(), -1e300);
+  measured.noise_variance = fit.at.noise_variance;
+  const auto model = fit.model->forExperiments(data.count());
+  const MatrixXd about = meanErrors(fit, data.count());
+  double wrong = 0, sum = 0, squares = 0, count = 0, inside50 = 0, inside90 = 0, inside95 = 0;
+  for (const Block& block : data.blocks()) {
+    const Chain chain = model->simulated(block, fit.at.parameters, about);
+    const ArrayXd noise = noisePower(fit, block.samples);
+    for (int lane = 0; lane < block.lanes; ++lane) {
+      const int length = block.lengths[static_cast<std::size_t>(lane)];
+      const Prediction prediction = predicted(fit, chain, lane, about, noise.head(length));
+      for (int t = 0; t < length; ++t) {
+        if (block.weight(lane, t) == 0) continue;
+        const double y = block.y(lane, t);
+        double mean = 0, below = 0;
+        for (std::size_t i = 0; i < prediction.weights.size(); ++i) {
+          mean += prediction.weights[i] * prediction.means[i][t];
+          below += prediction.weights[i] *
+                   normal((y - prediction.means[i][t]) / prediction.deviations[i][t]);
+        }
+        const double level = std::abs(2 * below - 1);
+        inside50 += level <= 0.5;
+        inside90 += level <= 0.9;
+        inside95 += level <= 0.95;
+        wrong += (y - mean) * (y - mean);
+        sum += y;
+        squares += y * y;
+        ++count;
+      }
+    }
+  }
+  count = std::max(count, 1.0);
+  const double spread = squares - sum * sum / count;
+  measured.nrmse_fit_percent = 100 * (1 - std::sqrt(wrong / std::max(spread, 1e-300)));
+  measured.coverage_50 = inside50 / count;
+  measured.coverage_90 = inside90 / count;
+  measured.coverage_95 = inside95 / count;
+  return measured;
+}
+
+Gain gainOf(const HeldOut& before, const HeldOut& after, const VectorXd& added) {
+  const VectorXd difference = after.log_density - before.log_density + added;
+  const double count = static_cast<double>(difference.size());
+  Gain gain;
+  gain.log_density = difference.mean();
+  gain.standard_error = std::sqrt((difference.array() - gain.log_density).square().sum() /
+                                  std::max(1.0, count - 1) / count);
+  gain.nrmse_fit_percent = {before.nrmse_fit_percent, after.nrmse_fit_percent};
+  gain.coverage_50 = {before.coverage_50, after.coverage_50};
+  gain.coverage_90 = {before.coverage_90, after.coverage_90};
+  gain.coverage_95 = {before.coverage_95, after.coverage_95};
+  gain.noise_variance = {before.noise_variance, after.noise_variance};
+  gain.bode_area = {std::nan(""), std::nan("")};
+  return gain;
+}
+
+namespace {
+
+/// Simulated output of experiment r at its own error parameters, with its deviation.
+void draw(const Fit& fit, const FitData& data, int r, VectorXd* simulated, VectorXd* deviation) {
+  const Fit there = judged(fit, data);
+  if (!std::isfinite(there.log_likelihood)) return;
+  const Residuals residuals = residualsOf(there, data);
+  for (const Block& block : data.blocks()) {
+    for (int lane = 0; lane < block.lanes; ++lane) {
+      if (block.index[static_cast<std::size_t>(lane)] != r) continue;
+      const Index length = block.lengths[static_cast<std::size_t>(lane)];
+      const Chain chain = there.model->simulated(block, fit.at.parameters, there.xi);
+      *simulated = chain.expected().row(lane).head(length).transpose().matrix();
+      const auto offset = residuals.coefficients.rows() - static_cast<Index>(chain.random.size());
+      for (std::size_t k = 0; k < chain.random.size(); ++k)
+        *simulated += residuals.coefficients(offset + static_cast<Index>(k), r) *
+                      chain.random[k].z.row(lane).head(length).transpose().matrix();
+      ArrayXd power = noisePower(fit, length) * fit.at.noise_variance;
+      if (chain.deviation.size() > 0)
+        power *= chain.deviation.row(lane).head(length).transpose().square();
+      *deviation = power.sqrt().matrix();
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<ExperimentPicture> picturesOf(const Fit& before, const Fit& after,
+                                          const FitData& data) {
+  const Fit there = judged(before, data);
+  if (there.of_experiments.size() != data.count()) return {};
+  std::vector<int> order(static_cast<std::size_t>(data.count()));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int left, int right) {
+    return there.of_experiments[left] /
+               data.experiments()[static_cast<std::size_t>(left)].samples() <
+           there.of_experiments[right] /
+               data.experiments()[static_cast<std::size_t>(right)].samples();
+  });
+  std::vector<int> chosen{order.front()};
+  if (order.size() > 1) chosen.push_back(order[order.size() / 2]);
+  std::vector<ExperimentPicture> pictures;
+  for (const int r : chosen) {
+    const Experiment& experiment = data.experiments()[static_cast<std::size_t>(r)];
+    ExperimentPicture picture;
+    picture.id = experiment.id;
+    picture.sample_time = experiment.sample_time;
+    picture.input = experiment.u;
+    picture.measured = experiment.y;
+    draw(before, data, r, &picture.simulated_before, &picture.deviation_before);
+    draw(after, data, r, &picture.simulated_after, &picture.deviation_after);
+    pictures.push_back(std::move(picture));
+  }
+  return pictures;
+}
+
+}  // namespace uncertainty_identification

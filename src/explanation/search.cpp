@@ -1,0 +1,265 @@
+#include "search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bootstrap.h"
+#include "checks.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double kStrong = 15;  // [nats] of score: overruled only by a significant loss held out
+
+/// Names that exclude each other: with one in the model the other has nothing to say.
+const std::vector<std::pair<std::string, std::string>>& exclusions() {
+  static const std::vector<std::pair<std::string, std::string>> all{{"act_offset", "sens_bias"},
+                                                                    {"sens_clip", "sens_wiener"}};
+  return all;
+}
+
+bool contains(const std::vector<std::string>& list, const std::string& name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+/// The fit without effect k of its model, before it is fitted again.
+Fit without(const Fit& fit, std::size_t k, const FitData& data) {
+  Effects effects = fit.model->effects();
+  const Index first = fit.model->offsetOf(k), count = effects[k]->parameterCount();
+  effects.erase(effects.begin() + static_cast<std::ptrdiff_t>(k));
+  ModelParameters at = fit.at;
+  const Index after = at.parameters.size() - first - count;
+  at.parameters.segment(first, after) = at.parameters.tail(after).eval();
+  at.parameters.conservativeResize(at.parameters.size() - count);
+  return evaluated(fit.model->with(effects), at, data);
+}
+
+/// exp(score) over all candidates, and the names whose score is nearly the best.
+double confidenceOf(const FittedEffect& chosen, const std::vector<FittedEffect>& ranked) {
+  double sum = 0;
+  for (const FittedEffect& other : ranked)
+    sum += std::exp(std::min(other.score - chosen.score, 50.0));
+  return 1 / std::max(sum, 1.0);
+}
+
+std::vector<std::string> equivalentOf(const FittedEffect& chosen,
+                                      const std::vector<FittedEffect>& ranked) {
+  constexpr double kNear = 6;  // [nats]
+  std::vector<std::string> names = chosen.effect->description().equivalent;
+  for (const FittedEffect& other : ranked) {
+    const std::string& name = other.effect->name();
+    if (name != chosen.effect->name() && other.score > chosen.score - kNear &&
+        !contains(names, name))
+      names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace
+
+bool SearchState::has(const std::string& name) const {
+  return std::any_of(causes.begin(), causes.end(),
+                     [&](const FoundCause& cause) { return cause.effect->name() == name; });
+}
+
+Search::Search(const ExplanationOptions& options, FitContext context, Effects catalogue)
+    : options_(options), context_(std::move(context)), catalogue_(std::move(catalogue)) {}
+
+double Search::threshold(const Effect& effect) const {
+  constexpr double kOfMixture = 2.5;
+  return isOfMixture(effect) ? kOfMixture : options_.acceptance;
+}
+
+Effects Search::considered(const SearchState& state) const {
+  Effects effects;
+  for (const auto& effect : catalogue_) {
+    const std::string& name = effect->name();
+    bool wanted = effect->stage() != Stage::data && !contains(options_.exclude, name) &&
+                  !contains(state.banned, name) && !state.has(name);
+    for (const auto& [one, other] : exclusions())
+      wanted = wanted && !(name == one && state.has(other)) && !(name == other && state.has(one));
+    if (wanted) effects.push_back(effect);
+  }
+  return effects;
+}
+
+std::vector<FittedEffect> Search::rank(const SearchState& state) {
+  std::vector<FittedEffect> ranked =
+      fittedEffects(state.fit, state.train, considered(state), context_);
+  const auto outside = [&](const std::string& name) -> std::shared_ptr<const Effect> {
+    if (contains(options_.exclude, name) || contains(state.banned, name) || state.has(name))
+      return nullptr;
+    return findEffect(catalogue_, name, "");
+  };
+  if (const auto mode = outside("exp_mode"))
+    ranked.push_back(oneMoreComponent(state.fit, state.train, mode, context_));
+  const Tails tails = tailsOf(state.fit, state.train, residualsOf(state.fit, state.train));
+  const double each = 0.5 * std::log(state.train.samples());
+  const auto addTails = [&](const char* name, double gain, double parameters) {
+    const auto effect = outside(name);
+    const double penalty = parameters * each + 2;
+    if (effect) ranked.push_back({effect, state.fit, penalty, gain - penalty});
+  };
+  addTails("noise_tails", tails.student_gain, 1);
+  addTails("sens_outliers", std::max(tails.mixture_gain, tails.additive_gain), 2);
+  std::stable_sort(
+      ranked.begin(), ranked.end(),
+      [](const FittedEffect& left, const FittedEffect& right) { return left.score > right.score; });
+  return ranked;
+}
+
+bool Search::extend(SearchState* state, std::size_t skip) {
+  constexpr std::size_t kMostTried = 5;
+  const std::vector<FittedEffect> ranked = rank(*state);
+  for (const FittedEffect& candidate : ranked) {
+    if (tried_.size() < 40 && std::isfinite(candidate.score) && state->causes.empty())
+      tried_.push_back({candidate.effect->name(), candidate.effect->description().variant,
+                        candidate.score, std::nan(""), std::nan("")});
+  }
+  for (std::size_t k = skip; k < std::min(ranked.size(), skip + kMostTried); ++k) {
+    if (!context_.going_on()) return false;
+    if (ranked[k].score < threshold(*ranked[k].effect)) continue;
+    if (accept(state, ranked[k], ranked)) return true;
+  }
+  return false;
+}
+
+bool Search::acceptTails(SearchState* state, const FittedEffect& best) {
+  constexpr double kClustered = 1e-6;
+  const Residuals residuals = residualsOf(state->fit, state->train);
+  const Tails tails = tailsOf(state->fit, state->train, residuals);
+  if (tails.clustering < kClustered) {
+    state->banned.insert(state->banned.end(), {"noise_tails", "sens_outliers"});
+    return false;
+  }
+  const bool heavy = best.effect->name() == "noise_tails";
+  const TailLaw law = heavy ? TailLaw::student : TailLaw::mixture;
+  FoundCause cause{best.effect, best.score, best.penalty, 1, {}, {}, {}, {}};
+  const Fit there = judged(state->fit, state->held);
+  if (std::isfinite(there.log_likelihood)) {
+    const Residuals left = residualsOf(there, state->held);
+    const HeldOut before = heldOut(state->fit, state->held);
+    cause.gain = gainOf(before, before, tailGain(tails, law, left, state->held));
+    const Tails of_held = tailsOf(there, state->held, left);
+    state->held = FitData(withoutOutliers(state->held, left, of_held));
+  }
+  if (heavy) {
+    cause.parameters = {
+        {"degrees_of_freedom", "1", tails.degrees, std::nan(""), std::nan(""), std::nan("")}};
+  } else {
+    cause.parameters = {{"share", "1", tails.share, std::nan(""), std::nan(""), std::nan("")},
+                        {"ratio", "1", tails.ratio, std::nan(""), std::nan(""), std::nan("")}};
+  }
+  cause.equivalent = best.effect->description().equivalent;
+  state->train = FitData(withoutOutliers(state->train, residuals, tails));
+  state->fit =
+      polished(evaluated(state->fit.model, state->fit.at, state->train), state->train, context_);
+  if (cause.gain) cause.gain->noise_variance.after = state->fit.at.noise_variance;
+  state->causes.push_back(std::move(cause));
+  state->banned.insert(state->banned.end(), {"noise_tails", "sens_outliers"});
+  state->heavy_tails = true;
+  state->total += best.score;
+  return true;
+}
+
+bool Search::accept(SearchState* state, const FittedEffect& candidate,
+                    const std::vector<FittedEffect>& ranked) {
+  const std::string& name = candidate.effect->name();
+  if (name == "noise_tails" || name == "sens_outliers") return acceptTails(state, candidate);
+  if (name == "exp_mode" && !beatsSimulation(*state, candidate)) return false;
+  const Fit fit = name == "exp_mode"
+                      ? improved(candidate.fit, state->train, context_.options, 12, 0.01)
+                      : polished(candidate.fit, state->train, context_);
+  const Gain gain = gainOf(heldOut(state->fit, state->held), heldOut(fit, state->held),
+                           VectorXd::Zero(state->held.count()));
+  for (TriedEffect& tried : tried_) {
+    if (tried.name != name || !std::isnan(tried.held_out_gain)) continue;
+    tried.held_out_gain = gain.log_density;
+    tried.standard_error = gain.standard_error;
+  }
+  const double score = fit.log_likelihood - state->fit.log_likelihood - candidate.penalty;
+  const bool lenient = isOfMixture(*candidate.effect) || score > kStrong;
+  const double lowest = lenient ? -2 * gain.standard_error : 1.645 * gain.standard_error;
+  if (!(gain.log_density > lowest)) return false;
+  SearchState next = *state;
+  FoundCause cause{candidate.effect,
+                   score,
+                   candidate.penalty,
+                   confidenceOf(candidate, ranked),
+                   equivalentOf(candidate, ranked),
+                   gain,
+                   {},
+                   {}};
+  next.fit = fit;
+  next.causes.push_back(std::move(cause));
+  next.total += score;
+  if (name != "exp_mode") eliminate(&next);
+  const bool kept = next.has(name);
+  if (!kept) next.banned.push_back(name);
+  *state = std::move(next);
+  return kept;
+}
+
+/// Takes out again what is no longer needed, the newest included: it may only have helped theta out
+/// of a local optimum.
+void Search::eliminate(SearchState* state) {
+  for (std::size_t k = 0; k < state->causes.size();) {
+    const FoundCause& cause = state->causes[k];
+    const auto& effects = state->fit.model->effects();
+    const auto at = std::find(effects.begin(), effects.end(), cause.effect);
+    if (at == effects.end()) {
+      ++k;
+      continue;
+    }
+    const Fit reduced = polished(
+        improved(without(state->fit, static_cast<std::size_t>(at - effects.begin()), state->train),
+                 state->train, context_.options, 10, 0.05),
+        state->train, context_);
+    const double loss = state->fit.log_likelihood - reduced.log_likelihood;
+    if (!(loss < cause.penalty + threshold(*cause.effect))) {
+      ++k;
+      continue;
+    }
+    state->total -= cause.score;
+    state->fit = reduced;
+    state->causes.erase(state->causes.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+}
+
+bool Search::beatsSimulation(const SearchState& state, const FittedEffect& candidate) const {
+  const double ratio = candidate.fit.log_likelihood - state.fit.log_likelihood;
+  return exceedsSimulatedRatios(state.fit, state.train, context_, ratio);
+}
+
+SearchState Search::greedy(SearchState state, std::size_t first) {
+  const auto most = static_cast<std::size_t>(options_.max_causes);
+  if (state.causes.size() >= most || !extend(&state, first)) return state;
+  int attempts = 2 * options_.max_causes;
+  while (state.causes.size() < most && attempts-- > 0 && context_.going_on()) {
+    const std::size_t banned = state.banned.size();
+    if (!extend(&state, 0) && state.banned.size() == banned) break;
+  }
+  return state;
+}
+
+SearchState Search::run(const SearchState& base) {
+  constexpr std::size_t kFirst = 3;
+  SearchState best = greedy(base, 0);
+  const std::size_t signatures = base.causes.size();
+  const auto settled = [&](const SearchState& state) {
+    return state.causes.size() <= signatures + 1 &&
+           allPassed(checksOf(state.fit, state.train, state.heavy_tails));
+  };
+  if (best.causes.size() == signatures || settled(best)) return best;
+  for (std::size_t first = 1; first < kFirst && context_.going_on(); ++first) {
+    SearchState other = greedy(base, first);
+    if (other.total > best.total) best = std::move(other);
+  }
+  return best;
+}
+
+}  // namespace uncertainty_identification

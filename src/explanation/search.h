@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "candidates.h"
+#include "measure.h"
+#include "tails.h"
+#include "uncertainty_identification/effects/catalogue.h"
+#include "uncertainty_identification/explanation/explanation.h"
+
+namespace uncertainty_identification {
+
+/// A cause that was taken in, with the models before and after.
+struct FoundCause {
+  std::shared_ptr<const Effect> effect;
+  double score = 0, penalty = 0;
+  double confidence = 1;
+  std::vector<std::string> equivalent;
+  std::optional<Gain> gain;
+  std::vector<CauseParameter> parameters;  ///< of causes outside the chain
+  std::vector<std::string> tied;           ///< names with nearly the same score
+};
+
+/// Where a search stands: a model with causes taken in, and the data as far as they are not spoilt.
+struct SearchState {
+  Fit fit;
+  FitData train, held;
+  std::vector<FoundCause> causes;
+  std::vector<std::string> banned;
+  bool heavy_tails = false;
+  double total = 0;  ///< sum of the causes' scores
+
+  bool has(const std::string& name) const;
+};
+
+/// Looks for causes on top of a base fit: the loop of docs/explanation.md.
+class Search {
+ public:
+  Search(const ExplanationOptions& options, FitContext context, Effects catalogue);
+
+  /// The best set of causes: greedily, and where one cause does not settle the matter, from the
+  /// next best first causes too.
+  SearchState run(const SearchState& base);
+
+  const std::vector<TriedEffect>& tried() const { return tried_; }
+
+ private:
+  SearchState greedy(SearchState state, std::size_t first);
+  bool extend(SearchState* state, std::size_t skip);
+  std::vector<FittedEffect> rank(const SearchState& state);
+  bool accept(SearchState* state, const FittedEffect& candidate,
+              const std::vector<FittedEffect>& ranked);
+  bool acceptTails(SearchState* state, const FittedEffect& best);
+  void eliminate(SearchState* state);
+  Effects considered(const SearchState& state) const;
+  double threshold(const Effect& effect) const;
+  bool beatsSimulation(const SearchState& state, const FittedEffect& candidate) const;
+
+  ExplanationOptions options_;
+  FitContext context_;
+  Effects catalogue_;
+  std::vector<TriedEffect> tried_;
+};
+
+}  // namespace uncertainty_identification
