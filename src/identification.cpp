@@ -277,7 +277,8 @@ ClimbOptions Identification::climbOptions(const std::string& phase, double from,
 }
 
 bool Identification::report(const std::string& phase, double fraction, double log_likelihood) {
-  if (progress_ && !progress_({phase, fraction, log_likelihood})) cancelled_ = true;
+  fraction_ = std::max(fraction_, fraction);  // a part that is done again does not turn it back
+  if (progress_ && !progress_({phase, fraction_, log_likelihood})) cancelled_ = true;
   return !cancelled_;
 }
 

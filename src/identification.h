@@ -65,6 +65,7 @@ class Identification {
   ProgressCallback progress_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   bool cancelled_ = false;
+  double fraction_ = 0;        ///< reported last
   bool plant_only_ = false;    ///< nothing is asked for but Go
   bool choose_noise_ = false;  ///< the orders of C and D are still to be chosen
   double sample_time_ = 0;

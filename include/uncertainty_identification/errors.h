@@ -32,4 +32,10 @@ class FileError : public Error {
   using Error::Error;
 };
 
+/// Somebody asked for the end of what was being read. Only callers that pass such a wish meet it.
+class CancelledError : public Error {
+ public:
+  using Error::Error;
+};
+
 }  // namespace uncertainty_identification

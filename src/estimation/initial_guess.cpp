@@ -241,12 +241,15 @@ ModelParameters spreadComponents(const Likelihood& likelihood, const Statistics&
   constexpr int kIterations = 300;
   constexpr double kFewest = 2.0, kPenalty = 1e3;
   const Index n = statistics.regressors();
-  const MatrixXd points = latentMoments(likelihood.expect(statistics, single)).means;
+  const Expectation of_single = likelihood.expect(statistics, single);
+  const MatrixXd points = latentMoments(of_single).means;
   const MatrixXd pooled = single.mixture.covariances.front();
   std::mt19937_64 engine(seed);
   ModelParameters best = single;
   double highest = -std::numeric_limits<double>::infinity();
   for (int start = 0; start <= restarts; ++start) {
+    const double so_far = std::max(highest, of_single.total());
+    if (options.on_iterate && !options.on_iterate({start, likelihood.passes(), so_far})) break;
     const MatrixXd means =
         start == 0 ? evenlySpread(points, components) : drawn(points, components, &engine);
     ModelParameters at = single;

@@ -43,39 +43,53 @@ std::set<std::string> experimentTopics(const BagFile& bag) {
   return topics;
 }
 
-template <typename Receive>
-void readTopics(BagFile& bag, const std::set<std::string>& topics, const Receive& receive) {
-  bag.read([&](const BagConnection& connection) { return topics.count(connection.topic) > 0; },
-           [&](const BagMessage& message) {
-             const BagConnection& from = message.connection;
-             receive(from.topic, RawMessage{from.type, from.md5sum, from.definition, message.bytes,
-                                            message.time});
-           });
+void requireGoingOn(const KeepGoing& keep_going) {
+  if (keep_going && !keep_going()) throw CancelledError("reading was cancelled");
 }
 
-LoadedData readSignals(BagFile& bag, const Configuration& configuration) {
+template <typename Receive>
+void readTopics(BagFile& bag, const std::set<std::string>& topics, const KeepGoing& keep_going,
+                const Receive& receive) {
+  bag.read(
+      [&](const BagConnection& connection) {
+        requireGoingOn(keep_going);
+        return topics.count(connection.topic) > 0;
+      },
+      [&](const BagMessage& message) {
+        requireGoingOn(keep_going);
+        const BagConnection& from = message.connection;
+        receive(from.topic,
+                RawMessage{from.type, from.md5sum, from.definition, message.bytes, message.time});
+      });
+}
+
+LoadedData readSignals(BagFile& bag, const Configuration& configuration,
+                       const KeepGoing& keep_going) {
   TopicRouter router(configuration, inRootNamespace);
   std::set<std::string> topics;
   for (const auto& use : router.uses()) {
     requireTopic(bag, use.topic, use.key);
     topics.insert(use.topic);
   }
-  readTopics(bag, topics, [&](const std::string& topic, const RawMessage& message) {
+  readTopics(bag, topics, keep_going, [&](const std::string& topic, const RawMessage& message) {
     router.add(topic, message);
   });
   router.cutter().flush();
 
   LoadedData data;
   data.warnings = router.warnings();
-  for (const auto& recording : router.cutter().takeFinished())
+  for (const auto& recording : router.cutter().takeFinished()) {
+    requireGoingOn(keep_going);
     addResampled(recording, configuration.sample_time, configuration.resampling, data);
+  }
   for (auto& rejected : router.cutter().takeRejected()) data.rejected.push_back(rejected);
   return data;
 }
 
-LoadedData readExperiments(BagFile& bag, const std::set<std::string>& topics) {
+LoadedData readExperiments(BagFile& bag, const std::set<std::string>& topics,
+                           const KeepGoing& keep_going) {
   LoadedData data;
-  readTopics(bag, topics, [&](const std::string& topic, const RawMessage& message) {
+  readTopics(bag, topics, keep_going, [&](const std::string& topic, const RawMessage& message) {
     try {
       data.experiments.push_back(fromMessage(deserialise<messages::Experiment>(message)));
     } catch (const DataError& error) {
@@ -85,28 +99,29 @@ LoadedData readExperiments(BagFile& bag, const std::set<std::string>& topics) {
   return data;
 }
 
-LoadedData readFrom(BagFile& bag, const Configuration& configuration) {
+LoadedData readFrom(BagFile& bag, const Configuration& configuration, const KeepGoing& keep_going) {
   const auto& experiment = configuration.experiment;
   if (experiment.mode == ExperimentMode::message) {
     const std::string topic = inRootNamespace(experiment.topic);
     requireTopic(bag, topic, "experiment.topic");
-    return readExperiments(bag, {topic});
+    return readExperiments(bag, {topic}, keep_going);
   }
   const auto complete = experimentTopics(bag);
   if (!complete.empty() && !has(bag, inRootNamespace(configuration.input.topic)))
-    return readExperiments(bag, complete);
+    return readExperiments(bag, complete, keep_going);
   if (experiment.mode == ExperimentMode::service)
     throw ConfigurationError(
         "experiment.mode: service: a bag does not tell when the services were called; cut it by "
         "mode topic, duration or gap");
-  return readSignals(bag, configuration);
+  return readSignals(bag, configuration, keep_going);
 }
 
 }  // namespace
 
-LoadedData readBag(const std::string& path, const Configuration& configuration) {
+LoadedData readBag(const std::string& path, const Configuration& configuration,
+                   const KeepGoing& keep_going) {
   BagFile bag(path);
-  return readFrom(bag, configuration);
+  return readFrom(bag, configuration, keep_going);
 }
 
 }  // namespace uncertainty_identification

@@ -53,11 +53,16 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                  },
                  [this](bool running) { status_.setRunning(running); }}),
       identify_thread_(private_node),
-      query_thread_(private_node) {
+      query_thread_(private_node),
+      identify_bags_(private_node, "identify_bags",
+                     [this](const messages::IdentifyBagsGoal& goal, const ProgressCallback& go_on) {
+                       return answerIdentifyBags(goal, configuration_, go_on);
+                     }) {
   advertiseTriggers(private_node);
   advertiseRequests();
   identify_thread_.start();
   query_thread_.start();
+  identify_bags_.start();
   status_.publish();
 }
 
@@ -113,8 +118,8 @@ void IdentificationServer::advertiseRequests() {
   using messages::WriteReport;
   const boost::function<bool(Identify::Request&, Identify::Response&)> identify =
       [this](Identify::Request& request, Identify::Response& response) {
-        response =
-            answerIdentify(request, configuration_, [this] { return !stopping_ && ros::ok(); });
+        response = answerIdentify(request, configuration_,
+                                  [this](const Progress&) { return !stopping_ && ros::ok(); });
         return true;
       };
   const boost::function<bool(GetResult::Request&, GetResult::Response&)> get_result =

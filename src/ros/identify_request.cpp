@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
+#include <utility>
 
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/identifier.h"
@@ -28,7 +30,7 @@ Configuration configurationOf(const Request& request, const Configuration& own) 
 }
 
 LoadedData dataOf(const Request& request, const Configuration& configuration,
-                  const std::string& bag_directory) {
+                  const std::string& bag_directory, const ProgressCallback& progress) {
   LoadedData data;
   for (const auto& experiment : request.experiments) {
     try {
@@ -39,33 +41,37 @@ LoadedData dataOf(const Request& request, const Configuration& configuration,
   }
   std::vector<std::string> paths;
   for (const auto& name : request.bags) paths.push_back(resolveBagName(bag_directory, name));
-  if (!paths.empty()) append(loadData(paths, configuration), data);
+  const Progress reading{"reading bags", 0, std::numeric_limits<double>::quiet_NaN()};
+  if (!paths.empty())
+    append(loadData(paths, configuration, [&] { return progress(reading); }), data);
   return data;
 }
 
 Estimate estimateFrom(LoadedData data, const Configuration& configuration,
-                      const std::function<bool()>& keep_going) {
-  Estimate estimate =
-      Identifier(configuration).identify(data.experiments, {}, [&keep_going](const Progress&) {
-        return keep_going();
-      });
+                      const ProgressCallback& progress) {
+  Estimate estimate = Identifier(configuration).identify(data.experiments, {}, progress);
   std::move(data.rejected.begin(), data.rejected.end(), std::back_inserter(estimate.rejected));
   std::move(data.warnings.begin(), data.warnings.end(), std::back_inserter(estimate.warnings));
   return estimate;
 }
 
+std::uint8_t codeOf(const Estimate& estimate) {
+  if (estimate.termination == Termination::cancelled) return Response::CANCELLED;
+  return estimate.usable() ? Response::OK : Response::NOT_USABLE;
+}
+
 Response identify(const Request& request, const Configuration& own,
-                  const std::function<bool()>& keep_going) {
+                  const ProgressCallback& progress) {
   const Configuration configuration = configurationOf(request, own);
-  LoadedData data = dataOf(request, configuration, own.bag_directory);
+  LoadedData data = dataOf(request, configuration, own.bag_directory, progress);
   ResultContext context;
   context.stamp = ros::Time::now();
   context.window = timeWindow(data.experiments);
-  const Estimate estimate = estimateFrom(std::move(data), configuration, keep_going);
+  const Estimate estimate = estimateFrom(std::move(data), configuration, progress);
   Response response;
-  response.code = estimate.usable() ? Response::OK : Response::NOT_USABLE;
+  response.code = codeOf(estimate);
   response.message = estimate.message;
-  response.result = toMessage(estimate, context);
+  if (response.code != Response::CANCELLED) response.result = toMessage(estimate, context);
   return response;
 }
 
@@ -79,9 +85,9 @@ Response failure(std::uint8_t code, const std::string& message) {
 }  // namespace
 
 Response answerIdentify(const Request& request, const Configuration& own,
-                        const std::function<bool()>& keep_going) {
+                        const ProgressCallback& progress) {
   try {
-    return identify(request, own, keep_going);
+    return identify(request, own, progress);
   } catch (const RefusedError& error) {
     return failure(Response::REFUSED, error.what());
   } catch (const ConfigurationError& error) {
@@ -90,9 +96,25 @@ Response answerIdentify(const Request& request, const Configuration& own,
     return failure(Response::DATA_ERROR, error.what());
   } catch (const FileError& error) {
     return failure(Response::FILE_ERROR, error.what());
+  } catch (const CancelledError& error) {
+    return failure(Response::CANCELLED, error.what());
   } catch (const std::exception& error) {
     return failure(Response::INTERNAL_ERROR, std::string("internal error: ") + error.what());
   }
+}
+
+messages::IdentifyBagsResult answerIdentifyBags(const messages::IdentifyBagsGoal& goal,
+                                                const Configuration& own,
+                                                const ProgressCallback& progress) {
+  Request request;
+  request.bags = goal.bags;
+  request.configuration = goal.configuration;
+  Response response = answerIdentify(request, own, progress);
+  messages::IdentifyBagsResult result;
+  result.code = response.code;
+  result.message = std::move(response.message);
+  result.result = std::move(response.result);
+  return result;
 }
 
 }  // namespace uncertainty_identification

@@ -7,7 +7,6 @@
 
 #include "uncertainty_identification/data/csv.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/ros/bag_reader.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -36,8 +35,9 @@ std::vector<fs::path> filesOf(const std::string& path) {
   return files;
 }
 
-LoadedData readFile(const fs::path& file, const Configuration& configuration) {
-  if (file.extension() == ".bag") return readBag(file, configuration);
+LoadedData readFile(const fs::path& file, const Configuration& configuration,
+                    const KeepGoing& keep_going) {
+  if (file.extension() == ".bag") return readBag(file, configuration, keep_going);
   return readCsv(file, {configuration.sample_time, configuration.resampling, configuration.limits});
 }
 
@@ -64,10 +64,12 @@ void requireExperiments(const LoadedData& data) {
 
 }  // namespace
 
-LoadedData loadData(const std::vector<std::string>& paths, const Configuration& configuration) {
+LoadedData loadData(const std::vector<std::string>& paths, const Configuration& configuration,
+                    const KeepGoing& keep_going) {
   std::vector<std::pair<fs::path, LoadedData>> parts;
   for (const auto& path : paths)
-    for (const auto& file : filesOf(path)) parts.emplace_back(file, readFile(file, configuration));
+    for (const auto& file : filesOf(path))
+      parts.emplace_back(file, readFile(file, configuration, keep_going));
   nameApart(parts);
   LoadedData data;
   for (auto& part : parts) append(std::move(part.second), data);

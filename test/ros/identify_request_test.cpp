@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "support/example1.h"
 #include "support/temporary_folder.h"
@@ -26,7 +27,7 @@ class IdentifyRequestTest : public testing::Test {
   }
 
   Response answer(const Request& request) {
-    return answerIdentify(request, own_, [] { return true; });
+    return answerIdentify(request, own_, [](const Progress&) { return true; });
   }
 
   Request requestWith(const std::vector<Experiment>& experiments) {
@@ -109,11 +110,25 @@ TEST_F(IdentifyRequestTest, BadExperimentsAreListed) {
   EXPECT_EQ(rejected[0]["id"], request.experiments[2].id);
 }
 
-TEST_F(IdentifyRequestTest, CancelledIsNotUsable) {
-  const auto response =
-      answerIdentify(requestWith(example1Experiments(10)), own_, [] { return false; });
-  EXPECT_EQ(response.code, Response::NOT_USABLE) << response.message;
-  EXPECT_EQ(response.result.termination, messages::IdentificationResult::CANCELLED);
+TEST_F(IdentifyRequestTest, CancellingEndsReadingAndIdentifying) {
+  const auto request = requestWith(example1Experiments(10));
+  const auto response = answerIdentify(request, own_, [](const Progress&) { return false; });
+  EXPECT_EQ(response.code, Response::CANCELLED) << response.message;
+
+  writeBag(folder_ / "data.bag", example1Experiments(10));
+  messages::IdentifyBagsGoal goal;
+  goal.bags = {"data.bag"};
+  std::set<std::string> phases;
+  const auto until = [&](const std::string& last) {
+    return answerIdentifyBags(goal, own_, [&phases, last](const Progress& progress) {
+      phases.insert(progress.phase);
+      return progress.phase != last;
+    });
+  };
+  EXPECT_EQ(until("reading bags").code, messages::IdentifyBagsResult::CANCELLED);
+  EXPECT_EQ(phases, std::set<std::string>{"reading bags"});
+  EXPECT_EQ(until("climbing").code, messages::IdentifyBagsResult::CANCELLED);
+  EXPECT_EQ(until("").code, messages::IdentifyBagsResult::OK);
 }
 
 }  // namespace

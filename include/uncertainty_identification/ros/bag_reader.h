@@ -1,11 +1,16 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/loaded_data.h"
 
 namespace uncertainty_identification {
+
+/// Asked again and again while files are read; false ends the reading by CancelledError. Empty: go
+/// on.
+using KeepGoing = std::function<bool()>;
 
 /// Reads experiments from a rosbag, whatever its message types and compression; no roscore is
 /// needed.
@@ -21,6 +26,7 @@ namespace uncertainty_identification {
 /// ConfigurationError when a topic is not in the bag (the message lists those that are), a field is
 /// not in the messages (lists those that are), or the mode needs what a bag cannot tell. Broken
 /// messages and bad experiments are listed in the result.
-LoadedData readBag(const std::string& path, const Configuration& configuration);
+LoadedData readBag(const std::string& path, const Configuration& configuration,
+                   const KeepGoing& keep_going = {});
 
 }  // namespace uncertainty_identification

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "uncertainty_identification/configuration.h"
+#include "uncertainty_identification/ros/action_thread.h"
 #include "uncertainty_identification/ros/bounds_publisher.h"
 #include "uncertainty_identification/ros/experiment_recorder.h"
 #include "uncertainty_identification/ros/identification_worker.h"
@@ -23,8 +24,9 @@ namespace uncertainty_identification {
 /// (IdentificationWorker), results to topics (ResultPublisher, BoundsPublisher, StatusPublisher),
 /// and services.
 /// Topics and ~start_experiment, ~finish_experiment, ~discard_experiment, ~reset are served by the
-/// thread that spins; ~identify by one thread, ~get_result, ~list_experiments and ~sample_models by
-/// another, so that no request keeps a sample from being recorded, or another from being answered.
+/// thread that spins; ~identify by one thread, the action ~identify_bags by two, ~get_result,
+/// ~list_experiments and ~sample_models by another, so that no request keeps a sample from being
+/// recorded, or another from being answered.
 class IdentificationServer {
  public:
   /// Throws ConfigurationError when the configuration is not valid, or asks for a store.
@@ -55,6 +57,7 @@ class IdentificationServer {
   IdentificationWorker worker_;
   ExperimentRecorder recorder_;
   ServiceThread identify_thread_, query_thread_;
+  ActionThread<messages::IdentifyBagsAction> identify_bags_;
   std::vector<ros::ServiceServer> services_;
 };
 

@@ -1,6 +1,8 @@
 #pragma once
 
 // Everything that the generated headers include comes first, so that only they see the macro below.
+#include <actionlib_msgs/GoalID.h>
+#include <actionlib_msgs/GoalStatus.h>
 #include <ros/message_operations.h>
 #include <ros/service_traits.h>
 #include <ros/types.h>
@@ -26,6 +28,7 @@
 #include <uncertainty_identification/IdentificationResult.h>
 #include <uncertainty_identification/IdentificationStatus.h>
 #include <uncertainty_identification/Identify.h>
+#include <uncertainty_identification/IdentifyBagsAction.h>
 #include <uncertainty_identification/ListExperiments.h>
 #include <uncertainty_identification/NominalModel.h>
 #include <uncertainty_identification/Parameter.h>
