@@ -62,6 +62,32 @@ void ExperimentRecorder::subscribe(const std::string& topic) {
       topic, kQueueLength, [this, topic](const Event& event) { receive(topic, event); });
   options.transport_hints = ros::TransportHints().tcpNoDelay();
   subscribers_.push_back(node_.subscribe(options));
+  arrivals_[topic];
+}
+
+std::vector<TopicActivity> ExperimentRecorder::activity() {
+  std::vector<TopicActivity> activity;
+  if (router_) {
+    for (const auto& use : router_->uses()) {
+      activity.push_back({use.topic, use.key, use.role});
+      activity.back().left_out = use.left_out;
+    }
+  } else {
+    activity.push_back({arrivals_.begin()->first, "experiment.topic", TopicRole::marker});
+  }
+  const auto now = std::chrono::steady_clock::now();
+  for (auto& [topic, arrivals] : arrivals_) {
+    TopicActivity told;
+    arrivals.tell(now, told);
+    for (auto& each : activity) {
+      if (each.topic != topic) continue;
+      each.messages = told.messages;
+      each.rate = told.rate;
+      each.age = told.age;
+      each.interval = told.interval;
+    }
+  }
+  return activity;
 }
 
 void ExperimentRecorder::receive(const std::string& topic, const Event& event) {
@@ -70,6 +96,7 @@ void ExperimentRecorder::receive(const std::string& topic, const Event& event) {
   ros::serialization::OStream stream(buffer_.data(), static_cast<std::uint32_t>(buffer_.size()));
   message.write(stream);
   last_arrival_ = std::chrono::steady_clock::now();
+  arrivals_[topic].count(last_arrival_);
   try {
     record(topic, {message.getDataType(),
                    message.getMD5Sum(),

@@ -54,6 +54,9 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                  [this](bool running) { status_.setRunning(running); }}),
       identify_thread_(private_node),
       query_thread_(private_node),
+      diagnostics_(node, private_node,
+                   {[this] { return recorder_.activity(); }, [this] { return recorder_.running(); },
+                    [this] { return worker_.status(); }}),
       identify_bags_(private_node, "identify_bags",
                      [this](const messages::IdentifyBagsGoal& goal, const ProgressCallback& go_on) {
                        return answerIdentifyBags(goal, configuration_, go_on);

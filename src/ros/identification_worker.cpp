@@ -145,6 +145,7 @@ void IdentificationWorker::succeed(Estimate estimate, bool preliminary) {
     status_.termination = result->termination;
     status_.message = result->message;
     status_.seconds = result->seconds;
+    status_.iterations = result->iterations;
     unfit_ = result->rejected;
     listener_.result({result, preliminary, timeWindow(set_.experiments())});
   });

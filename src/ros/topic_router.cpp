@@ -12,32 +12,36 @@ namespace uncertainty_identification {
 
 TopicRouter::TopicRouter(const Configuration& configuration, const TopicResolver& resolve)
     : cutter_(configuration.experiment, configuration.limits) {
-  addRoute("input", configuration.input, resolve,
+  addRoute(TopicRole::input, "input", configuration.input, resolve,
            [this](StampedValue sample) { cutter_.addInput(sample.stamp, sample.value); });
-  addRoute("output", configuration.output, resolve,
+  addRoute(TopicRole::output, "output", configuration.output, resolve,
            [this](StampedValue sample) { cutter_.addOutput(sample.stamp, sample.value); });
   for (const auto& covariate : configuration.covariates) {
-    addRoute("covariate '" + covariate.name + "'", covariate, resolve,
+    addRoute(TopicRole::covariate, "covariate '" + covariate.name + "'", covariate, resolve,
              [this, name = covariate.name](StampedValue sample) {
                cutter_.addCovariate(name, sample.stamp, sample.value);
              });
   }
   if (configuration.experiment.mode == ExperimentMode::topic)
     marker_topic_ = resolve(configuration.experiment.topic);
-  marker_count_ = {"experiment.topic", marker_topic_, 0, ""};
+  marker_count_ = {"experiment.topic", marker_topic_, TopicRole::marker, 0, ""};
 }
 
-void TopicRouter::addRoute(const std::string& key, const SignalOptions& signal,
+void TopicRouter::addRoute(TopicRole role, const std::string& key, const SignalOptions& signal,
                            const TopicResolver& resolve,
                            std::function<void(StampedValue)> deliver) {
   const std::string topic = resolve(signal.topic);
-  routes_.push_back({SignalDecoder(topic, signal.field), std::move(deliver), {key, topic, 0, ""}});
+  routes_.push_back(
+      {SignalDecoder(topic, signal.field), std::move(deliver), {key, topic, role, 0, ""}});
 }
 
 std::vector<TopicRouter::Use> TopicRouter::uses() const {
   std::vector<Use> uses;
-  for (const auto& route : routes_) uses.push_back({route.count.topic, route.count.key});
-  if (!marker_topic_.empty()) uses.push_back({marker_topic_, "experiment.topic"});
+  const auto add = [&uses](const Count& count) {
+    uses.push_back({count.topic, count.key, count.role, count.left_out});
+  };
+  for (const auto& route : routes_) add(route.count);
+  if (!marker_topic_.empty()) add(marker_count_);
   return uses;
 }
 
@@ -48,6 +52,9 @@ void TopicRouter::add(const std::string& topic, const RawMessage& message) {
       route.deliver(route.decoder.decode(message));
     } catch (const DataError& error) {
       countLeftOut(route.count, error.what());
+    } catch (const ConfigurationError&) {
+      ++route.count.left_out;
+      throw;
     }
   }
   if (!marker_topic_.empty() && topic == marker_topic_) addMarker(message);
@@ -68,11 +75,15 @@ void TopicRouter::addMarker(const RawMessage& message) {
     }
   } catch (const DataError& error) {
     countLeftOut(marker_count_, error.what());
+  } catch (const ConfigurationError&) {
+    ++marker_count_.left_out;
+    throw;
   }
 }
 
 void TopicRouter::countLeftOut(Count& count, const std::string& reason) {
-  if (count.left_out++ > 0) return;
+  ++count.left_out;
+  if (!count.reason.empty()) return;
   count.reason = reason;
   problems_.push_back(count.key + ": a message of topic '" + count.topic +
                       "' was left out because " + reason);

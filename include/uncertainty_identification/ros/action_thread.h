@@ -21,10 +21,10 @@ namespace uncertainty_identification {
 
 /// Answers an action whose result has the codes OK and CANCELLED, and whose feedback is a Progress.
 /// Goals are worked on in a thread
-/// of its own, one at a time: a new one preempts the one that runs, and those that wait. Who cancels
-/// is answered at once; the work ends when it asks next whether to go on. A goal
-/// succeeds when its result's code is OK, is told as preempted for CANCELLED, and else as aborted;
-/// the result says more in each case.
+/// of its own, one at a time: a new one preempts the one that runs, and those that wait. Who
+/// cancels is answered at once; the work ends when it asks next whether to go on. A goal succeeds
+/// when its result's code is OK, is told as preempted for CANCELLED, and else as aborted; the
+/// result says more in each case.
 ///
 /// Written on ActionServer because SimpleActionServer::isPreemptRequested() is a race when another
 /// thread asks.
@@ -33,8 +33,8 @@ class ActionThread {
  public:
   ACTION_DEFINITION(Action)
 
-  /// Carries a goal out; the callback publishes feedback and tells to leave the goal, by false. Must
-  /// not throw.
+  /// Carries a goal out; the callback publishes feedback and tells to leave the goal, by false.
+  /// Must not throw.
   using Work = std::function<Result(const Goal&, const ProgressCallback&)>;
 
   ActionThread(const ros::NodeHandle& node, const std::string& name, Work work)

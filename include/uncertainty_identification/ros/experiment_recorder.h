@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -46,6 +47,12 @@ class ExperimentRecorder {
   bool finish();
   bool discard();
 
+  /// Whether an experiment is being recorded.
+  bool running() const { return running_; }
+
+  /// What has arrived on the topics, one entry for each purpose; rates are since the last call.
+  std::vector<TopicActivity> activity();
+
   /// Forgets everything recorded so far, as after a start of the node.
   void reset();
 
@@ -64,7 +71,8 @@ class ExperimentRecorder {
   Configuration configuration_;
   Listener listener_;
   Patience patience_;
-  std::unique_ptr<TopicRouter> router_;  // none in mode message
+  std::unique_ptr<TopicRouter> router_;             // none in mode message
+  std::map<std::string, ArrivalCounter> arrivals_;  // by topic
   std::vector<ros::Subscriber> subscribers_;
   ros::WallTimer silence_timer_;
   std::chrono::steady_clock::time_point last_arrival_;

@@ -13,6 +13,7 @@
 #include "uncertainty_identification/ros/experiment_recorder.h"
 #include "uncertainty_identification/ros/identification_worker.h"
 #include "uncertainty_identification/ros/messages.h"
+#include "uncertainty_identification/ros/node_diagnostics.h"
 #include "uncertainty_identification/ros/report_writer.h"
 #include "uncertainty_identification/ros/result_publisher.h"
 #include "uncertainty_identification/ros/service_thread.h"
@@ -57,6 +58,7 @@ class IdentificationServer {
   IdentificationWorker worker_;
   ExperimentRecorder recorder_;
   ServiceThread identify_thread_, query_thread_;
+  NodeDiagnostics diagnostics_;
   ActionThread<messages::IdentifyBagsAction> identify_bags_;
   std::vector<ros::ServiceServer> services_;
 };

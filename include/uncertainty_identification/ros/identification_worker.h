@@ -36,6 +36,7 @@ struct WorkerStatus {
   std::string last_id;  ///< of the newest one
   int queue = 0;        ///< experiments that wait
   double seconds = 0;   ///< [s] wall time of the last identification
+  int iterations = 0;   ///< that it took
 };
 
 /// Identifies in a thread of its own each time experiments finish, taking all that wait at once.

@@ -7,6 +7,7 @@
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/experiment_cutter.h"
 #include "uncertainty_identification/ros/signal_decoder.h"
+#include "uncertainty_identification/ros/topic_activity.h"
 
 namespace uncertainty_identification {
 
@@ -27,6 +28,8 @@ class TopicRouter {
   /// What a topic is read for, in words, e.g. "input.topic".
   struct Use {
     std::string topic, key;
+    TopicRole role;
+    long left_out;  ///< messages, so far
   };
 
   /// The topics to listen to; one that serves several purposes is listed for each.
@@ -52,6 +55,7 @@ class TopicRouter {
  private:
   struct Count {
     std::string key, topic;
+    TopicRole role;
     long left_out = 0;
     std::string reason;  // of the first
   };
@@ -61,8 +65,8 @@ class TopicRouter {
     Count count;
   };
 
-  void addRoute(const std::string& key, const SignalOptions& signal, const TopicResolver& resolve,
-                std::function<void(StampedValue)> deliver);
+  void addRoute(TopicRole role, const std::string& key, const SignalOptions& signal,
+                const TopicResolver& resolve, std::function<void(StampedValue)> deliver);
   void addMarker(const RawMessage& message);
   void countLeftOut(Count& count, const std::string& reason);
 

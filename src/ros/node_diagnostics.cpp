@@ -1,0 +1,104 @@
+#include "uncertainty_identification/ros/node_diagnostics.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace uncertainty_identification {
+namespace {
+
+using Level = diagnostic_msgs::DiagnosticStatus;
+using Status = diagnostic_updater::DiagnosticStatusWrapper;
+
+constexpr double kShortestSilence = 2;   // [s]
+constexpr double kMissedIntervals = 3;   // after which a topic counts as silent
+constexpr int kLongQueue = 10;           // experiments that wait
+
+bool isSilent(const TopicActivity& topic) {
+  return topic.role != TopicRole::marker && topic.messages > 0 &&
+         topic.age > std::max(kShortestSilence, kMissedIntervals * topic.interval);
+}
+
+bool isMissing(const TopicActivity& topic) {
+  return topic.role != TopicRole::marker && topic.messages == 0;
+}
+
+unsigned char levelOfMissing(TopicRole role, bool experiment_runs) {
+  if (role == TopicRole::covariate) return Level::WARN;
+  return experiment_runs ? Level::ERROR : Level::STALE;
+}
+
+unsigned char levelOfSilence(TopicRole role, bool experiment_runs) {
+  return role == TopicRole::output && experiment_runs ? Level::ERROR : Level::WARN;
+}
+
+std::string nameOf(const TopicActivity& topic) { return topic.key + " (" + topic.topic + ")"; }
+
+void summarise(const TopicActivity& topic, bool experiment_runs, Status& status) {
+  if (isMissing(topic)) {
+    status.mergeSummary(levelOfMissing(topic.role, experiment_runs),
+                        "nothing has arrived on " + nameOf(topic) +
+                                   "; check that it is published and that its name is right");
+  } else if (isSilent(topic)) {
+    status.mergeSummaryf(levelOfSilence(topic.role, experiment_runs), "silence on %s for %.1f s",
+                         nameOf(topic).c_str(), topic.age);
+  }
+  if (topic.left_out > 0) {
+    status.mergeSummaryf(Level::WARN, "%ld messages of %s were left out", topic.left_out,
+                         nameOf(topic).c_str());
+  }
+}
+
+}  // namespace
+
+void diagnoseSignals(const std::vector<TopicActivity>& topics, bool experiment_runs,
+                     Status& status) {
+  status.summary(Level::OK, "");
+  for (const auto& topic : topics) {
+    summarise(topic, experiment_runs, status);
+    status.addf(topic.key + " rate [Hz]", "%.4g", topic.rate);
+    status.addf(topic.key + " age [s]", "%.3g", topic.age);
+    status.add(topic.key + " messages", topic.messages);
+    status.add(topic.key + " left out", topic.left_out);
+  }
+  if (status.level == Level::OK)
+    status.message = experiment_runs ? "an experiment is being recorded" : "signals arrive";
+}
+
+void diagnoseIdentification(const WorkerStatus& worker, Status& status) {
+  if (worker.failed) {
+    status.summary(Level::ERROR, worker.message);
+  } else if (worker.termination == Termination::not_run) {
+    status.summary(Level::STALE, worker.message);
+  } else if (worker.termination != Termination::converged) {
+    status.summary(Level::WARN, worker.message);
+  } else {
+    status.summary(Level::OK, worker.message);
+  }
+  if (worker.queue > kLongQueue)
+    status.mergeSummaryf(Level::WARN, "%d experiments wait; they come faster than they can be "
+                         "identified from", worker.queue);
+  status.add("termination", toString(worker.termination));
+  status.addf("seconds [s]", "%.3g", worker.seconds);
+  status.add("iterations", worker.iterations);
+  status.add("queue", worker.queue);
+  status.add("identifying", worker.busy);
+  status.add("experiments", worker.stored);
+  status.add("last experiment", worker.last_id);
+}
+
+NodeDiagnostics::NodeDiagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                                 Sources sources)
+    : sources_(std::move(sources)), updater_(node, private_node) {
+  updater_.setHardwareID("none");
+  updater_.add("signals", [this](Status& status) {
+    diagnoseSignals(sources_.topics(), sources_.experiment_runs(), status);
+  });
+  updater_.add("identification",
+               [this](Status& status) { diagnoseIdentification(sources_.worker(), status); });
+  timer_ = ros::NodeHandle(node).createWallTimer(
+      ros::WallDuration(updater_.getPeriod()),
+      [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,117 @@
+// What /diagnostics tells of the node, from its start to a failed experiment.
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <gtest/gtest.h>
+#include <std_srvs/Trigger.h>
+
+#include <map>
+
+#include "support/example1.h"
+#include "support/node_client.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Level = diagnostic_msgs::DiagnosticStatus;
+
+class DiagnosticsTest : public testing::Test {
+ protected:
+  DiagnosticsTest() {
+    subscriber_ = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
+        "/diagnostics", 100, [this](const diagnostic_msgs::DiagnosticArray::ConstPtr& array) {
+          const std::lock_guard<std::mutex> lock(mutex_);
+          for (const auto& status : array->status) statuses_[status.name] = status;
+        });
+  }
+
+  void SetUp() override {
+    ASSERT_TRUE(client_.waitForNode());
+    ASSERT_TRUE(waitFor([this] {
+      return command_.getNumSubscribers() > 0 && measurement_.getNumSubscribers() > 0;
+    }));
+  }
+
+  Level part(const std::string& name) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return statuses_["identification: " + name];
+  }
+
+  // Waits for the level of a part of the node; `act` happens in between.
+  template <typename Act>
+  bool reaches(const std::string& name, unsigned char level, const Act& act) {
+    return waitFor([&] {
+      act();
+      const Level status = part(name);
+      return !status.name.empty() && status.level == level;
+    });
+  }
+
+  bool reaches(const std::string& name, unsigned char level) {
+    return reaches(name, level, [] {});
+  }
+
+  bool trigger(const std::string& name) {
+    return client_.call<std_srvs::Trigger>(name).success != 0;
+  }
+
+  void publish(double u, double y) {
+    messages::Sample sample;
+    sample.header.stamp = ros::Time::now();
+    sample.value = u;
+    command_.publish(sample);
+    sample.value = y;
+    measurement_.publish(sample);
+  }
+
+  void record(const Experiment& experiment) {
+    ASSERT_TRUE(trigger("start_experiment"));
+    const ros::Time begin = ros::Time::now();
+    for (int k = 0; k < experiment.samples(); ++k) {
+      ros::Time::sleepUntil(begin + ros::Duration(k * experiment.sample_time));
+      publish(experiment.u[k], experiment.y[k]);
+    }
+    ASSERT_TRUE(trigger("finish_experiment"));
+  }
+
+  NodeClient client_;
+  ros::NodeHandle node_;
+  std::mutex mutex_;
+  std::map<std::string, Level> statuses_;  // by name
+  ros::Subscriber subscriber_;
+  ros::Publisher command_ = node_.advertise<messages::Sample>("/actuator/command", 1000);
+  ros::Publisher measurement_ = node_.advertise<messages::Sample>("/sensor/measurement", 1000);
+};
+
+TEST_F(DiagnosticsTest, FollowTheNode) {
+  EXPECT_TRUE(reaches("signals", Level::STALE));
+  EXPECT_TRUE(reaches("identification", Level::STALE));
+
+  EXPECT_TRUE(reaches("signals", Level::OK, [this] { publish(0, 0); })) << part("signals").message;
+  EXPECT_TRUE(reaches("signals", Level::WARN)) << "silence";
+  ASSERT_TRUE(trigger("start_experiment"));
+  EXPECT_TRUE(reaches("signals", Level::ERROR)) << "silence while an experiment runs";
+  ASSERT_TRUE(trigger("discard_experiment"));
+  EXPECT_TRUE(reaches("signals", Level::OK, [this] { publish(0, 0); }));
+
+  for (const auto& experiment : example1Experiments(4)) record(experiment);
+  EXPECT_TRUE(reaches("identification", Level::OK)) << part("identification").message;
+  EXPECT_EQ(part("identification").values.at(0).key, "termination");
+  EXPECT_EQ(part("identification").values.at(0).value, "converged");
+
+  Experiment constant = example1Experiments(1).front();
+  constant.u.setZero();
+  ASSERT_TRUE(trigger("reset"));
+  EXPECT_TRUE(reaches("identification", Level::STALE));
+  record(constant);
+  EXPECT_TRUE(reaches("identification", Level::ERROR)) << part("identification").message;
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "diagnostics_test");
+  ros::NodeHandle node;
+  return RUN_ALL_TESTS();
+}

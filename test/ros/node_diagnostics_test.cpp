@@ -1,0 +1,121 @@
+#include "uncertainty_identification/ros/node_diagnostics.h"
+
+#include <gtest/gtest.h>
+
+namespace uncertainty_identification {
+namespace {
+
+using Level = diagnostic_msgs::DiagnosticStatus;
+using Status = diagnostic_updater::DiagnosticStatusWrapper;
+
+TopicActivity flowing(TopicRole role, const std::string& key) {
+  return {"/" + key, key, role, 1000, 0, 100.0, 0.01, 0.01};
+}
+
+std::vector<TopicActivity> flowing() {
+  return {flowing(TopicRole::input, "input"), flowing(TopicRole::output, "output"),
+          flowing(TopicRole::covariate, "temperature"), {"/active", "experiment.topic"}};
+}
+
+Status signals(const std::vector<TopicActivity>& topics, bool experiment_runs) {
+  Status status;
+  diagnoseSignals(topics, experiment_runs, status);
+  return status;
+}
+
+int level(const std::vector<TopicActivity>& topics, bool experiment_runs) {
+  return signals(topics, experiment_runs).level;
+}
+
+std::string valueOf(const Status& status, const std::string& key) {
+  for (const auto& value : status.values)
+    if (value.key == key) return value.value;
+  return "no " + key;
+}
+
+TEST(DiagnoseSignals, OkWhereAllArrives) {
+  EXPECT_EQ(level(flowing(), false), Level::OK);
+  const Status status = signals(flowing(), true);
+  EXPECT_EQ(status.level, Level::OK);
+  EXPECT_EQ(valueOf(status, "input rate [Hz]"), "100");
+  EXPECT_EQ(valueOf(status, "output age [s]"), "0.01");
+}
+
+TEST(DiagnoseSignals, StaleBeforeTheFirstMessageAndAnErrorInAnExperiment) {
+  for (const std::size_t signal : {0U, 1U}) {
+    auto topics = flowing();
+    topics[signal].messages = 0;
+    EXPECT_EQ(level(topics, false), Level::STALE);
+    EXPECT_EQ(level(topics, true), Level::ERROR);
+    EXPECT_NE(signals(topics, true).message.find(topics[signal].topic), std::string::npos);
+  }
+}
+
+TEST(DiagnoseSignals, SilenceIsToldAfterThreeIntervals) {
+  auto topics = flowing();
+  topics[1].age = 2.1;
+  EXPECT_EQ(level(topics, false), Level::WARN);
+  EXPECT_EQ(level(topics, true), Level::ERROR);
+  topics[1].interval = 1;  // a sensor of 1 Hz
+  EXPECT_EQ(level(topics, true), Level::OK);
+  topics[1].age = 3.1;
+  EXPECT_EQ(level(topics, true), Level::ERROR);
+}
+
+TEST(DiagnoseSignals, AHeldInputAndAMissingCovariateAreWarnings) {
+  auto topics = flowing();
+  topics[0].age = 60;
+  EXPECT_EQ(level(topics, true), Level::WARN);
+  topics = flowing();
+  topics[2].messages = 0;
+  EXPECT_EQ(level(topics, true), Level::WARN);
+}
+
+TEST(DiagnoseSignals, MessagesLeftOutAreAWarning) {
+  auto topics = flowing();
+  topics[1].left_out = 3;
+  const Status status = signals(topics, false);
+  EXPECT_EQ(status.level, Level::WARN);
+  EXPECT_NE(status.message.find("3 messages of output (/output)"), std::string::npos)
+      << status.message;
+}
+
+TEST(DiagnoseIdentification, EachLevel) {
+  const auto level = [](const WorkerStatus& worker) {
+    Status status;
+    diagnoseIdentification(worker, status);
+    return static_cast<int>(status.level);
+  };
+  WorkerStatus worker;
+  EXPECT_EQ(level(worker), Level::STALE);
+  worker.termination = Termination::converged;
+  EXPECT_EQ(level(worker), Level::OK);
+  worker.queue = 11;
+  EXPECT_EQ(level(worker), Level::WARN);
+  worker.queue = 0;
+  worker.termination = Termination::iteration_limit;
+  EXPECT_EQ(level(worker), Level::WARN);
+  worker.failed = true;
+  EXPECT_EQ(level(worker), Level::ERROR);
+}
+
+TEST(ArrivalCounter, GivesRatesSinceTheLastCallAndSmoothedIntervals) {
+  using std::chrono::milliseconds;
+  ArrivalCounter counter;
+  auto now = ArrivalCounter::Clock::now();
+  TopicActivity activity;
+  counter.tell(now, activity);
+  EXPECT_EQ(activity.messages, 0);
+  EXPECT_TRUE(std::isinf(activity.age));
+  for (int k = 0; k < 100; ++k) counter.count(now += milliseconds(10));
+  counter.tell(now += milliseconds(1000), activity);
+  EXPECT_EQ(activity.messages, 100);
+  EXPECT_NEAR(activity.rate, 50, 1e-6);
+  EXPECT_NEAR(activity.age, 1, 1e-9);
+  EXPECT_NEAR(activity.interval, 0.01, 1e-9);
+  counter.tell(now += milliseconds(1000), activity);
+  EXPECT_EQ(activity.rate, 0);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
