@@ -194,6 +194,11 @@ void ExplanationOptions::validate() const {
                std::numeric_limits<int>::max());
 }
 
+void FullIdentificationOptions::validate() const {
+  require(share >= 0 && share <= 1, "full_identification.share", share, "0 to 1");
+  requireNotNegative("full_identification.quiet", quiet);
+}
+
 void LimitOptions::validate() const {
   constexpr int kMost = std::numeric_limits<int>::max();
   requireRange("limits.max_experiments", max_experiments, 1, kMost);
@@ -212,6 +217,7 @@ void Configuration::validate() const {
   initial.validate();
   explanation.validate();
   resampling.validate();
+  full_identification.validate();
   bounds.validate();
   require(!report_each_result || !report_directory.empty(), "report_each_result", "true",
           "false, as long as report_directory is empty");

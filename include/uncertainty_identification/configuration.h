@@ -185,6 +185,15 @@ struct ExplanationOptions {
   void validate() const;
 };
 
+/// When a running node identifies from scratch. Otherwise it starts from the result before, which
+/// is quick but stays at a local optimum.
+struct FullIdentificationOptions {
+  double share = 0.1;  ///< of the experiments that are new since the last one, 0 to 1; 0 = always
+  double quiet = 1;  ///< [s] without a new experiment after which it comes anyway; 0 = it does not
+
+  void validate() const;
+};
+
 /// Bounds on what is kept and accepted.
 struct LimitOptions {
   int max_experiments = 1000;  ///< the newest so many are identified from
@@ -209,6 +218,7 @@ struct Configuration {
   SignalOptions output{"", "sensor/measurement", "auto"};
   std::vector<SignalOptions> covariates;
   ExperimentOptions experiment;
+  FullIdentificationOptions full_identification;
   BoundsOptions bounds;
   LimitOptions limits;
   std::string bag_directory;  ///< folder that bag names in requests resolve in; empty = such names

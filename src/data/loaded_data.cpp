@@ -12,12 +12,12 @@ namespace {
 /// Relative difference below which two fitted sample times are the same one, but for jitter.
 constexpr double kSameRate = 0.02;
 
-/// Resamples at the sample time of the first experiment if the recording has the same rate.
-Experiment resampleAlike(const Recording& recording, const std::vector<Experiment>& others,
+/// Resamples at the sample time of the first experiment, 0 where there is none, if the recording
+/// has the same rate.
+Experiment resampleAlike(const Recording& recording, double common,
                          const ResamplingOptions& options, ResamplingReport& report) {
   Experiment experiment = resample(recording, 0, options, &report);
-  if (others.empty()) return experiment;
-  const double common = others.front().sample_time, own = experiment.sample_time;
+  const double own = experiment.sample_time;
   if (own == common || std::abs(own - common) > kSameRate * common) return experiment;
   return resample(recording, common, options, &report);
 }
@@ -30,12 +30,12 @@ void moveInto(std::vector<T>& from, std::vector<T>& to) {
 }  // namespace
 
 void addResampled(const Recording& recording, double sample_time, const ResamplingOptions& options,
-                  LoadedData& data) {
+                  LoadedData& data, double first) {
   try {
     ResamplingReport report;
-    data.experiments.push_back(sample_time > 0
-                                   ? resample(recording, sample_time, options, &report)
-                                   : resampleAlike(recording, data.experiments, options, report));
+    if (first == 0 && !data.experiments.empty()) first = data.experiments.front().sample_time;
+    data.experiments.push_back(sample_time > 0 ? resample(recording, sample_time, options, &report)
+                                               : resampleAlike(recording, first, options, report));
     for (std::string& warning : report.warnings()) data.warnings.push_back(std::move(warning));
     if (!recording.note.empty()) {
       data.warnings.push_back("experiment '" + recording.id + "': " + recording.note);

@@ -8,17 +8,18 @@ namespace uncertainty_identification {
 namespace {
 
 template <typename Item>
-void keepNewest(std::vector<Item>& items, int count) {
+void keepNewestOf(std::vector<Item>& items, int count) {
   const auto excess = static_cast<std::ptrdiff_t>(items.size()) - std::max(1, count);
   if (excess > 0) items.erase(items.begin(), items.begin() + excess);
 }
 
 }  // namespace
 
-TimeWindow timeWindow(const std::vector<Experiment>& experiments) {
+ExperimentWindow windowOf(const std::vector<Experiment>& experiments) {
   if (experiments.empty()) return {};
-  TimeWindow window{std::numeric_limits<double>::infinity(),
-                    -std::numeric_limits<double>::infinity()};
+  ExperimentWindow window{static_cast<int>(experiments.size()), experiments.front().id,
+                          experiments.back().id, std::numeric_limits<double>::infinity(),
+                          -std::numeric_limits<double>::infinity()};
   for (const auto& experiment : experiments) {
     const double duration = std::max(0, experiment.samples() - 1) * experiment.sample_time;
     window.start = std::min(window.start, experiment.start_time);
@@ -27,20 +28,68 @@ TimeWindow timeWindow(const std::vector<Experiment>& experiments) {
   return window;
 }
 
-void ExperimentSet::add(LoadedData data) {
+void ExperimentSet::restore(std::vector<KeptExperiment> kept,
+                            std::vector<RejectedExperiment> rejected, std::uint64_t last) {
+  kept_.clear();
+  for (auto& experiment : kept) {
+    const std::string id = freeId(experiment.experiment->id);
+    if (id != experiment.experiment->id) {  // it had left the set when another one got its id
+      Experiment renamed = *experiment.experiment;
+      renamed.id = id;
+      experiment.experiment = std::make_shared<const Experiment>(std::move(renamed));
+    }
+    kept_.push_back(std::move(experiment));
+  }
+  rejected_ = std::move(rejected);
+  last_number_ = last;
+  keepNewest();
+}
+
+std::vector<KeptExperiment> ExperimentSet::add(LoadedData data) {
+  std::vector<KeptExperiment> added;
   for (auto& experiment : data.experiments) {
     experiment.id = freeId(experiment.id);
-    experiments_.push_back(std::move(experiment));
+    kept_.push_back({++last_number_, std::make_shared<const Experiment>(std::move(experiment))});
+    added.push_back(kept_.back());
   }
   for (auto& rejected : data.rejected) rejected_.push_back(std::move(rejected));
-  keepNewest(experiments_, limits_.max_experiments);
-  keepNewest(rejected_, limits_.max_experiments);
+  keepNewest();
+  return added;
+}
+
+std::optional<std::uint64_t> ExperimentSet::reject(const std::string& id,
+                                                   const std::string& reason) {
+  const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const KeptExperiment& kept) {
+    return kept.experiment->id == id;
+  });
+  if (found == kept_.end()) return std::nullopt;
+  const std::uint64_t number = found->number;
+  kept_.erase(found);
+  rejected_.push_back({id, reason});
+  keepNewest();
+  return number;
+}
+
+void ExperimentSet::clear() {
+  kept_.clear();
+  rejected_.clear();
+}
+
+void ExperimentSet::setLimits(const LimitOptions& limits) {
+  limits_ = limits;
+  keepNewest();
+}
+
+void ExperimentSet::keepNewest() {
+  keepNewestOf(kept_, limits_.max_experiments);
+  keepNewestOf(rejected_, limits_.max_experiments);
 }
 
 std::string ExperimentSet::freeId(const std::string& id) const {
   const auto taken = [this](const std::string& candidate) {
-    return std::any_of(experiments_.begin(), experiments_.end(),
-                       [&](const Experiment& experiment) { return experiment.id == candidate; });
+    return std::any_of(kept_.begin(), kept_.end(), [&](const KeptExperiment& kept) {
+      return kept.experiment->id == candidate;
+    });
   };
   std::string candidate = id;
   for (int number = 2; taken(candidate); ++number) candidate = id + "_" + std::to_string(number);
@@ -49,9 +98,11 @@ std::string ExperimentSet::freeId(const std::string& id) const {
 
 std::vector<ExperimentDigest> ExperimentSet::digests() const {
   std::vector<ExperimentDigest> digests;
-  for (const auto& experiment : experiments_)
+  for (const auto& kept : kept_) {
+    const Experiment& experiment = *kept.experiment;
     digests.push_back({experiment.id, experiment.start_time, experiment.sample_time,
                        experiment.validSamples(), ""});
+  }
   for (const auto& rejected : rejected_) digests.push_back({rejected.id, 0, 0, 0, rejected.reason});
   return digests;
 }

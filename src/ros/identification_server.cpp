@@ -44,6 +44,7 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
       worker_(configuration, {[this](const WorkerResult& result) {
                                 bounds_.add(result.estimate, results_.publish(result));
                               },
+                              [](const KeptExperiment&) {}, [](const RejectedExperiment&) {},
                               [this] { status_.publish(); }, warn}),
       recorder_(node, private_node, configuration,
                 {[this](FinishedExperiment experiment) { worker_.add(std::move(experiment)); },

@@ -1,159 +1,145 @@
 #include "uncertainty_identification/ros/identification_worker.h"
 
+#include <chrono>
+#include <sstream>
 #include <utility>
 
 #include "uncertainty_identification/errors.h"
 
+/// The thread that identifies; identification_worker_state.cpp has what others ask of the worker.
 namespace uncertainty_identification {
+namespace {
+
+constexpr double kSameOptimum = 0.01;  // [nat] what tolerances leave open
+
+/// Whether the log-likelihoods of two estimates can be compared: same data, same parameters.
+bool comparable(const Estimate& one, const Estimate& other) {
+  const auto sameSize = [](const auto& a, const auto& b) { return a.size() == b.size(); };
+  return one.data_fingerprint == other.data_fingerprint &&
+         one.nominal_model.structure == other.nominal_model.structure &&
+         one.nominal_model.delay == other.nominal_model.delay &&
+         sameSize(one.nominal_model.parameters, other.nominal_model.parameters) &&
+         sameSize(one.error_model.parameters, other.error_model.parameters);
+}
+
+std::string foundBetter(const Estimate& before, const Estimate& after) {
+  std::ostringstream text;
+  text << "identifying from scratch found a better optimum than the results before rested on: "
+          "log-likelihood "
+       << after.log_likelihood << " instead of " << before.log_likelihood;
+  return text.str();
+}
+
+}  // namespace
+
 IdentificationWorker::IdentificationWorker(const Configuration& configuration, Listener listener)
-    : configuration_(configuration),
-      identifier_(configuration),
-      listener_(std::move(listener)),
+    : listener_(std::move(listener)),
+      full_(configuration.full_identification),
+      identifier_(std::make_shared<const Identifier>(configuration)),
       set_(configuration.limits),
+      intake_(configuration, [this](LoadedData data) { receive(std::move(data)); }),
       thread_([this] { run(); }) {}
 
-IdentificationWorker::~IdentificationWorker() {
-  stopping_ = true;
-  queue_.close();
-  thread_.join();
-}
-
-void IdentificationWorker::add(FinishedExperiment experiment) {
-  queue_.push({resets_, std::move(experiment)});
-  listener_.changed();
-}
-
-void IdentificationWorker::reset() {
-  change([this] {
-    ++resets_;
-    queue_.clear();
-    const bool busy = status_.busy;  // until the worker notices that it is to stop
-    status_ = {};
-    status_.busy = busy;
-    status_.message = "reset; no experiment has finished since";
-    unfit_.clear();
-  });
-}
-
-WorkerStatus IdentificationWorker::status() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  WorkerStatus status = status_;
-  status.queue = static_cast<int>(queue_.size());
-  status.busy = status.busy || status.queue > 0;
-  return status;
-}
-
-std::vector<ExperimentDigest> IdentificationWorker::experiments() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (resets_ != resets_seen_) return {};
-  auto digests = set_.digests();
-  for (const auto& unfit : unfit_)
-    for (auto& digest : digests)
-      if (digest.id == unfit.id && digest.rejected.empty()) digest.rejected = unfit.reason;
-  return digests;
-}
-
-template <typename Change>
-void IdentificationWorker::change(const Change& change) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    change();
-  }
-  listener_.changed();
-}
-
-bool IdentificationWorker::wanted(bool interruptible) const {
-  return !stopping_ && resets_ == resets_seen_ && !(interruptible && queue_.size() > 0);
+bool IdentificationWorker::wanted(const WorkerSnapshot& at, bool interruptible) const {
+  return !stopping_ && resets_ == at.resets && !(interruptible && version_ != at.version);
 }
 
 void IdentificationWorker::run() {
-  for (auto items = queue_.takeAll(); !items.empty(); items = queue_.takeAll()) {
-    absorb(std::move(items));
-    update();
+  for (Work work; takeWork(work);) {
+    if (!work.at.experiments.empty()) update(work);
     change([this] { status_.busy = false; });
   }
 }
 
-LoadedData IdentificationWorker::load(std::vector<Item> items, unsigned resets) const {
-  LoadedData data;
-  for (auto& item : items) {
-    if (item.resets != resets) continue;
-    if (auto* recording = std::get_if<Recording>(&item.experiment)) {
-      addResampled(*recording, configuration_.sample_time, configuration_.resampling, data);
-    } else if (auto* experiment = std::get_if<Experiment>(&item.experiment)) {
-      data.experiments.push_back(std::move(*experiment));
-    } else {
-      data.rejected.push_back(std::get<RejectedExperiment>(std::move(item.experiment)));
-    }
-  }
-  return data;
+bool IdentificationWorker::fullIsDue() const {
+  const auto fresh = static_cast<double>(seen_ - identified_in_full_);
+  return last_ == nullptr || fresh >= full_.share * static_cast<double>(set_.kept().size());
 }
 
-void IdentificationWorker::absorb(std::vector<Item> items) {
-  const unsigned resets = resets_;
-  LoadedData data = load(std::move(items), resets);
-  for (const auto& warning : data.warnings) listener_.warning(warning);
-  for (const auto& rejected : data.rejected) listener_.warning(rejected.reason);
-  change([&] {
-    if (resets_ != resets_seen_) {
-      resets_seen_ = resets_;
-      last_.reset();
-      set_ = ExperimentSet(configuration_.limits);
-    }
-    if (resets_ != resets) return;
-    status_.failed = !data.rejected.empty();
-    if (status_.failed) status_.message = data.rejected.back().reason;
-    set_.add(std::move(data));
-    status_.busy = true;
-    status_.stored = static_cast<int>(set_.experiments().size());
-    status_.last_id = set_.experiments().empty() ? "" : set_.experiments().back().id;
-  });
+/// Whether a full identification is to come if no experiment does.
+bool IdentificationWorker::fullFollows() const {
+  return last_ != nullptr && full_.quiet > 0 && seen_ != identified_in_full_;
 }
 
-void IdentificationWorker::update() {
-  if (set_.experiments().empty()) return;
-  if (last_) identify(true);
-  if (wanted(true)) identify(false);
+/// Waits until experiments came, or did not for so long that all are identified from in full.
+bool IdentificationWorker::takeWork(Work& work) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  const auto changed = [this] { return stopping_ || version_ != seen_; };
+  bool quiet = false;
+  if (fullFollows())
+    quiet = !wake_.wait_for(lock, std::chrono::duration<double>(full_.quiet), changed);
+  else
+    wake_.wait(lock, changed);
+  if (stopping_) return false;
+  seen_ = version_;
+  waiting_ = 0;
+  status_.busy = true;
+  work = {identifier_, snapshotLocked(), last_, last_ != nullptr && !quiet, quiet || fullIsDue(),
+          quiet};
+  return true;
 }
 
-void IdentificationWorker::identify(bool preliminary) {
+void IdentificationWorker::update(Work& work) {
+  const bool done = work.quick && identify(true, work);
+  if (done && !work.full) return;
+  if (!wanted(work.at, work.interruptible)) return;
+  identify(false, work);
+  if (wanted(work.at, work.interruptible)) change([&] { identified_in_full_ = work.at.version; });
+}
+
+/// Whether it gave a usable result.
+bool IdentificationWorker::identify(bool preliminary, Work& work) {
   try {
-    Estimate result = estimate(preliminary);
-    if (result.usable()) return succeed(std::move(result), preliminary);
+    Estimate result = estimate(preliminary, work);
+    if (result.usable()) {
+      succeed(std::move(result), preliminary, work);
+      return true;
+    }
     if (result.termination != Termination::cancelled)
-      fail("no usable model was found: " + result.message, result.termination);
+      fail("no usable model was found: " + result.message, result.termination, work);
   } catch (const Error& error) {
-    fail(error.what(), Termination::not_run);
+    fail(error.what(), Termination::not_run, work);
   } catch (const std::exception& error) {
-    fail(std::string("internal error: ") + error.what(), Termination::not_run);
+    fail(std::string("internal error: ") + error.what(), Termination::not_run, work);
   }
+  return false;
 }
 
-Estimate IdentificationWorker::estimate(bool preliminary) {
-  const bool interruptible = !preliminary && last_ != nullptr;
-  const auto progress = [this, interruptible](const Progress&) { return wanted(interruptible); };
-  return preliminary ? identifier_.reidentify(*last_, set_.experiments(), progress)
-                     : identifier_.identify(set_.experiments(), {}, progress);
+Estimate IdentificationWorker::estimate(bool preliminary, const Work& work) {
+  const bool interruptible = !preliminary && work.interruptible;
+  const auto progress = [&](const Progress&) { return wanted(work.at, interruptible); };
+  return preliminary ? work.identifier->reidentify(*work.last, work.at.experiments, progress)
+                     : work.identifier->identify(work.at.experiments, {}, progress);
 }
 
-void IdentificationWorker::succeed(Estimate estimate, bool preliminary) {
-  const auto result = std::make_shared<const Estimate>(std::move(estimate));
+void IdentificationWorker::succeed(Estimate estimate, bool preliminary, Work& work) {
+  if (!preliminary && work.last != nullptr && comparable(*work.last, estimate)) {
+    const double gain = estimate.log_likelihood - work.last->log_likelihood;
+    if (gain > kSameOptimum) {
+      estimate.warnings.push_back(foundBetter(*work.last, estimate));
+      listener_.warning(estimate.warnings.back());
+    } else if (gain < -kSameOptimum) {
+      estimate = *work.last;
+    }
+  }
+  work.last = std::make_shared<const Estimate>(std::move(estimate));
   change([&] {
-    if (!wanted(false)) return;
-    last_ = result;
+    if (!wanted(work.at, false)) return;
+    last_ = work.last;
     status_.failed = false;
-    status_.termination = result->termination;
-    status_.message = result->message;
-    status_.seconds = result->seconds;
-    status_.iterations = result->iterations;
-    unfit_ = result->rejected;
-    listener_.result({result, preliminary, timeWindow(set_.experiments())});
+    status_.termination = last_->termination;
+    status_.message = last_->message;
+    status_.seconds = last_->seconds;
+    status_.iterations = last_->iterations;
+    unfit_ = last_->rejected;
+    listener_.result({last_, preliminary, windowOf(work.at.experiments)});
   });
 }
 
-void IdentificationWorker::fail(const std::string& message, Termination termination) {
+void IdentificationWorker::fail(const std::string& message, Termination termination,
+                                const Work& work) {
   change([&] {
-    if (!wanted(false)) return;
+    if (!wanted(work.at, false)) return;
     status_.failed = true;
     status_.termination = termination;
     status_.message = message;

@@ -66,7 +66,7 @@ Response identify(const Request& request, const Configuration& own,
   LoadedData data = dataOf(request, configuration, own.bag_directory, progress);
   ResultContext context;
   context.stamp = ros::Time::now();
-  context.window = timeWindow(data.experiments);
+  context.window = windowOf(data.experiments);
   const Estimate estimate = estimateFrom(std::move(data), configuration, progress);
   Response response;
   response.code = codeOf(estimate);

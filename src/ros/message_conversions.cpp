@@ -151,6 +151,9 @@ messages::IdentificationResult toMessage(const Estimate& estimate, const ResultC
   message.nominal_model = toNominalModelMessage(estimate, context);
   message.error_model = toErrorModelMessage(estimate, context);
   message.experiment_count = static_cast<std::uint32_t>(estimate.experiment_count);
+  message.window_count = static_cast<std::uint32_t>(context.window.count);
+  message.window_first = context.window.first_id;
+  message.window_last = context.window.last_id;
   message.window_start = toStamp(context.window.start, "the first experiment's start");
   message.window_end = toStamp(context.window.end, "the last experiment's end");
   message.fingerprint = estimate.data_fingerprint;

@@ -37,6 +37,19 @@ TEST(ExperimentSet, IdsDiffer) {
   EXPECT_EQ(idsOf(set), (Ids{"a", "a_2", "a_3"}));
 }
 
+TEST(ExperimentSet, NumbersRiseWhateverIsTakenOut) {
+  ExperimentSet set{LimitOptions()};
+  const auto shared = std::make_shared<const Experiment>(makeExperiment("a", 0));
+  set.restore({{7, shared}}, {{"x", "why"}}, 9);
+  EXPECT_EQ(set.add({{makeExperiment("b", 1)}, {}, {}}).front().number, 10U);
+  EXPECT_EQ(set.reject("a", "the rig was touched"), 7U);
+  EXPECT_FALSE(set.reject("a", "again"));
+  EXPECT_EQ(idsOf(set), (Ids{"b", "x", "a"}));
+  set.clear();
+  EXPECT_TRUE(set.digests().empty());
+  EXPECT_EQ(set.add({{makeExperiment("b", 1)}, {}, {}}).front().number, 11U);
+}
+
 TEST(ExperimentSet, ListsTheRejectedOnesWithTheirReasons) {
   ExperimentSet set{LimitOptions()};
   set.add({{makeExperiment("a", 3)}, {{"b", "too short"}}, {}});
@@ -47,11 +60,14 @@ TEST(ExperimentSet, ListsTheRejectedOnesWithTheirReasons) {
   EXPECT_EQ(digests[1].rejected, "too short");
 }
 
-TEST(TimeWindow, SpansAllExperiments) {
-  const auto window = timeWindow({makeExperiment("a", 5), makeExperiment("b", 2, 101)});
+TEST(ExperimentWindow, SpansAllExperiments) {
+  const auto window = windowOf({makeExperiment("a", 5), makeExperiment("b", 2, 101)});
+  EXPECT_EQ(window.count, 2);
+  EXPECT_EQ(window.first_id, "a");
+  EXPECT_EQ(window.last_id, "b");
   EXPECT_EQ(window.start, 2);
   EXPECT_DOUBLE_EQ(window.end, 12);
-  EXPECT_EQ(timeWindow({}).end, 0);
+  EXPECT_EQ(windowOf({}).end, 0);
 }
 
 }  // namespace

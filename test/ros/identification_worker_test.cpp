@@ -19,7 +19,11 @@ class Fixture {
                                  const std::lock_guard<std::mutex> lock(mutex_);
                                  results_.push_back(result);
                                },
-                               [this] { ++changes; },
+                               [this](const KeptExperiment& experiment) {
+                                 const std::lock_guard<std::mutex> lock(mutex_);
+                                 kept_.push_back(experiment);
+                               },
+                               [](const RejectedExperiment&) {}, [this] { ++changes; },
                                [this](const std::string& warning) {
                                  const std::lock_guard<std::mutex> lock(mutex_);
                                  warnings_.push_back(warning);
@@ -28,6 +32,11 @@ class Fixture {
   std::vector<WorkerResult> results() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return results_;
+  }
+
+  std::vector<KeptExperiment> kept() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return kept_;
   }
 
   std::vector<std::string> warnings() const {
@@ -42,6 +51,7 @@ class Fixture {
  private:
   mutable std::mutex mutex_;
   std::vector<WorkerResult> results_;
+  std::vector<KeptExperiment> kept_;
   std::vector<std::string> warnings_;
 
  public:
@@ -76,6 +86,30 @@ TEST(IdentificationWorker, LastResultIsThatOfIdentifyingAllAtOnce) {
   EXPECT_GT(std::count_if(results.begin(), results.end(),
                           [](const WorkerResult& result) { return result.preliminary; }),
             0);
+}
+
+// The share of a full identification is that of the experiments that are new since the last one.
+TEST(IdentificationWorker, ANewExperimentOutOfAHundredCostsFewPasses) {
+  constexpr int kMostPasses = 15;
+  Configuration configuration = example1Configuration();
+  configuration.full_identification.quiet = 0;
+  const auto experiments = example1Experiments(112);
+  Fixture fixture(configuration);
+  for (int k = 0; k < 100; ++k) fixture.worker.add(experiments[static_cast<std::size_t>(k)]);
+  ASSERT_TRUE(fixture.waitUntilIdle());
+  for (std::size_t k = 100; k < experiments.size(); ++k) {
+    const std::size_t before = fixture.results().size();
+    fixture.worker.add(experiments[k]);
+    ASSERT_TRUE(waitFor([&] { return fixture.results().size() > before; }));
+    const WorkerResult quick = fixture.results()[before];
+    EXPECT_TRUE(quick.preliminary);
+    EXPECT_EQ(quick.estimate->termination, Termination::converged);
+    EXPECT_EQ(quick.estimate->experiment_count, static_cast<int>(k) + 1);
+    EXPECT_LE(quick.estimate->trace.back().passes, kMostPasses) << "before the standard errors";
+    ASSERT_TRUE(fixture.waitUntilIdle());
+  }
+  const auto results = fixture.results();
+  EXPECT_FALSE(results.back().preliminary) << "more than a tenth of the experiments are new";
 }
 
 TEST(IdentificationWorker, StatusTellsWhatIsStored) {

@@ -19,9 +19,10 @@ struct LoadedData {
 
 /// Resamples a recording and adds it to `data`: to the experiments, or to the rejected ones with
 /// the reason. With sample_time 0, a recording of the same rate as the first experiment (within two
-/// per cent, which jitter leaves open) gets its sample time, another one keeps its own.
+/// per cent, which jitter leaves open) gets its sample time, another one keeps its own. `first` is
+/// the sample time [s] of the first experiment where that is not in `data`; 0: it is.
 void addResampled(const Recording& recording, double sample_time, const ResamplingOptions& options,
-                  LoadedData& data);
+                  LoadedData& data, double first = 0);
 
 /// Adds everything of `more` to `data`, in order.
 void append(LoadedData more, LoadedData& data);

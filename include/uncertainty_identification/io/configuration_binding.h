@@ -139,6 +139,12 @@ void bind(Archive& archive, ExplanationOptions& options) {
 }
 
 template <class Archive>
+void bind(Archive& archive, FullIdentificationOptions& options) {
+  archive("share", options.share);
+  archive("quiet", options.quiet);
+}
+
+template <class Archive>
 void bind(Archive& archive, LimitOptions& options) {
   archive("max_experiments", options.max_experiments);
   archive("max_samples", options.max_samples);
@@ -166,6 +172,7 @@ void bind(Archive& archive, Configuration& configuration) {
   signal("output", configuration.output);
   archive("covariates", configuration.covariates);
   archive("experiment", configuration.experiment);
+  archive("full_identification", configuration.full_identification);
   archive("bounds", configuration.bounds);
   archive("limits", configuration.limits);
   archive("bag_directory", configuration.bag_directory);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,24 +21,45 @@ struct ExperimentDigest {
   std::string rejected;    ///< why it is not used; empty: it is
 };
 
-/// From the first sample of the earliest experiment to the last sample of the latest one.
-struct TimeWindow {
+/// The experiments that a result was asked of: how many, the first and the last of them, and from
+/// the first sample of the earliest one to the last sample of the latest one.
+struct ExperimentWindow {
+  int count = 0;
+  std::string first_id, last_id;
   double start = 0, end = 0;  ///< [s]
 };
 
-/// Both 0 without experiments.
-TimeWindow timeWindow(const std::vector<Experiment>& experiments);
+/// All 0 and empty without experiments.
+ExperimentWindow windowOf(const std::vector<Experiment>& experiments);
+
+/// An experiment under a number that no other one of the node has, rising in order of arrival.
+struct KeptExperiment {
+  std::uint64_t number = 0;
+  std::shared_ptr<const Experiment> experiment;
+};
 
 /// The experiments that a node identifies from: the newest max_experiments, under ids that differ.
 class ExperimentSet {
  public:
   explicit ExperimentSet(const LimitOptions& limits) : limits_(limits) {}
 
-  /// Adds what was read, in order. An id already there gets a number: "run", "run_2", ... Of the
-  /// rejected ones the newest max_experiments are remembered.
-  void add(LoadedData data);
+  /// Takes up what was kept before, numbered already; numbers given from now on are above `last`.
+  void restore(std::vector<KeptExperiment> kept, std::vector<RejectedExperiment> rejected,
+               std::uint64_t last);
 
-  const std::vector<Experiment>& experiments() const { return experiments_; }
+  /// Adds what was read, in order, and returns it as it is kept. An id already there gets a number:
+  /// "run", "run_2", ... Of the rejected ones the newest max_experiments are remembered.
+  std::vector<KeptExperiment> add(LoadedData data);
+
+  /// Takes an experiment out, for a reason; its number, or nothing where there is no such one.
+  std::optional<std::uint64_t> reject(const std::string& id, const std::string& reason);
+
+  /// Forgets all but the numbers.
+  void clear();
+
+  void setLimits(const LimitOptions& limits);
+
+  const std::vector<KeptExperiment>& kept() const { return kept_; }
   const std::vector<RejectedExperiment>& rejected() const { return rejected_; }
 
   /// Experiments oldest first, then the rejected ones.
@@ -43,9 +67,11 @@ class ExperimentSet {
 
  private:
   std::string freeId(const std::string& id) const;
+  void keepNewest();
 
   LimitOptions limits_;
-  std::vector<Experiment> experiments_;
+  std::uint64_t last_number_ = 0;
+  std::vector<KeptExperiment> kept_;
   std::vector<RejectedExperiment> rejected_;
 };
 

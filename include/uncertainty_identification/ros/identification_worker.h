@@ -1,29 +1,27 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
-#include <variant>
 #include <vector>
 
 #include "uncertainty_identification/identifier.h"
+#include "uncertainty_identification/ros/experiment_intake.h"
 #include "uncertainty_identification/ros/experiment_set.h"
-#include "uncertainty_identification/ros/work_queue.h"
 
 namespace uncertainty_identification {
-
-/// What a recorder hands on: the raw material of an experiment, a complete one, or the reason why
-/// there is none.
-using FinishedExperiment = std::variant<Recording, Experiment, RejectedExperiment>;
 
 /// A usable estimate, and what it was made from.
 struct WorkerResult {
   std::shared_ptr<const Estimate> estimate;
-  bool preliminary = false;  ///< started from the one before; the full identification follows
-  TimeWindow window;
+  bool preliminary = false;  ///< started from the one before
+  ExperimentWindow window;
 };
 
 /// What a worker is doing, and how its last identification went.
@@ -39,23 +37,33 @@ struct WorkerStatus {
   int iterations = 0;   ///< that it took
 };
 
+/// The experiments at one moment.
+struct WorkerSnapshot {
+  std::vector<Experiment> experiments;
+  std::uint64_t version = 0;  ///< changes with the experiments
+  unsigned resets = 0;  ///< changes when they are no longer to be identified from as they were
+};
+
 /// Identifies in a thread of its own each time experiments finish, taking all that wait at once.
-/// When there is a result already, it is brought up to date first (Identifier::reidentify), which
-/// is quick; once no more experiments wait, the same experiments are identified in full, so that
-/// the result is what identifying them offline gives. New experiments interrupt that, a quick
-/// update having been published. Knows no ROS.
+/// When there is a result already, it is brought up to date (Identifier::reidentify), which is
+/// quick. That follows a local optimum: configuration.full_identification says when the same
+/// experiments are identified in full, as they would be offline, and the better result stays.
+/// Knows no ROS.
 class IdentificationWorker {
  public:
+  /// What the worker tells, from any thread. None may call the worker, but `changed` its status().
   struct Listener {
-    std::function<void(const WorkerResult&)> result;  ///< a usable result; must not call the worker
-    std::function<void()> changed;                    ///< status() changed; called from any thread
+    std::function<void(const WorkerResult&)> result;          ///< a usable one
+    std::function<void(const KeptExperiment&)> kept;          ///< an experiment came in
+    std::function<void(const RejectedExperiment&)> rejected;  ///< or could not be used
+    std::function<void()> changed;                            ///< status() changed
     std::function<void(const std::string&)> warning;  ///< what was found about an experiment
   };
 
   /// Throws ConfigurationError when the configuration is not valid.
   IdentificationWorker(const Configuration& configuration, Listener listener);
 
-  /// Cancels what runs and waits for its end.
+  /// Takes in what has finished, and cancels what runs.
   ~IdentificationWorker();
 
   IdentificationWorker(const IdentificationWorker&) = delete;
@@ -63,48 +71,71 @@ class IdentificationWorker {
 
   void add(FinishedExperiment experiment);
 
+  /// Takes up what was kept before, numbers up to `last` being taken; to be called first. Without a
+  /// result, or where that does not rest on all of these experiments, they are identified from.
+  void restore(std::vector<KeptExperiment> kept, std::vector<RejectedExperiment> rejected,
+               std::uint64_t last, const std::optional<WorkerResult>& result);
+
+  /// Takes an experiment out and identifies without it; its number, or nothing where there is no
+  /// such one.
+  std::optional<std::uint64_t> reject(const std::string& id, const std::string& reason);
+
   /// Forgets all experiments and the result; what is running is cancelled and not published.
   void reset();
+
+  WorkerSnapshot snapshot() const;
+
+  /// Goes on with another configuration, and with what it gave of a snapshot's experiments (null:
+  /// nothing); what is running is cancelled and not published.
+  void adopt(const Configuration& configuration, std::shared_ptr<const Estimate> estimate,
+             const WorkerSnapshot& snapshot);
 
   WorkerStatus status() const;
   std::vector<ExperimentDigest> experiments() const;
 
  private:
-  struct Item {
-    unsigned resets;  // as many as there had been
-    FinishedExperiment experiment;
+  struct Work {
+    std::shared_ptr<const Identifier> identifier;
+    WorkerSnapshot at;
+    std::shared_ptr<const Estimate> last;  // to start from; null: there is none
+    bool quick = false;                    // to be brought up to date
+    bool full = false;                     // a full identification is due
+    bool interruptible = false;            // by experiments that come while that runs
   };
 
+  void receive(LoadedData data);
   void run();
-  void absorb(std::vector<Item> items);
-  LoadedData load(std::vector<Item> items, unsigned resets) const;
-  void update();
-  void identify(bool preliminary);
-  Estimate estimate(bool preliminary);
-  void succeed(Estimate estimate, bool preliminary);
-  void fail(const std::string& message, Termination termination);
-  bool wanted(bool interruptible) const;
-  template <typename Change>
-  void change(const Change& change);
+  bool takeWork(Work& work);
+  bool fullIsDue() const;
+  bool fullFollows() const;
+  void update(Work& work);
+  bool identify(bool preliminary, Work& work);
+  Estimate estimate(bool preliminary, const Work& work);
+  void succeed(Estimate estimate, bool preliminary, Work& work);
+  void fail(const std::string& message, Termination termination, const Work& work);
+  bool wanted(const WorkerSnapshot& at, bool interruptible) const;
+  WorkerSnapshot snapshotLocked() const;
+  void change(const std::function<void()>& change);
 
-  const Configuration configuration_;
-  const Identifier identifier_;
   const Listener listener_;
-  WorkQueue<Item> queue_;
   std::atomic<bool> stopping_{false};
   std::atomic<unsigned> resets_{0};
+  std::atomic<std::uint64_t> version_{0};  // of the set
 
-  std::shared_ptr<const Estimate> last_;  // of the worker's thread alone
-
-  // Guards what follows. The set and resets_seen_ change in the worker's thread only, which reads
-  // them without it.
-  mutable std::mutex mutex_;
-  unsigned resets_seen_ = 0;
+  mutable std::mutex mutex_;  // guards what follows
+  std::condition_variable wake_;
+  FullIdentificationOptions full_;
+  std::shared_ptr<const Identifier> identifier_;
   ExperimentSet set_;
   WorkerStatus status_;
+  int waiting_ = 0;                        // experiments that came since work was taken
+  std::uint64_t seen_ = 0;                 // the version that work was taken of
+  std::uint64_t identified_in_full_ = 0;   // the version that was
+  std::shared_ptr<const Estimate> last_;   // the last result
   std::vector<RejectedExperiment> unfit_;  // found by the checks of the last identification
 
-  std::thread thread_;  // last, so that it finds all of the above
+  ExperimentIntake intake_;  // calls receive()
+  std::thread thread_;       // last, so that it finds all of the above
 };
 
 }  // namespace uncertainty_identification

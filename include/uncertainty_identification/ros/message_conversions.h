@@ -15,7 +15,7 @@ struct ResultContext {
   ros::Time stamp;
   std::uint32_t sequence = 0;
   bool preliminary = false;
-  TimeWindow window;  ///< of the experiments given
+  ExperimentWindow window;  ///< of the experiments given
 };
 
 /// Throws DataError when the start time does not fit a stamp (before 1970, after 2106).

@@ -19,22 +19,12 @@ class WorkQueue {
     changed_.notify_one();
   }
 
-  /// Waits for items and takes all of them, in order. Empty once the queue is closed, whatever was
+  /// Waits for items and takes all of them, in order. Empty once the queue is closed and nothing is
   /// left in it.
   std::vector<Item> takeAll() {
     std::unique_lock<std::mutex> lock(mutex_);
     changed_.wait(lock, [this] { return closed_ || !items_.empty(); });
-    return closed_ ? std::vector<Item>() : std::exchange(items_, {});
-  }
-
-  std::size_t size() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return items_.size();
-  }
-
-  void clear() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    items_.clear();
+    return std::exchange(items_, {});
   }
 
   /// Ends all waiting, now and later.
@@ -47,7 +37,7 @@ class WorkQueue {
   }
 
  private:
-  mutable std::mutex mutex_;
+  std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<Item> items_;
   bool closed_ = false;
