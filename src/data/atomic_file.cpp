@@ -66,6 +66,12 @@ void writeAtomically(const std::string& path,
   synchronise(folderOf(path), path);
 }
 
+void renameDurably(const std::string& from, const std::string& to) {
+  if (std::rename(from.c_str(), to.c_str()) != 0) fail(to, errno);
+  synchronise(folderOf(to), to);
+  synchronise(folderOf(from), from);
+}
+
 void writeFileAtomically(const std::string& path, const std::string& content) {
   writeAtomically(path, [&](const std::string& temporary) {
     std::FILE* file = std::fopen(temporary.c_str(), "wb");

@@ -5,6 +5,7 @@
 #include "bag_file.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/ros/deserialise.h"
+#include "uncertainty_identification/ros/experiment_bag.h"
 #include "uncertainty_identification/ros/message_conversions.h"
 #include "uncertainty_identification/ros/topic_router.h"
 
@@ -117,6 +118,11 @@ LoadedData readFrom(BagFile& bag, const Configuration& configuration, const Keep
 }
 
 }  // namespace
+
+LoadedData readExperimentBag(const std::string& path) {
+  BagFile bag(path);
+  return readExperiments(bag, experimentTopics(bag), {});
+}
 
 LoadedData readBag(const std::string& path, const Configuration& configuration,
                    const KeepGoing& keep_going) {

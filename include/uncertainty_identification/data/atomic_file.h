@@ -15,4 +15,7 @@ void writeAtomically(const std::string& path,
 /// The same for a content that is in memory.
 void writeFileAtomically(const std::string& path, const std::string& content);
 
+/// Renames a file or folder, which has its new name also after a crash. Throws FileError as above.
+void renameDurably(const std::string& from, const std::string& to);
+
 }  // namespace uncertainty_identification

@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "uncertainty_identification/data/atomic_file.h"
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/configuration_yaml.h"
+#include "uncertainty_identification/io/read_file.h"
+#include "uncertainty_identification/ros/experiment_bag.h"
+#include "uncertainty_identification/ros/experiment_store.h"
+
+/// What a store holds, and what a crash or a bad disk left of it.
+namespace uncertainty_identification {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// The files of a folder named <prefix><number><suffix>, by number.
+std::map<std::uint64_t, fs::path> numbered(const std::string& folder, const std::string& prefix,
+                                           const std::string& suffix) {
+  std::map<std::uint64_t, fs::path> files;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    const std::string name = entry.path().filename();
+    if (name.size() <= prefix.size() + suffix.size() || name.compare(0, prefix.size(), prefix) != 0)
+      continue;
+    char* end = nullptr;
+    const std::uint64_t number = std::strtoull(name.c_str() + prefix.size(), &end, 10);
+    if (end == suffix && number > 0) files[number] = entry.path();
+  }
+  return files;
+}
+
+void removeTemporary(const std::string& folder) {
+  std::error_code ignored;  // what cannot be removed does no harm
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().string().find(".tmp.") != std::string::npos) fs::remove(entry, ignored);
+}
+
+Experiment readOne(const std::string& path) {
+  LoadedData data = readExperimentBag(path);
+  if (!data.rejected.empty()) throw DataError(data.rejected.front().reason);
+  if (data.experiments.size() != 1)
+    throw DataError("it holds " + std::to_string(data.experiments.size()) +
+                    " experiments instead of one");
+  return std::move(data.experiments.front());
+}
+
+RejectedExperiment readRejected(const std::string& path) {
+  const json tree = json::parse(readFile(path));
+  return {tree.at("id"), tree.at("reason")};
+}
+
+StoredConfiguration readConfiguration(const std::string& path) {
+  const json tree = json::parse(readFile(path));
+  return {configurationFromJson(tree.at("configuration")),
+          configurationFromJson(tree.at("parameters"))};
+}
+
+/// A name in the folder that is not taken yet.
+std::string freeName(const std::string& folder, const std::string& name) {
+  std::string free = folder + "/" + name;
+  for (int number = 2; fs::exists(free); ++number)
+    free = folder + "/" + name + "." + std::to_string(number);
+  return free;
+}
+
+}  // namespace
+
+StoredState ExperimentStore::load(int most) {
+  for (const auto& folder : {directory_, current_, current_ + "/rejected"}) removeTemporary(folder);
+  StoredState state;
+  finishRejections();
+  loadExperiments(most, state);
+  loadRejected(most, state);
+  const auto attempt = [&](const std::string& path, const auto& read) {
+    if (!fs::exists(path)) return;
+    try {
+      read(path);
+    } catch (const std::exception& error) {
+      moveDamaged(path, error.what(), state);
+    }
+  };
+  attempt(current_ + "/result.json",
+          [&](const std::string& path) { state.result = loadStoredResult(path); });
+  attempt(directory_ + "/configuration.json",
+          [&](const std::string& path) { state.configuration = readConfiguration(path); });
+  return state;
+}
+
+void ExperimentStore::loadExperiments(int most, StoredState& state) {
+  const auto files = numbered(current_, "experiment_", ".bag");
+  state.count = static_cast<int>(files.size());
+  if (!files.empty()) state.last_number = files.rbegin()->first;
+  const auto out = numbered(current_ + "/rejected", "experiment_", ".bag");
+  if (!out.empty()) state.last_number = std::max(state.last_number, out.rbegin()->first);
+  for (auto file = files.rbegin(); file != files.rend(); ++file) {
+    if (static_cast<int>(state.kept.size()) >= std::max(1, most)) break;
+    try {
+      state.kept.push_back(
+          {file->first, std::make_shared<const Experiment>(readOne(file->second))});
+    } catch (const std::exception& error) {
+      moveDamaged(file->second, error.what(), state);
+      --state.count;
+    }
+  }
+  std::reverse(state.kept.begin(), state.kept.end());
+}
+
+void ExperimentStore::loadRejected(int most, StoredState& state) {
+  const std::string folder = current_ + "/rejected";
+  const auto without_samples = numbered(folder, "without_samples_", ".json");
+  if (!without_samples.empty()) last_rejection_ = without_samples.rbegin()->first;
+  for (const auto& files : {without_samples, numbered(folder, "experiment_", ".bag.json")}) {
+    auto file = files.begin();
+    std::advance(file, std::max(0, static_cast<int>(files.size()) - std::max(1, most)));
+    for (; file != files.end(); ++file) {
+      try {
+        state.rejected.push_back(readRejected(file->second));
+      } catch (const std::exception& error) {
+        moveDamaged(file->second, error.what(), state);
+      }
+    }
+  }
+}
+
+/// Moves bags whose rejection a crash interrupted.
+void ExperimentStore::finishRejections() {
+  for (const auto& [number, file] : numbered(current_ + "/rejected", "experiment_", ".bag.json")) {
+    const std::string bag = current_ + "/" + bagName(number);
+    if (fs::exists(bag)) renameDurably(bag, current_ + "/rejected/" + bagName(number));
+  }
+}
+
+void ExperimentStore::moveDamaged(const std::string& path, const std::string& reason,
+                                  StoredState& state) {
+  const std::string folder = current_ + "/damaged", file = fs::path(path).filename();
+  try {
+    fs::create_directories(folder);
+    const std::string to = freeName(folder, file);
+    renameDurably(path, to);
+    writeFileAtomically(to + ".txt", reason + "\n");
+    state.warnings.push_back("'" + path + "' is damaged and was moved to '" + to + "': " + reason);
+  } catch (const std::exception& error) {
+    state.warnings.push_back("'" + path + "' is damaged (" + reason +
+                             ") and could not be moved aside: " + error.what());
+  }
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,83 @@
+#include "uncertainty_identification/ros/store_writer.h"
+
+#include <utility>
+
+namespace uncertainty_identification {
+
+constexpr std::chrono::milliseconds kRetryInterval(1000);
+
+StoreWriter::StoreWriter(const std::string& directory, const LimitOptions& limits,
+                         std::function<void()> changed)
+    : most_(limits.max_experiments),
+      store_(directory),
+      queue_(static_cast<std::size_t>(limits.max_experiments), kRetryInterval,
+             std::move(changed)) {}
+
+StoredState StoreWriter::load() {
+  StoredState state = store_.load(most_);
+  change([&](StoreStatus& status) {
+    status.stored = state.count;
+    if (!state.kept.empty()) status.last_id = state.kept.back().experiment->id;
+  });
+  return state;
+}
+
+void StoreWriter::change(const std::function<void(StoreStatus&)>& change) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  change(status_);
+}
+
+void StoreWriter::keep(const KeptExperiment& experiment) {
+  queue_.push([this, experiment] {
+    store_.write(experiment);
+    change([&](StoreStatus& status) {
+      ++status.stored;
+      status.last_id = experiment.experiment->id;
+    });
+  });
+}
+
+void StoreWriter::keep(const StoredResult& result) {
+  queue_.push([this, result] { store_.write(result); }, "result");
+}
+
+void StoreWriter::keep(const StoredConfiguration& configuration) {
+  queue_.push([this, configuration] { store_.write(configuration); }, "configuration");
+}
+
+void StoreWriter::reject(std::uint64_t number, const RejectedExperiment& rejected) {
+  queue_.push([this, number, rejected] {
+    store_.reject(number, rejected);
+    change([](StoreStatus& status) { --status.stored; });
+  });
+}
+
+void StoreWriter::reject(const RejectedExperiment& rejected) {
+  queue_.push([this, rejected] { store_.reject(rejected, most_); });
+}
+
+void StoreWriter::reset() {
+  queue_.push(
+      [this] {
+        store_.reset();
+        change([](StoreStatus& status) { status = {}; });
+      },
+      "result");  // which is forgotten
+}
+
+StoreStatus StoreWriter::status() const {
+  const RetryQueue::Status queue = queue_.status();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  StoreStatus status = status_;
+  status.pending = queue.waiting;
+  status.lost = queue.lost;
+  status.failing = queue.failing;
+  if (!queue.message.empty())
+    status.message = "the store: " + queue.message +
+                     (queue.failing ? "; " + std::to_string(queue.waiting) +
+                                          " files wait in memory and are written once it can be"
+                                    : "");
+  return status;
+}
+
+}  // namespace uncertainty_identification
