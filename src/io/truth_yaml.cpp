@@ -1,5 +1,6 @@
 #include "uncertainty_identification/io/truth_yaml.h"
 
+#include "effects_binding.h"
 #include "uncertainty_identification/io/configuration_binding.h"
 #include "uncertainty_identification/io/tree.h"
 #include "uncertainty_identification/io/tree_reader.h"
@@ -16,6 +17,7 @@ void bind(Archive& archive, InputTruth& input) {
   archive("variance", input.variance);
   archive("hold", input.hold);
   archive("tones", input.tones);
+  archive("amplitude_spread", input.amplitude_spread);
 }
 
 template <class Archive>
@@ -49,6 +51,12 @@ void bind(Archive& archive, NoiseTruth& noise) {
 }
 
 template <class Archive>
+void bind(Archive& archive, CovariatesTruth& covariates) {
+  archive("temp", covariates.temp);
+  archive("d", covariates.d);
+}
+
+template <class Archive>
 void bind(Archive& archive, Truth& truth) {
   archive("sample_time", truth.sample_time);
   archive.section("experiments", [&truth](auto& section) {
@@ -60,6 +68,18 @@ void bind(Archive& archive, Truth& truth) {
   archive("error_model", truth.error_model);
   archive("sensor", truth.sensor);
   archive("noise", truth.noise);
+  archive("covariates", truth.covariates);
+  archive("effects", truth.effects);
+}
+
+template <class Archive>
+void bind(Archive& archive, EffectDraws& draws) {
+  archive("parameter_deviation", draws.parameter_deviation);
+  archive("initial_state", draws.initial_state);
+  archive("bias", draws.bias);
+  archive("drift", draws.drift);
+  archive("hum_phase", draws.hum_phase);
+  archive("clock_shift", draws.clock_shift);
 }
 
 Truth parseTruth(const YAML::Node& node) {
@@ -84,10 +104,13 @@ nlohmann::json toJson(const Truth& truth) {
 nlohmann::json answerJson(const Truth& truth, std::uint64_t seed) {
   nlohmann::json experiments = nlohmann::json::array();
   for (int r = 0; r < truth.experiments; ++r) {
-    const DrawnSystem system = drawSystem(truth, seed, r);
+    DrawnSystem system = drawSystem(truth, seed, r);
+    TreeWriter draws;
+    bind(draws, system.effects);
     nlohmann::json entry{
         {"id", experimentId(r)}, {"component", nullptr}, {"time_constant", nullptr}};
     entry["xi"] = std::vector<double>(system.xi.data(), system.xi.data() + system.xi.size());
+    entry["effects"] = draws.tree();
     if (system.component >= 0) entry["component"] = system.component;
     if (system.time_constant > 0) entry["time_constant"] = system.time_constant;
     experiments.push_back(entry);

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "require_number.h"
+#include "spread_plant.h"
 #include "uncertainty_identification/model/error_basis.h"
 #include "uncertainty_identification/model/polynomial.h"
 #include "uncertainty_identification/model/sensitivity.h"
-#include "uncertainty_identification/require.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -19,8 +20,25 @@ void requirePolynomial(const std::string& key, const Eigen::VectorXd& monic, dou
           radius > 1 ? "roots inside or on it" : "roots inside it");
 }
 
-void requireFinite(const std::string& key, double value) {
-  require(std::isfinite(value), key, value, "a finite number");
+/// What effects need of the rest of the truth.
+void validateNeeds(const Truth& truth) {
+  const PlantEffects& plant = truth.effects.plant;
+  const UnnamedEffects& unnamed = truth.effects.unnamed;
+  const bool loop =
+      plant.cubic || plant.coulomb || unnamed.bilinear || unnamed.gravity || unnamed.outflow;
+  require(!loop || truth.plant.delay >= 1, "plant.delay", truth.plant.delay,
+          "1 or above with an effect that feeds the output back within the plant");
+  const auto requireDimension = [&](const std::string& key, const Eigen::VectorXd& value) {
+    const int dimension = truth.error_model.mixture.dimension();
+    require(dimension > 0 && value.size() == dimension, key,
+            std::to_string(value.size()) + " numbers",
+            dimension > 0 ? std::to_string(dimension) + ", one for each free error parameter"
+                          : "the effect only with an error_model that has components");
+  };
+  if (plant.aging) requireDimension("effects.plant_aging.shift", plant.aging->shift);
+  if (truth.effects.experiment.mode)
+    requireDimension("effects.exp_mode.mean", truth.effects.experiment.mode->mean);
+  if (plant.parameter_spread) requireParameter(truth.plant, plant.parameter_spread->parameter);
 }
 
 }  // namespace
@@ -41,10 +59,10 @@ const EnumNames<PlantStructure>& enumNames(PlantStructure) {
 
 void InputTruth::validate() const {
   requireFinite("input.mean", mean);
-  require(variance >= 0 && std::isfinite(variance), "input.variance", variance,
-          "a finite number, 0 or above");
+  requireNotNegative("input.variance", variance);
   requireRange("input.hold", hold, 1, 1000000);
   requireRange("input.tones", tones, 1, 1000000);
+  requireProbability("input.amplitude_spread", amplitude_spread);
 }
 
 void PlantTruth::validate() const {
@@ -52,10 +70,8 @@ void PlantTruth::validate() const {
   requirePolynomial("plant.a", a, kOnTheCircle);
   requireRange("plant.delay", delay, 0, 100000);
   requireFinite("plant.gain", gain);
-  require(time_constant > 0 && std::isfinite(time_constant), "plant.time_constant", time_constant,
-          "a finite number above 0");
-  require(time_constant_spread >= 0 && time_constant_spread < 1, "plant.time_constant_spread",
-          time_constant_spread, "at least 0 and below 1");
+  requirePositive("plant.time_constant", time_constant);
+  requireProbability("plant.time_constant_spread", time_constant_spread);
 }
 
 void ErrorModelTruth::validate() const {
@@ -72,13 +88,10 @@ void ErrorModelTruth::validate() const {
               ", the free error parameters of these taps and constraint");
 }
 
-void SensorTruth::validate() const {
-  require(missing >= 0 && missing < 1, "sensor.missing", missing, "at least 0 and below 1");
-}
+void SensorTruth::validate() const { requireProbability("sensor.missing", missing); }
 
 void NoiseTruth::validate() const {
-  require(variance >= 0 && std::isfinite(variance), "noise.variance", variance,
-          "a finite number, 0 or above");
+  requireNotNegative("noise.variance", variance);
   require(c.allFinite(), "noise.c", "an entry that is not finite", "finite numbers");
   requirePolynomial("noise.d", d, start == NoiseStart::stationary ? 1 - 1e-9 : kOnTheCircle);
 }
@@ -88,8 +101,7 @@ int Truth::samplesOf(int r) const {
 }
 
 void Truth::validate() const {
-  require(sample_time > 0 && std::isfinite(sample_time), "sample_time", sample_time,
-          "a finite number above 0");
+  requirePositive("sample_time", sample_time);
   requireRange("experiments.count", experiments, 1, 100000000);
   require(samples.size() == 1 || samples.size() == static_cast<std::size_t>(experiments),
           "experiments.samples", std::to_string(samples.size()) + " numbers",
@@ -104,6 +116,8 @@ void Truth::validate() const {
   error_model.validate();
   sensor.validate();
   noise.validate();
+  effects.validate();
+  validateNeeds(*this);
 }
 
 }  // namespace uncertainty_identification

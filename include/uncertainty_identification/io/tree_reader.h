@@ -118,6 +118,11 @@ class TreeReader {
   }
 
   template <class Value>
+  void read(const Json& node, const std::string& path, WhenPresent<Value>& value) const {
+    read(node, path, value.value.emplace());
+  }
+
+  template <class Value>
   void read(const Json& node, const std::string& path, WithDefaults<Value>& value) const {
     TreeReader inner(node, lines_, ReadingRule::configuration, path);
     bind(inner, value.value);

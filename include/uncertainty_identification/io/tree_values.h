@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +43,18 @@ struct OneOrMany {
 template <class Value>
 OneOrMany<Value> oneOrMany(std::vector<Value>& values) {
   return {values};
+}
+
+/// A struct that may be absent: without its key it is, and a key without a value gives it its
+/// defaults.
+template <class Value>
+struct WhenPresent {
+  std::optional<Value>& value;
+};
+
+template <class Value>
+WhenPresent<Value> whenPresent(std::optional<Value>& value) {
+  return {value};
 }
 
 /// A struct of options inside a record: what an older version left out has its default, an unknown

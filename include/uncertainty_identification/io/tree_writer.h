@@ -25,6 +25,11 @@ class TreeWriter {
     tree_[key] = write(value);
   }
 
+  template <class Value>
+  void operator()(const std::string& key, const WhenPresent<Value>& value) {
+    if (value.value) tree_[key] = write(*value.value);
+  }
+
   template <class Body>
   void section(const std::string& key, Body&& body) {
     TreeWriter inner;

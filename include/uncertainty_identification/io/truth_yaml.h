@@ -22,7 +22,10 @@ nlohmann::json toJson(const Truth& truth);
 
 /// What an identification of simulate(truth, seed) should find: {"format":
 /// "uncertainty_identification/answer/1", "version", "seed", "truth", "experiments": [{"id",
-/// "component", "xi", "time_constant"}]}, the latter two null or empty where the truth has none.
+/// "component", "xi", "time_constant", "effects": {...}}]}, component and time_constant null and xi
+/// empty where the truth has none; under "effects" what was drawn for the experiment (EffectDraws),
+/// 0 where the truth does not hide the effect. What is hidden, with its parameters, is
+/// truth.effects.
 nlohmann::json answerJson(const Truth& truth, std::uint64_t seed);
 
 }  // namespace uncertainty_identification

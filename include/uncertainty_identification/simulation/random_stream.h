@@ -14,7 +14,20 @@ enum class RandomPurpose : std::uint32_t {
   system = 2,
   noise = 3,
   missing = 4,
-  plant = 5
+  plant = 5,
+  amplitude = 6,
+  temperature = 7,
+  second_input = 8,
+  effects = 9,  ///< one draw per experiment of each effect that has one
+  parameter_spread = 10,
+  mode = 11,
+  tails = 12,
+  outliers = 13,
+  dropout = 14,
+  jitter = 15,
+  telegraph = 16,
+  burst = 17,
+  truth = 18  ///< a truth itself, drawn
 };
 
 /// The random numbers of one purpose in experiment r: they depend on nothing else, the number of

@@ -7,10 +7,11 @@
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/enum_names.h"
 #include "uncertainty_identification/model/mixture.h"
+#include "uncertainty_identification/simulation/effects_truth.h"
 
 /// A system whose every parameter is known, to simulate experiments from. Signals pass a chain in
-/// physical order: input, plant (with its relative error), sensor; the noise is added at the
-/// plant's output.
+/// physical order: input, actuator, plant (with its relative error), sensor; the noise is added at
+/// the plant's output.
 namespace uncertainty_identification {
 
 enum class InputKind { white_noise, prbs, steps, multisine };
@@ -28,6 +29,8 @@ struct InputTruth {
   int hold = 1;         ///< [samples] each value is held (not multisine), at least 1
   int tones = 10;  ///< multisine: harmonics 1..tones of the record with random phases, below half
                    ///< its samples
+  double amplitude_spread = 0;  ///< each experiment's input is multiplied by its own factor,
+                                ///< uniform within 1 +- this; at least 0, below 1
 
   void validate() const;
 };
@@ -76,6 +79,14 @@ struct NoiseTruth {
   void validate() const;
 };
 
+/// Covariates that are recorded. They do nothing unless plant_temp or exp_input2 use them, which
+/// record them too.
+struct CovariatesTruth {
+  bool temp = false;  ///< a temperature: 20 + N(0, 5^2) per experiment, wandering by N(0, 3^2) with
+                      ///< a time constant of 100 samples
+  bool d = false;     ///< a second input: N(0, 1), with a time constant of 3 samples
+};
+
 /// Everything that determines simulated experiments, given a seed. The plant starts at rest.
 struct Truth {
   double sample_time = 1;            ///< [s]
@@ -86,6 +97,8 @@ struct Truth {
   ErrorModelTruth error_model;
   SensorTruth sensor;
   NoiseTruth noise;
+  CovariatesTruth covariates;
+  EffectsTruth effects;
 
   /// N of experiment r.
   int samplesOf(int r) const;

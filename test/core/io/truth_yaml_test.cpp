@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+#include <sstream>
 #include <string>
 
 #include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/read_file.h"
 #include "uncertainty_identification/io/tree.h"
 #include "uncertainty_identification/simulation/simulate.h"
 
@@ -38,6 +41,33 @@ TEST(TruthYaml, ReferenceStatesEveryKeyAndItsDefault) {
   EXPECT_EQ(toJson(loadTruth(path)), toJson(Truth{}));
 }
 
+/// The effects that truth_reference.yaml lists in comments, as YAML.
+std::string documentedEffects() {
+  std::istringstream lines(readFile(kConfig + "truth_reference.yaml"));
+  std::string effects = "effects:\n";
+  for (std::string line; std::getline(lines, line);) {
+    static const std::regex kEffect("#   ([a-z]+_[a-z0-9_]+: \\{.*\\}).*");
+    std::smatch match;
+    if (std::regex_match(line, match, kEffect)) effects += "  " + match[1].str() + "\n";
+  }
+  return effects;
+}
+
+TEST(TruthYaml, ReferenceStatesEveryEffectAndItsDefaults) {
+  const YAML::Node documented = YAML::Load(documentedEffects());
+  std::string by_name =
+      "{error_model: {weights: [1], means: [[0]], covariances: [[[1]]]}, effects: {";
+  for (const auto& effect : documented["effects"]) by_name += effect.first.Scalar() + ": , ";
+  // 35 names of the catalogue, plant_parameter_spread and six of no catalogue
+  EXPECT_EQ(documented["effects"].size(), 42u);
+  const json defaults = toJson(parseTruth(YAML::Load(by_name + "}}")))["effects"];
+  YAML::Node stated = YAML::Clone(documented);
+  stated["error_model"] = YAML::Load("{weights: [1], means: [[0]], covariances: [[[1]]]}");
+  EXPECT_EQ(toJson(parseTruth(stated))["effects"], defaults);
+  const std::string unknown = complaint("effects: {act_dleay: {delay: 2}}");
+  EXPECT_EQ(unknown, "effects.act_dleay (line 1): unknown key; did you mean effects.act_delay?");
+}
+
 TEST(TruthYaml, RoundTripKeepsEveryBit) {
   const Truth truth = parseTruth(YAML::Load(R"(
 sample_time: 0.0123456789012345
@@ -48,11 +78,22 @@ error_model: {basis: laguerre, taps: 2, constraint: free, pole: 0.3, weights: [1
               covariances: [[[1, 0.5], [0.5, 1]]]}
 sensor: {missing: 0.25}
 noise: {variance: 0.1, c: [0.1], d: [0.8], start: stationary}
+covariates: {temp: true}
+effects:
+  act_deadzone: {width: 0.1, negative_width: 0.3}
+  sens_bias: {per_experiment: true, deviation: 0.7}
+  noise_hetero: {share: 0.3, driver: x}
+  plant_aging: {shift: [0.1, 0.2]}
+  exp_mode:
+    mean: [3, 4]
 )"));
   const json all = toJson(truth);
   EXPECT_EQ(toJson(parseTruth(yamlFromTree(all))), all);
   EXPECT_EQ(truth.samplesOf(2), 70);
   EXPECT_EQ(all["experiments"]["samples"], json({50, 60, 70}));
+  EXPECT_EQ(all["effects"].size(), 5u);
+  EXPECT_EQ(all["effects"]["sens_bias"],
+            json({{"bias", 0.1}, {"per_experiment", true}, {"deviation", 0.7}}));
 }
 
 TEST(TruthYaml, BadTruthsAreRefused) {
@@ -85,6 +126,25 @@ TEST(TruthYaml, BadTruthsAreRefused) {
             "error_model.taps"},
            {"error_model: {weights: [0.5], means: [[1]], covariances: [[[1]]]}", "error_model"},
            {"sensor: {missing: 1}", "sensor.missing"},
+           {"input: {amplitude_spread: 1}", "input.amplitude_spread"},
+           {"effects: {act_delay: {delay: -1}}", "effects.act_delay.delay"},
+           {"effects: {act_quantisation: {step: 0}}", "effects.act_quantisation.step"},
+           {"effects: {act_deadzone: {negative_width: -1}}", "effects.act_deadzone.negative_width"},
+           {"effects: {act_loss: {loss: 1.5}}", "effects.act_loss.loss"},
+           {"effects: {plant_pole: {pole: 1}}", "effects.plant_pole.pole"},
+           {"effects: {plant_resonance: {frequency: 4}}", "effects.plant_resonance.frequency"},
+           {"effects: {plant_coulomb: {smoothing: 0}}", "effects.plant_coulomb.smoothing"},
+           {"effects: {plant_parameter_spread: {parameter: b2}}",
+            "effects.plant_parameter_spread.parameter"},
+           {"effects: {plant_aging: }", "effects.plant_aging.shift"},
+           {"effects: {sens_outliers: {probability: 1}}", "effects.sens_outliers.probability"},
+           {"effects: {noise_colour: {d1: -1.5}}", "effects.noise_colour"},
+           {"effects: {noise_tails: {degrees_of_freedom: 2}}",
+            "effects.noise_tails.degrees_of_freedom"},
+           {"effects: {noise_hetero: {driver: y}}", "effects.noise_hetero.driver"},
+           {"effects: {exp_mode: }", "effects.exp_mode.mean"},
+           {"effects: {exp_jitter: {width: 0.5}}", "effects.exp_jitter.width"},
+           {"effects: {unk_burst: {radius: 1}}", "effects.unk_burst.radius"},
            {"noise: {variance: -1}", "noise.variance"},
            {"noise: {d: [1], start: stationary}", "noise.d"}}) {
     EXPECT_EQ(complaint(yaml).rfind(key, 0), 0u) << yaml << " gave: " << complaint(yaml);
@@ -116,6 +176,15 @@ TEST(TruthYaml, AnswerTellsWhatWasDrawn) {
   EXPECT_EQ(answer["experiments"][42]["component"], system.component);
   EXPECT_EQ(answer["experiments"][42]["xi"][0], system.xi(0));
   EXPECT_TRUE(answer["experiments"][42]["time_constant"].is_null());
+  EXPECT_EQ(answer["experiments"][42]["effects"]["clock_shift"], 0);
+}
+
+TEST(TruthYaml, AnswerTellsWhatIsHidden) {
+  const Truth truth = parseTruth(YAML::Load("effects: {exp_clock: {deviation: 2}}"));
+  const json answer = answerJson(truth, 3);
+  EXPECT_EQ(answer["truth"]["effects"], json({{"exp_clock", {{"deviation", 2.0}}}}));
+  EXPECT_EQ(answer["experiments"][1]["effects"]["clock_shift"],
+            drawSystem(truth, 3, 1).effects.clock_shift);
 }
 
 }  // namespace

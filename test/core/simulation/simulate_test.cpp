@@ -172,6 +172,18 @@ TEST(Simulate, SwitchingOnePartLeavesTheOthersAsTheyWere) {
   EXPECT_GT(compared, 20);
 }
 
+// What a seed means must not change: numbers of version 0.1.0, which had no effects to hide.
+TEST(Simulate, SeedsKeepTheirMeaning) {
+  Truth truth = mixtureTruth();
+  truth.experiments = 7;
+  truth.noise.variance = 0.1;
+  truth.noise.d = vector({-0.8});
+  truth.noise.start = NoiseStart::stationary;
+  const Experiment experiment = simulateExperiment(truth, 9, 6);
+  EXPECT_DOUBLE_EQ(experiment.u(99), -0.99138246111217243);
+  EXPECT_DOUBLE_EQ(experiment.y(99), -0.76844855710384785);
+}
+
 TEST(Simulate, LengthsMayDiffer) {
   Truth truth = plainTruth();
   truth.experiments = 3;
