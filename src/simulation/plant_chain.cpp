@@ -27,8 +27,8 @@ VectorXd driven(const ChainContext& context, VectorXd u) {
   const auto samples = static_cast<int>(u.size());
   const EffectsTruth& effects = context.truth.effects;
   if (const auto& drift = effects.plant.drift)
-    u.array() *= 1 + drift->slope * (Eigen::ArrayXd::LinSpaced(samples, 0, samples - 1) / samples -
-                                     0.5);
+    u.array() *=
+        1 + drift->slope * (Eigen::ArrayXd::LinSpaced(samples, 0, samples - 1) / samples - 0.5);
   if (const auto& temp = effects.plant.temp) {
     const VectorXd& signal = context.experiment.signals.at("temp");
     u.array() *= 1 + temp->coefficient * (signal.array() - temp->reference) / 10;
@@ -49,8 +49,8 @@ VectorXd withError(const ChainContext& context, const VectorXd& nominal) {
   ErrorBasis(context.truth.error_model.basis).apply(block, &regressors);
   VectorXd output = nominal;
   for (std::size_t i = 0; i < regressors.size(); ++i) {
-    output += context.system.xi(static_cast<Eigen::Index>(i)) *
-              regressors[i].row(0).matrix().transpose();
+    output +=
+        context.system.xi(static_cast<Eigen::Index>(i)) * regressors[i].row(0).matrix().transpose();
   }
   return output;
 }

@@ -29,8 +29,7 @@ VectorXd disturbance(const ChainContext& context, int samples) {
   if (sensor.bias) sum.array() += sensor.bias->per_experiment ? draws.bias : sensor.bias->bias;
   const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(samples, 0, samples - 1);
   if (sensor.drift)
-    sum.array() +=
-        (sensor.drift->per_experiment ? draws.drift : sensor.drift->drift) * t / samples;
+    sum.array() += (sensor.drift->per_experiment ? draws.drift : sensor.drift->drift) * t / samples;
   if (const auto& hum = sensor.hum) {
     const double phase = hum->per_experiment ? draws.hum_phase : hum->phase;
     sum.array() += hum->amplitude * (hum->frequency * t + phase).sin();

@@ -12,8 +12,8 @@ namespace {
 /// b1, a2, ...: the coefficient of that number, or null.
 double* coefficient(Eigen::VectorXd& polynomial, const std::string& name) {
   const int number = std::atoi(name.c_str() + 1);
-  const bool known = number >= 1 && number <= polynomial.size() &&
-                     name.substr(1) == std::to_string(number);
+  const bool known =
+      number >= 1 && number <= polynomial.size() && name.substr(1) == std::to_string(number);
   return known ? &polynomial(number - 1) : nullptr;
 }
 

@@ -10,8 +10,8 @@
 namespace uncertainty_identification {
 
 /// What a truth hides from a declared simulation: any number of effects at once, each absent or
-/// with its parameters. They act in the order actuator, plant, sensor, noise, record, within a group
-/// in the order of declaration. The YAML key of an effect is its name in the catalogue, e.g.
+/// with its parameters. They act in the order actuator, plant, sensor, noise, record, within a
+/// group in the order of declaration. The YAML key of an effect is its name in the catalogue, e.g.
 /// act_delay.
 struct EffectsTruth {
   ActuatorEffects actuator;      ///< act_*

@@ -15,9 +15,9 @@ struct FeedbackTruth {
 /// A further component of the mixture: with probability `weight`, xi ~ N(mean, deviation^2 I)
 /// instead of what the mixture drew.
 struct ModeTruth {
-  double weight = 0.2;                                    ///< at least 0 and below 1
+  double weight = 0.2;                                     ///< at least 0 and below 1
   Eigen::VectorXd mean = Eigen::VectorXd::Constant(1, 1);  ///< n
-  double deviation = 0.1;                                 ///< 0 or above
+  double deviation = 0.1;                                  ///< 0 or above
 };
 
 /// x += gain (1 - pole) q^-1/(1 - pole q^-1) d, with the covariate `d`.
@@ -35,7 +35,8 @@ struct ClockTruth {
 /// Experiment::stamp_offset is delta_k sample_time [s]. With coupling 0 the stamps jitter and the
 /// sampling does not: y_k = x(k + coupling delta_k) + v_k.
 struct JitterTruth {
-  double width = 0.2;   ///< [samples], at least 0 and below 0.5; files are read back reliably up to 0.2
+  double width =
+      0.2;  ///< [samples], at least 0 and below 0.5; files are read back reliably up to 0.2
   double coupling = 1;  ///< 1: true stamps; 0: a decoy
 };
 

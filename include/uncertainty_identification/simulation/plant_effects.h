@@ -16,8 +16,8 @@ struct PlantPoleTruth {
 /// A mode in parallel to Go: (g1 q^-1 + g2 q^-2)/(1 - 2 radius cos(frequency) q^-1 + radius^2
 /// q^-2).
 struct ResonanceTruth {
-  double radius = 0.95;   ///< of the pole pair, at least 0 and below 1
-  double frequency = 1;   ///< [rad/sample] of the pole pair, 0 to pi
+  double radius = 0.95;     ///< of the pole pair, at least 0 and below 1
+  double frequency = 1;     ///< [rad/sample] of the pole pair, 0 to pi
   double g1 = 0.1, g2 = 0;  ///< [unit of y/unit of u]
 };
 

@@ -71,8 +71,8 @@ TEST(ActuatorEffects, Saturation) {
 TEST(ActuatorEffects, Hammerstein) {
   ActuatorEffects effects;
   effects.hammerstein = {0.5, -0.1};
-  expectActuated(effects, {0, 1.4, 4.8, -0.25 + 0.03125 + 0.0015625, 0.8, -0.4,
-                           0.4 + 0.08 - 0.0064, 0});
+  expectActuated(effects,
+                 {0, 1.4, 4.8, -0.25 + 0.03125 + 0.0015625, 0.8, -0.4, 0.4 + 0.08 - 0.0064, 0});
 }
 
 TEST(ActuatorEffects, LossBeginsBetweenSamples) {
@@ -93,8 +93,7 @@ TEST(ActuatorEffects, ReachThePlant) {
   Truth truth = test::unitDelay();
   truth.effects.actuator.deadzone = {0.7, {}};
   const Experiment experiment = simulateExperiment(truth, 1, 0);
-  expectNear(test::reached(experiment),
-             actuated(truth.effects.actuator, experiment.u).head(199));
+  expectNear(test::reached(experiment), actuated(truth.effects.actuator, experiment.u).head(199));
 }
 
 }  // namespace

@@ -28,8 +28,7 @@ TEST(ExperimentEffects, FeedbackClosesTheLoopThroughNoiseAndSensor) {
   truth.effects.experiment.feedback = {0.4};
   const Experiment closed = simulateExperiment(truth, 1, 0);
   EXPECT_EQ(closed.u(0), open.u(0));
-  for (int t = 1; t < 200; ++t)
-    EXPECT_NEAR(closed.u(t), open.u(t) - 0.4 * closed.y(t - 1), 1e-12);
+  for (int t = 1; t < 200; ++t) EXPECT_NEAR(closed.u(t), open.u(t) - 0.4 * closed.y(t - 1), 1e-12);
   // The record is that of the input: the same experiment with this input, sample by sample.
   Truth noise = truth;
   noise.effects.experiment.feedback.reset();

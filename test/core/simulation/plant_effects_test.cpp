@@ -72,10 +72,10 @@ TEST(PlantEffects, FeedbackWithinThePlant) {
   expectNear(output(coulomb), looped(u, [](double f, double x, double before) {
                return f - 0.4 * std::tanh((x - before) / 0.05);
              }));
-  expectNear(output(bilinear), looped(u, [](double f, double x, double) { return f + 0.3 * f * x; }));
-  expectNear(output(gravity), looped(u, [](double f, double x, double) {
-               return f - 0.4 * std::sin(x / 0.5);
-             }));
+  expectNear(output(bilinear),
+             looped(u, [](double f, double x, double) { return f + 0.3 * f * x; }));
+  expectNear(output(gravity),
+             looped(u, [](double f, double x, double) { return f - 0.4 * std::sin(x / 0.5); }));
   expectNear(output(outflow), looped(u, [](double f, double x, double) {
                return f - 0.3 * (x < 0 ? -1 : 1) * std::sqrt(std::abs(x));
              }));

@@ -60,7 +60,8 @@ TEST(SensorEffects, BiasAndDriftPerExperimentFollowTheirDeviation) {
   EXPECT_NEAR(squares(0), 0.16, 4 * 0.16 * std::sqrt(2.0 / kCount));
   EXPECT_NEAR(squares(1), 4, 4 * 4 * std::sqrt(2.0 / kCount));
   const EffectDraws draws = drawSystem(truth, 1, 1).effects;
-  const VectorXd added = simulateExperiment(truth, 1, 1).y - simulateExperiment(unitDelay(), 1, 1).y;
+  const VectorXd added =
+      simulateExperiment(truth, 1, 1).y - simulateExperiment(unitDelay(), 1, 1).y;
   for (int t = 0; t < 200; ++t) EXPECT_NEAR(added(t), draws.bias + draws.drift * t / 200, 1e-12);
 }
 
@@ -74,7 +75,8 @@ TEST(SensorEffects, HumKeepsOrDrawsItsPhase) {
   truth.effects.sensor.hum = {0.7, 0.5, 0.2, true};
   const double phase = drawSystem(truth, 1, 0).effects.hum_phase;
   EXPECT_NE(phase, drawSystem(truth, 1, 1).effects.hum_phase);
-  const VectorXd added = simulateExperiment(truth, 1, 0).y - simulateExperiment(unitDelay(), 1, 0).y;
+  const VectorXd added =
+      simulateExperiment(truth, 1, 0).y - simulateExperiment(unitDelay(), 1, 0).y;
   for (int t = 0; t < 200; ++t) EXPECT_NEAR(added(t), 0.7 * std::sin(0.5 * t + phase), 1e-12);
 }
 
