@@ -2,10 +2,13 @@
 
 #include "uncertainty_identification/bounds/bands.h"
 #include "uncertainty_identification/data/rejected_experiment.h"
+#include "uncertainty_identification/enum_names.h"
 #include "uncertainty_identification/estimation/estimate.h"
 
 /// Keys of what several parts of a result hold.
 namespace uncertainty_identification {
+
+const EnumNames<Termination>& enumNames(Termination);
 
 template <class Archive>
 void bindScalar(Archive& archive, ParameterEstimate& parameter) {

@@ -3,12 +3,10 @@
 #include <limits>
 
 #include "estimate_binding.h"
-#include "uncertainty_identification/data/atomic_file.h"
-#include "uncertainty_identification/errors.h"
+#include "json_file.h"
 #include "uncertainty_identification/io/baseline_json.h"
 #include "uncertainty_identification/io/bounds_json.h"
 #include "uncertainty_identification/io/configuration_binding.h"
-#include "uncertainty_identification/io/read_file.h"
 #include "uncertainty_identification/io/tree_reader.h"
 #include "uncertainty_identification/io/tree_writer.h"
 
@@ -175,26 +173,16 @@ nlohmann::json toJson(const Result& result) {
   return tree;
 }
 
-void saveResult(const std::string& path, const Result& result) {
-  // Ids come from users: what is not UTF-8 in them must not cost the result.
-  writeFileAtomically(
-      path, toJson(result).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-}
+void saveResult(const std::string& path, const Result& result) { saveJson(path, toJson(result)); }
 
 Result loadResult(const std::string& path) {
-  const std::string content = readFile(path);
-  try {
-    const nlohmann::json tree = nlohmann::json::parse(content);
+  return loadJsonAs(path, [](const nlohmann::json& tree) {
     Result result{estimateFromJson(tree), {}, {}};
     if (tree.contains("baseline")) result.baseline = baselineFromJson(tree["baseline"]);
     if (tree.contains("bounds") && !tree["bounds"].empty())
       result.bounds = boundsFromJson(tree["bounds"]);
     return result;
-  } catch (const nlohmann::json::parse_error& error) {
-    throw ConfigurationError(path + ": not JSON, or truncated: " + error.what());
-  } catch (const ConfigurationError& error) {
-    throw ConfigurationError(path + ": " + error.what());
-  }
+  });
 }
 
 }  // namespace uncertainty_identification

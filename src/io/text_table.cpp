@@ -5,6 +5,11 @@
 #include <cstdio>
 
 namespace uncertainty_identification {
+namespace {
+
+constexpr double kMostDecimals = 6;  // of an estimate before it is written with an exponent
+
+}  // namespace
 
 std::string textTable(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths;
@@ -28,6 +33,19 @@ std::string numberText(double value) {
   if (!std::isfinite(value)) return "-";
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string estimateText(double value, double standard_error) {
+  if (!std::isfinite(value) || !std::isfinite(standard_error) || standard_error <= 0) {
+    return numberText(value);
+  }
+  const double decimals = std::max(0.0, 1 - std::floor(std::log10(standard_error)));
+  const bool plain = decimals <= kMostDecimals && std::abs(value) < 1e6 && standard_error < 1e6;
+  char text[64];
+  std::snprintf(text, sizeof text, plain ? "%.*f +- %.*f" : "%.*e +- %.*e",
+                plain ? static_cast<int>(decimals) : 3, value,
+                plain ? static_cast<int>(decimals) : 1, standard_error);
   return text;
 }
 

@@ -13,6 +13,10 @@ std::string textTable(const std::vector<std::vector<std::string>>& rows);
 /// A number with six significant digits; "-" for one that is not finite.
 std::string numberText(double value);
 
+/// An estimate with its standard error, "0.3102 +- 0.0041": both to the second digit of the error.
+/// The number alone where the error is not a positive number.
+std::string estimateText(double value, double standard_error);
+
 /// "(1, 2)"; a single entry without brackets.
 std::string vectorText(const Eigen::VectorXd& value);
 

@@ -98,6 +98,12 @@ class TreeReader {
   }
 
   template <class Value>
+  void read(const Json& node, const std::string& path, OrNull<Value>& value) const {
+    value.value.reset();
+    if (!node.is_null()) read(node, path, value.value.emplace());
+  }
+
+  template <class Value>
   void read(const Json& node, const std::string& path, OneOf<Value>& value) const {
     std::string words;
     for (const auto& [candidate, name] : value.names) {

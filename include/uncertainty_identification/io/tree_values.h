@@ -22,6 +22,17 @@ OrAutomatic<Value> orAutomatic(Value& value, Value automatic) {
   return {value, automatic};
 }
 
+/// A value that may be missing: null where there is none.
+template <class Value>
+struct OrNull {
+  std::optional<Value>& value;
+};
+
+template <class Value>
+OrNull<Value> orNull(std::optional<Value>& value) {
+  return {value};
+}
+
 /// One of a few words, each for a value.
 template <class Value>
 struct OneOf {

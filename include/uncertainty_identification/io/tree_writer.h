@@ -68,6 +68,11 @@ class TreeWriter {
   }
 
   template <class Value>
+  static Json write(const OrNull<Value>& value) {
+    return value.value ? write(*value.value) : Json();
+  }
+
+  template <class Value>
   static Json write(const OneOf<Value>& value) {
     for (const auto& [candidate, name] : value.names) {
       if (candidate == value.value) return name;

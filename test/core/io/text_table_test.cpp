@@ -20,6 +20,17 @@ TEST(TextTable, Numbers) {
   EXPECT_EQ(numberText(std::numeric_limits<double>::infinity()), "-");
 }
 
+TEST(TextTable, EstimatesToTheSecondDigitOfTheirError) {
+  EXPECT_EQ(estimateText(0.310249, 0.00409), "0.3102 +- 0.0041");
+  EXPECT_EQ(estimateText(-123.456, 12.4), "-123 +- 12");
+  EXPECT_EQ(estimateText(5, 321), "5 +- 321");
+  EXPECT_EQ(estimateText(2.5e-9, 1e-10), "2.500e-09 +- 1.0e-10");
+  EXPECT_EQ(estimateText(2.5e9, 10), "2.500e+09 +- 1.0e+01");
+  EXPECT_EQ(estimateText(1.25, 0), "1.25");
+  EXPECT_EQ(estimateText(1.25, std::numeric_limits<double>::quiet_NaN()), "1.25");
+  EXPECT_EQ(estimateText(std::numeric_limits<double>::quiet_NaN(), 1), "-");
+}
+
 TEST(TextTable, VectorsAndMatrices) {
   EXPECT_EQ(vectorText(Eigen::Vector2d(1, -2)), "(1, -2)");
   EXPECT_EQ(vectorText(Eigen::VectorXd::Constant(1, 3)), "3");

@@ -1,0 +1,162 @@
+#include "uncertainty_identification/io/explanation_json.h"
+
+#include "estimate_binding.h"
+#include "json_file.h"
+#include "uncertainty_identification/io/result_json.h"
+#include "uncertainty_identification/io/tree_reader.h"
+#include "uncertainty_identification/io/tree_writer.h"
+
+namespace uncertainty_identification {
+
+template <class Archive>
+void bind(Archive& archive, Check& check) {
+  archive("name", check.name);
+  archive("statistic", check.statistic);
+  archive("p_value", check.p_value);
+  archive("passed", check.passed);
+  archive("where", check.where);
+}
+
+template <class Archive>
+void bind(Archive& archive, Comparison& comparison) {
+  archive("before", comparison.before);
+  archive("after", comparison.after);
+}
+
+template <class Archive>
+void bind(Archive& archive, Gain& gain) {
+  archive.section("held_out_log_density_per_experiment", [&gain](auto& section) {
+    section("value", gain.log_density);
+    section("standard_error", gain.standard_error);
+  });
+  archive("nrmse_fit_percent", gain.nrmse_fit_percent);
+  archive("coverage_50", gain.coverage_50);
+  archive("coverage_90", gain.coverage_90);
+  archive("coverage_95", gain.coverage_95);
+  archive("noise_variance", gain.noise_variance);
+  archive("bode_area", gain.bode_area);
+}
+
+template <class Archive>
+void bind(Archive& archive, CauseParameter& parameter) {
+  archive("name", parameter.name);
+  archive("value", parameter.value);
+  archive("standard_error", parameter.standard_error);
+  archive("lower_90", parameter.lower_90);
+  archive("upper_90", parameter.upper_90);
+  archive("unit", parameter.unit);
+}
+
+template <class Archive>
+void bind(Archive& archive, Cause& cause) {
+  archive("name", cause.name);
+  archive("variant", cause.variant);
+  archive("group", cause.group);
+  archive("description", cause.description);
+  archive("confidence", cause.confidence);
+  archive("equivalent", cause.equivalent);
+  archive("parameters", cause.parameters);
+  archive("advice", cause.advice);
+  archive("gain", orNull(cause.gain));
+}
+
+template <class Archive>
+void bind(Archive& archive, TriedEffect& tried) {
+  archive("name", tried.name);
+  archive("variant", tried.variant);
+  archive("score", tried.score);
+  archive("held_out_gain", tried.held_out_gain);
+  archive("standard_error", tried.standard_error);
+}
+
+template <class Archive>
+void bind(Archive& archive, ExperimentPicture& picture) {
+  archive("id", picture.id);
+  archive("sample_time", picture.sample_time);
+  archive("input", picture.input);
+  archive("measured", picture.measured);
+  archive("simulated_before", picture.simulated_before);
+  archive("simulated_after", picture.simulated_after);
+  archive("deviation_before", picture.deviation_before);
+  archive("deviation_after", picture.deviation_after);
+}
+
+template <class Archive>
+void bind(Archive& archive, ResidualPicture& picture) {
+  archive("autocorrelation", picture.autocorrelation);
+  archive("cross_correlation", picture.cross_correlation);
+  archive("confidence_95", picture.confidence_95);
+  archive("frequency", picture.frequency);
+  archive("spectrum", picture.spectrum);
+  archive("input_level", picture.input_level);
+  archive("residual_of_input", picture.residual_of_input);
+  archive("output_level", picture.output_level);
+  archive("residual_of_output", picture.residual_of_output);
+  archive("time", picture.time);
+  archive("residual_of_time", picture.residual_of_time);
+  archive("variance_of_time", picture.variance_of_time);
+  archive("of_experiment", picture.of_experiment);
+}
+
+template <class Archive>
+void bind(Archive& archive, Explanation& explanation) {
+  Word format{"uncertainty_identification/explanation/1"};
+  archive("format", format);
+  archive("verdict", explanation.verdict);
+  archive("message", explanation.message);
+  archive("checks_before", explanation.checks_before);
+  archive("checks_after", explanation.checks_after);
+  archive("causes", explanation.causes);
+  archive("candidates", explanation.candidates);
+  archive("warnings", explanation.warnings);
+  archive("held_out", explanation.held_out);
+  archive("residuals_before", explanation.residual_before);
+  archive("residuals_after", explanation.residual_after);
+  archive("pictures", explanation.pictures);
+  archive("termination", explanation.termination);
+  archive("seconds", explanation.seconds);
+}
+
+namespace {
+
+/// The model under this key; its errors name the key.
+Estimate modelFrom(const nlohmann::json& json, const std::string& key) {
+  if (!json.contains(key)) throw ConfigurationError(key + ": missing (is the file truncated?)");
+  try {
+    return estimateFromJson(json[key]);
+  } catch (const ConfigurationError& error) {
+    throw ConfigurationError(pathOf(key, error.what()));
+  }
+}
+
+}  // namespace
+
+nlohmann::json toJson(const Explanation& explanation) {
+  TreeWriter writer;
+  Explanation copy = explanation;
+  bind(writer, copy);
+  nlohmann::json tree = writer.tree();
+  tree["model"] = toJson(explanation.after);
+  tree["model_before"] = toJson(explanation.before);
+  return tree;
+}
+
+Explanation explanationFromJson(const nlohmann::json& json) {
+  const std::map<std::string, int> no_lines;
+  TreeReader reader(json, no_lines, ReadingRule::record);
+  Explanation explanation;
+  bind(reader, explanation);
+  explanation.after = modelFrom(json, "model");
+  explanation.before = modelFrom(json, "model_before");
+  return explanation;
+}
+
+void saveExplanation(const std::string& path, const Explanation& explanation) {
+  saveJson(path, toJson(explanation));
+}
+
+Explanation loadExplanation(const std::string& path) {
+  return loadJsonAs(path, explanationFromJson);
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,142 @@
+#include "uncertainty_identification/io/explanation_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "uncertainty_identification/enum_names.h"
+#include "uncertainty_identification/io/text_table.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+constexpr double kQuantile90 = 1.6448536269514722;  // of a two-sided 90 % interval of a Gaussian
+constexpr std::size_t kTriedShown = 5;
+
+std::string shortNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return std::isfinite(value) ? text : "-";
+}
+
+std::string percentText(double share) { return shortNumber(100 * share) + " %"; }
+
+std::string countText(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string intervalText(double lower, double upper) {
+  if (!std::isfinite(lower) || !std::isfinite(upper)) return "-";
+  return shortNumber(lower) + " to " + shortNumber(upper);
+}
+
+std::string nameText(const std::string& name, const std::string& variant) {
+  return variant.empty() ? name : name + " (" + variant + ")";
+}
+
+std::string probabilityText(double p_value) {
+  char text[32];
+  std::snprintf(text, sizeof text, p_value < 1e-16 ? "p < 1e-16" : "p = %.2g", p_value);
+  return text;
+}
+
+std::string outcomeText(const Check& check) {
+  if (check.passed) return "passes";
+  return "FAILS, " + probabilityText(check.p_value) +
+         (check.where.empty() ? "" : ", " + check.where);
+}
+
+/// What the tests say before and, where there are causes, after; those that fail before come first.
+std::string checksText(const Explanation& explanation) {
+  const bool twice = !explanation.causes.empty();
+  std::vector<Check> before = explanation.checks_before;
+  const auto failed = [](const Check& check) { return !check.passed; };
+  const auto passed = std::stable_partition(before.begin(), before.end(), failed);
+  if (passed == before.begin() && !twice) {
+    return "All " + countText(before.size(), "test") + " of the residuals pass.\n";
+  }
+  Rows rows{{"Test of the residuals", "without the causes", "with them"}};
+  if (!twice) rows[0] = {"Test of the residuals", ""};
+  for (const Check& check : before) {
+    rows.push_back({check.name, outcomeText(check)});
+    if (!twice) continue;
+    const auto& after = explanation.checks_after;
+    const auto same = std::find_if(after.begin(), after.end(), [&check](const Check& candidate) {
+      return candidate.name == check.name;
+    });
+    rows.back().push_back(same == after.end() ? "-" : outcomeText(*same));
+  }
+  return textTable(rows);
+}
+
+std::string parametersText(const std::vector<CauseParameter>& parameters) {
+  Rows rows;
+  for (const CauseParameter& parameter : parameters) {
+    const std::string unit = parameter.unit.empty() ? "" : " [" + parameter.unit + "]";
+    rows.push_back({parameter.name + unit, estimateText(parameter.value, parameter.standard_error),
+                    "90 %: " + intervalText(parameter.lower_90, parameter.upper_90)});
+  }
+  return rows.empty() ? "" : textTable(rows);
+}
+
+std::string gainText(const Gain& gain, std::size_t held_out) {
+  const double radius = kQuantile90 * gain.standard_error;
+  const auto change = [](const Comparison& values) {
+    return shortNumber(values.before) + " -> " + shortNumber(values.after);
+  };
+  const Comparison& inside = gain.coverage_95;
+  return "  On " + countText(held_out, "experiment") + " not used for fitting:\n" +
+         textTable(
+             {{"gain per experiment [nats]", estimateText(gain.log_density, gain.standard_error),
+               "90 %: " + intervalText(gain.log_density - radius, gain.log_density + radius)},
+              {"simulation fit [%]", change(gain.nrmse_fit_percent)},
+              {"samples in 95 % intervals [%]", change({100 * inside.before, 100 * inside.after})},
+              {"noise variance", change(gain.noise_variance)}});
+}
+
+std::string causeText(const Cause& cause, std::size_t number, std::size_t held_out) {
+  std::string text = "\nCause " + std::to_string(number) + ": " +
+                     nameText(cause.name, cause.variant) + ", " + cause.group + ", probability " +
+                     percentText(cause.confidence) + "\n";
+  if (!cause.description.empty()) text += "  " + cause.description + "\n";
+  for (const std::string& name : cause.equivalent) {
+    text += "  or " + name + ": the data cannot tell\n";
+  }
+  text += parametersText(cause.parameters);
+  text += cause.gain ? gainText(*cause.gain, held_out) : "  Naming it changes no prediction.\n";
+  return cause.advice.empty() ? text : text + "  What to do: " + cause.advice + "\n";
+}
+
+/// The best of what was tried, where that may help the reader to a cause of their own.
+std::string triedText(std::vector<TriedEffect> tried) {
+  if (tried.empty()) return "";
+  std::stable_sort(tried.begin(), tried.end(),
+                   [](const TriedEffect& a, const TriedEffect& b) { return a.score > b.score; });
+  tried.resize(std::min(tried.size(), kTriedShown));
+  Rows rows{{"Best of what was tried", "score [nats]", "gain per experiment held out [nats]"}};
+  for (const TriedEffect& effect : tried) {
+    rows.push_back({nameText(effect.name, effect.variant), shortNumber(effect.score),
+                    estimateText(effect.held_out_gain, effect.standard_error)});
+  }
+  return "\n" + textTable(rows);
+}
+
+}  // namespace
+
+std::string explanationText(const Explanation& explanation) {
+  std::string text = "Verdict: " + nameOf(explanation.verdict);
+  text += (explanation.message.empty() ? "" : ": " + explanation.message) + "\n\n";
+  text += checksText(explanation);
+  for (std::size_t k = 0; k < explanation.causes.size(); ++k) {
+    text += causeText(explanation.causes[k], k + 1, explanation.held_out.size());
+  }
+  if (explanation.verdict != Verdict::none) text += triedText(explanation.candidates);
+  if (!explanation.warnings.empty()) text += "\n";
+  for (const std::string& warning : explanation.warnings) text += "Warning: " + warning + "\n";
+  return text;
+}
+
+}  // namespace uncertainty_identification

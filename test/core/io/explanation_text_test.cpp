@@ -1,0 +1,82 @@
+#include "uncertainty_identification/io/explanation_text.h"
+
+#include <gtest/gtest.h>
+
+#include "support/example_explanation.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using test::exampleExplanation;
+
+void expectPart(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << "no " << part << " in\n" << text;
+}
+
+TEST(ExplanationText, BeginsWithTheVerdict) {
+  EXPECT_EQ(explanationText(exampleExplanation())
+                .rfind("Verdict: partly_explained: the actuator has a dead zone", 0),
+            0u);
+}
+
+TEST(ExplanationText, ShowsTestsThatFailFirstAndWhatBecomesOfThem) {
+  expectPart(explanationText(exampleExplanation()),
+             "  Test of the residuals  without the causes                        with them\n"
+             "  whiteness              FAILS, p < 1e-16, 0.5 to 2 rad/s          FAILS, p = 3e-09, "
+             "8 to 9 rad/s\n"
+             "  kurtosis               FAILS, p = 1e-08, experiments run3, run7  passes\n"
+             "  variance over time     passes                                    passes\n");
+}
+
+TEST(ExplanationText, ShowsCausesWithParametersAndGain) {
+  const std::string text = explanationText(exampleExplanation());
+  expectPart(text, "\nCause 1: act_deadzone, actuator, probability 98 %\n");
+  expectPart(text, "  inputs smaller than the width have no effect\n");
+  expectPart(text, "  or act_backlash: the data cannot tell\n");
+  expectPart(text, "  width [V]  0.3100 +- 0.0040  90 %: 0.303 to 0.317\n");
+  expectPart(text, "  ratio      1                 90 %: -\n");
+  expectPart(text, "  On 2 experiments not used for fitting:\n");
+  expectPart(text, "gain per experiment [nats]     12.25 +- 0.33  90 %: 11.7 to 12.8\n");
+  expectPart(text, "simulation fit [%]             81.2 -> 88.9\n");
+  expectPart(text, "samples in 95 % intervals [%]  91 -> 95\n");
+  expectPart(text, "noise variance                 0.13 -> 0.1\n");
+  expectPart(text, "  What to do: move the actuator slowly through zero\n");
+}
+
+TEST(ExplanationText, SaysWhatHasNoGain) {
+  const std::string text = explanationText(exampleExplanation());
+  const std::string second = text.substr(text.find("Cause 2: exp_feedback"));
+  expectPart(second, "Naming it changes no prediction.\n");
+  EXPECT_EQ(second.find("not used for fitting"), std::string::npos);
+}
+
+TEST(ExplanationText, ShowsWhatWasTriedBestFirst) {
+  expectPart(explanationText(exampleExplanation()),
+             "  act_deadzone            412.5         12.25 +- 0.33\n"
+             "  plant_temp (temp)       -3            -\n");
+}
+
+TEST(ExplanationText, WhereNothingIsWrongThereIsLittleToRead) {
+  Explanation none = exampleExplanation();
+  none.verdict = Verdict::none;
+  none.message = "the simulation explains all there is";
+  none.causes.clear();
+  for (Check& check : none.checks_before) check.passed = true;
+  EXPECT_EQ(explanationText(none),
+            "Verdict: none: the simulation explains all there is\n\n"
+            "All 3 tests of the residuals pass.\n\n"
+            "Warning: only 12 experiments were kept out of the fit\n");
+}
+
+TEST(ExplanationText, WithoutACauseThereIsNothingToCompareWith) {
+  Explanation unknown = exampleExplanation();
+  unknown.verdict = Verdict::unknown;
+  unknown.causes.clear();
+  const std::string text = explanationText(unknown);
+  expectPart(text, "  whiteness              FAILS, p < 1e-16, 0.5 to 2 rad/s\n");
+  expectPart(text, "Best of what was tried");
+  EXPECT_EQ(text.find("with them"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
