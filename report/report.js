@@ -1,5 +1,5 @@
 'use strict';
-// The report of a result (result.json), top to bottom.
+// The report of a result (result.json), and of an explanation where there is one, top to bottom.
 
 function showResponses(parent, result) {
   const choices = new BandChoice(hasErrorModel(result)), bounds = hasBounds(result) ? result.bounds : null;
@@ -40,13 +40,22 @@ const kSections = [
 
 const kBaselineSection = {id: 'baseline', title: 'Fits of each experiment', show: showBaseline};
 
-function showReport(result, parent) {
-  const sections = result.baseline ? [...kSections.slice(0, 2), kBaselineSection, ...kSections.slice(2)] : kSections;
+function sectionsOf(result, explanation) {
+  const before = explanation ? kExplanationSections.map(entry => ({...entry, show: parent => entry.show(parent, explanation)})) : [];
+  return [...before, ...(result.baseline ? [...kSections.slice(0, 2), kBaselineSection, ...kSections.slice(2)] : kSections)];
+}
+
+/// `explanation` is null where there is none.
+function showReport(result, explanation, parent) {
+  const sections = sectionsOf(result, explanation);
+  const first = explanation ? [{id: 'verdict', title: 'What the simulation gets wrong'}, {id: 'summary', title: 'The identified model'}] : [];
   const origin = `uncertainty_identification ${result.version} \u00b7 data ${result.data_fingerprint} \u00b7 seed ${result.seed}`;
   parent.append(element('header', {}, element('h1', {}, 'Identification report'),
-    element('nav', {}, ...sections.map(({id, title}) => element('a', {href: '#' + id}, title)))));
-  showWarnings(parent, result);
-  showSummary(parent, result);
+    element('nav', {}, ...[...first, ...sections].map(({id, title}) => element('a', {href: '#' + id}, title)))));
+  if (explanation) showVerdict(section(parent, 'verdict', first[0].title), explanation);
+  const summary = explanation ? section(parent, 'summary', first[1].title) : parent;
+  showWarnings(summary, result);
+  showSummary(summary, result);
   sections.forEach(({id, title, show}) => show(section(parent, id, title), result));
   printFigures();
   parent.append(element('footer', {}, origin));

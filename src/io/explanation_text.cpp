@@ -38,9 +38,10 @@ std::string nameText(const std::string& name, const std::string& variant) {
 }
 
 std::string probabilityText(double p_value) {
+  if (p_value < 1e-16) return "p < 1e-16";
   char text[32];
-  std::snprintf(text, sizeof text, p_value < 1e-16 ? "p < 1e-16" : "p = %.2g", p_value);
-  return text;
+  std::snprintf(text, sizeof text, "p = %.2g", p_value);
+  return std::isfinite(p_value) ? text : "p = -";
 }
 
 std::string outcomeText(const Check& check) {

@@ -4,6 +4,7 @@
 
 #include "uncertainty_identification/data/atomic_file.h"
 #include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/explanation_json.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -47,17 +48,21 @@ std::string reportObstacle(const ReportFiles& files) {
          "-DCHART_JS=/path/to/chart.min.js, and build again";
 }
 
-std::string reportHtml(const Result& result, const ReportFiles& files) {
+std::string reportHtml(const Result& result, const std::optional<Explanation>& explanation,
+                       const ReportFiles& files) {
   const std::string obstacle = reportObstacle(files);
   if (!obstacle.empty()) throw FileError(obstacle);
+  const nlohmann::json explained = explanation ? toJson(*explanation) : nlohmann::json();
   return filled(files.page, {{"style", files.style},
                              {"chart", files.chart},
                              {"script", files.script},
-                             {"result", embeddable(toJson(result))}});
+                             {"result", embeddable(toJson(result))},
+                             {"explanation", embeddable(explained)}});
 }
 
-void writeReport(const std::string& path, const Result& result) {
-  writeFileAtomically(path, reportHtml(result));
+void writeReport(const std::string& path, const Result& result,
+                 const std::optional<Explanation>& explanation) {
+  writeFileAtomically(path, reportHtml(result, explanation));
 }
 
 }  // namespace uncertainty_identification

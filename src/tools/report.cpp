@@ -2,11 +2,13 @@
 
 #include "uncertainty_identification/io/report.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/command_line.h"
+#include "uncertainty_identification/io/explanation_json.h"
 #include "uncertainty_identification/io/output_file.h"
 
 namespace {
@@ -16,21 +18,21 @@ namespace po = boost::program_options;
 
 const char* const kName = "report";
 
-std::string resultFile(const po::variables_map& arguments) {
-  if (arguments.count("result") == 0) {
+/// result.json, and explanation.json where it is given.
+std::vector<std::string> inputFiles(const po::variables_map& arguments) {
+  if (arguments.count("files") == 0) {
     throw ui::ConfigurationError("no result.json given; see report --help");
   }
-  const auto& files = arguments["result"].as<std::vector<std::string>>();
-  if (files.size() > 1) {
-    throw ui::ConfigurationError(files[1] +
-                                 ": explanations are not available in this version; give one "
-                                 "result.json");
+  const auto& files = arguments["files"].as<std::vector<std::string>>();
+  if (files.size() > 2) {
+    throw ui::ConfigurationError(files[2] +
+                                 ": a report holds one result.json and one explanation.json");
   }
-  return files[0];
+  return files;
 }
 
 int run(const po::variables_map& arguments) {
-  const std::string input = resultFile(arguments);
+  const std::vector<std::string> files = inputFiles(arguments);
   const std::string obstacle = ui::reportObstacle();
   if (!obstacle.empty()) {
     ui::printMessage(kName, obstacle);
@@ -38,7 +40,10 @@ int run(const po::variables_map& arguments) {
   }
   const std::string output = arguments["output"].as<std::string>();
   ui::requireWritable(output);
-  ui::writeReport(output, ui::loadResult(input));
+  const ui::Result result = ui::loadResult(files[0]);
+  std::optional<ui::Explanation> explanation;
+  if (files.size() > 1) explanation = ui::loadExplanation(files[1]);
+  ui::writeReport(output, result, explanation);
   return ui::kDone;
 }
 
@@ -47,14 +52,15 @@ int run(const po::variables_map& arguments) {
 int main(int argc, char** argv) {
   ui::Program program;
   program.name = kName;
-  program.usage = "--output report.html [--] result.json";
+  program.usage = "--output report.html [--] result.json [explanation.json]";
   program.purpose =
-      R"(Writes what identify found as one HTML page with figures, which opens in any browser and needs no
-network. Exit status: 0 done; 1 built without Chart.js; 2 usage or a file that cannot be read.)";
+      R"(Writes what identify found, and explain where its file is given too, as one HTML page with figures,
+which opens in any browser and needs no network.
+Exit status: 0 done; 1 built without Chart.js; 2 usage or a file that cannot be read.)";
   program.options.add_options()  //
       ("output", po::value<std::string>()->required()->value_name("FILE"),
        "where the report goes (HTML)");
-  program.arguments = "result";
+  program.arguments = "files";
   program.run = run;
   return ui::runProgram(program, argc, argv);
 }

@@ -8,9 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "support/example_explanation.h"
 #include "support/process.h"
 #include "support/temporary_folder.h"
 #include "uncertainty_identification/data/csv.h"
+#include "uncertainty_identification/io/explanation_json.h"
 #include "uncertainty_identification/io/read_file.h"
 #include "uncertainty_identification/io/report.h"
 #include "uncertainty_identification/io/result_json.h"
@@ -123,8 +125,12 @@ TEST_F(Tools, ReportOfAResult) {
   other.replace(other.find("result/1"), 8, "result/9");
   expectFailure(report({write("other.json", other)}), 2, "report",
                 "found 'uncertainty_identification/result/9'");
-  expectFailure(report({result_, "explanation.json"}), 2, "report",
-                "explanation.json: explanations are not available in this version");
+  const std::string explanation = folder_ / "explanation.json";
+  saveExplanation(explanation, test::exampleExplanation());
+  expectFailure(report({result_, result_}), 2, "report",
+                "expected 'uncertainty_identification/explanation/1'");
+  expectFailure(report({result_, explanation, "more.json"}), 2, "report",
+                "more.json: a report holds one result.json and one explanation.json");
   expectFailure(tool("report", {"--output", folder_ / "no/report.html", result_}), 2, "report",
                 "there is no folder");
   EXPECT_FALSE(fs::exists(output));
@@ -132,6 +138,8 @@ TEST_F(Tools, ReportOfAResult) {
   EXPECT_EQ(run.status, 0) << run.errors;
   EXPECT_EQ(run.output + run.errors, "");
   EXPECT_EQ(readFile(output), reportHtml(loadResult(result_)));
+  ASSERT_EQ(report({result_, explanation}).status, 0);
+  EXPECT_EQ(readFile(output), reportHtml(loadResult(result_), loadExplanation(explanation)));
 }
 
 TEST_F(Tools, BaselinesFitEachExperiment) {

@@ -7,10 +7,12 @@
 
 #include "support/core_setup.h"
 #include "support/error_message.h"
+#include "support/example_explanation.h"
 #include "support/plain_estimate.h"
 #include "support/process.h"
 #include "support/temporary_folder.h"
 #include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/explanation_json.h"
 #include "uncertainty_identification/io/read_file.h"
 
 namespace uncertainty_identification {
@@ -38,25 +40,34 @@ std::size_t countOf(const std::string& text, const std::string& part) {
   return count;
 }
 
-/// What stands in the element of the result.
-std::string embeddedResult(const std::string& html) {
-  const std::string opening = "<script type=\"application/json\" id=\"result\">";
+/// What stands in the element of the result or the explanation.
+nlohmann::json embedded(const std::string& html, const std::string& id = "result") {
+  const std::string opening = "<script type=\"application/json\" id=\"" + id + "\">";
   const std::size_t begin = html.find(opening) + opening.size();
-  return html.substr(begin, html.find("</script>", begin) - begin);
+  return nlohmann::json::parse(html.substr(begin, html.find("</script>", begin) - begin));
 }
 
 TEST(Report, HoldsTheWholeResult) {
   const Result result = someResult();
-  const std::string html = reportHtml(result, filesWithChart());
-  EXPECT_EQ(nlohmann::json::parse(embeddedResult(html)), toJson(result));
+  const std::string html = reportHtml(result, {}, filesWithChart());
+  EXPECT_EQ(embedded(html), toJson(result));
   EXPECT_EQ(html.find("{{"), std::string::npos) << "something was not filled in";
   EXPECT_NE(html.find(reportFiles().script), std::string::npos);
   EXPECT_NE(html.find(reportFiles().style), std::string::npos);
 }
 
+TEST(Report, HoldsTheExplanationWhereThereIsOne) {
+  const Result result = someResult();
+  const Explanation explanation = test::exampleExplanation();
+  const std::string html = reportHtml(result, explanation, filesWithChart());
+  EXPECT_EQ(embedded(html, "explanation"), toJson(explanation));
+  EXPECT_EQ(embedded(html), toJson(result));
+  EXPECT_TRUE(embedded(reportHtml(result, {}, filesWithChart()), "explanation").is_null());
+}
+
 /// Nothing is fetched: no element names another file, and the page forbids its browser to ask.
 TEST(Report, NeedsNoOtherFile) {
-  const std::string html = reportHtml(someResult(), filesWithChart());
+  const std::string html = reportHtml(someResult(), {}, filesWithChart());
   EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
   EXPECT_FALSE(std::regex_search(html, std::regex(R"(<(script|img|iframe|link)[^>]*\ssrc=)")));
   EXPECT_EQ(countOf(html, "<link"), 1u);
@@ -70,11 +81,11 @@ TEST(Report, TextFromUsersCannotBecomeMarkup) {
   const std::string evil = "</script><script>alert(1)</script><!--<script>{{chart}}\xff";
   result.estimate.experiments.push_back({evil, 10, {1.0, 0.0}, Eigen::VectorXd::Ones(1), -1});
   result.estimate.warnings.push_back("</SCRIPT>");
-  const std::string html = reportHtml(result, filesWithChart());
+  const std::string html = reportHtml(result, {}, filesWithChart());
   EXPECT_EQ(html.find("alert(1)</script>"), std::string::npos);
   EXPECT_EQ(html.find("</SCRIPT>"), std::string::npos);
-  EXPECT_EQ(countOf(html, "</script>"), 3u) << "of the page's own three elements";
-  const auto id = nlohmann::json::parse(embeddedResult(html))["experiments"]["estimates"][0]["id"];
+  EXPECT_EQ(countOf(html, "</script>"), 4u) << "of the page's own four elements";
+  const auto id = embedded(html)["experiments"]["estimates"][0]["id"];
   EXPECT_EQ(id, "</script><script>alert(1)</script><!--<script>{{chart}}\xef\xbf\xbd");
 }
 
@@ -87,7 +98,8 @@ TEST(Report, WithoutChartJsSaysWhatToInstall) {
   ReportFiles files = reportFiles();
   files.chart = "";
   EXPECT_NE(reportObstacle(files).find("libjs-chart.js"), std::string::npos);
-  EXPECT_EQ(messageOf<FileError>([&] { reportHtml(someResult(), files); }), reportObstacle(files));
+  EXPECT_EQ(messageOf<FileError>([&] { reportHtml(someResult(), {}, files); }),
+            reportObstacle(files));
   EXPECT_EQ(reportObstacle(filesWithChart()), "");
 }
 

@@ -1,0 +1,92 @@
+'use strict';
+// What the simulation gets wrong and why (explanation.json): the verdict, the tests, the causes.
+
+const kColorBefore = kColors[1], kColorAfter = kColors[0];
+const kQuantile90 = 1.645, kQuantile95 = 1.96;  // of two-sided intervals of a Gaussian
+
+function fullName({name, variant}) {
+  return variant ? `${name} (${variant})` : name;
+}
+
+function causeNames(explanation) {
+  return listed(explanation.causes.map(({equivalent, ...cause}) => [fullName(cause), ...equivalent].join(' or ')));
+}
+
+function failing(checks) {
+  return checks.filter(check => !check.passed);
+}
+
+/// "whiteness and kurtosis still fail".
+function failure(checks, verb) {
+  const names = failing(checks).map(check => check.name);
+  return `${listed(names)} ${verb}${names.length === 1 ? 's' : ''}`;
+}
+
+function verdictSentence(explanation) {
+  const {verdict, causes, checks_before: before, checks_after: after} = explanation;
+  const named = `The ${causes.length === 1 ? 'cause is' : 'causes are'} ${causeNames(explanation)}.`;
+  return {
+    none: `Nothing: all ${counted(before.length, 'test')} of the residuals pass.`,
+    explained: `${named} With ${causes.length === 1 ? 'it' : 'them'} in the model all tests pass.`,
+    partly_explained: `${named} That is not all: ${failure(after, 'still fail')}.`,
+    unknown: `Something that no effect of the catalogue explains: ${failure(before, 'fail')}.`,
+  }[verdict];
+}
+
+function probability(value) {
+  return isNumber(value) && value < 1e-16 ? 'below 10\u207b\u00b9\u2076' : number(value, 2);
+}
+
+function outcome(check) {
+  if (!check) return kNone;
+  return check.passed ? 'passes' : element('span', {class: 'fails'}, 'fails' + (check.where ? ': ' + check.where : ''));
+}
+
+/// Tests that fail without the causes come first.
+function checksTable({checks_before: before, checks_after: after, causes}) {
+  const ordered = [...failing(before), ...before.filter(check => check.passed)], twice = causes.length > 0;
+  const columns = [{title: 'Test of the residuals'}, {title: 'Statistic', number: true}, {title: 'p-value', number: true},
+                   {title: twice ? 'Without the causes' : 'Outcome'}, ...(twice ? [{title: 'With them'}] : [])];
+  return table(columns, ordered.map(check => {
+    const cells = [check.name, number(check.statistic), probability(check.p_value), outcome(check)];
+    return twice ? [...cells, outcome(after.find(({name}) => name === check.name))] : cells;
+  }));
+}
+
+function causeParameters(parameters) {
+  const interval90 = ({lower_90: lower, upper_90: upper}) =>
+    isNumber(lower) && isNumber(upper) ? `${number(lower)} to ${number(upper)}` : kNone;
+  return table([{title: 'Parameter'}, {title: 'Value', number: true}, {title: 'Standard error', number: true},
+                {title: '90\u00a0% interval', number: true}, {title: 'Unit'}],
+    parameters.map(parameter => {
+      const {value, error} = withError(parameter.value, parameter.standard_error);
+      return [parameter.name, value, error, interval90(parameter), parameter.unit];
+    }));
+}
+
+function showCause(parent, cause, index) {
+  parent.append(element('h3', {}, `Cause ${index + 1}: ${fullName(cause)}, ${cause.group}`));
+  const others = cause.equivalent.length > 0 ? ` The data cannot tell it from ${listed(cause.equivalent)}.` : '';
+  parent.append(paragraph(`${asSentence(cause.description || cause.name)} Its probability among the candidates is ` +
+    `${percent(Math.floor(1000 * cause.confidence) / 1000)}.${others}`));
+  if (cause.advice) parent.append(element('p', {class: 'advice'}, element('b', {}, 'What to do: '), asSentence(cause.advice)));
+  if (cause.parameters.length > 0) parent.append(causeParameters(cause.parameters));
+}
+
+function showVerdict(parent, explanation) {
+  parent.append(element('p', {class: 'verdict ' + explanation.verdict}, verdictSentence(explanation)));
+  if (explanation.message) parent.append(paragraph(asSentence(explanation.message)));
+  if (explanation.warnings.length > 0) {
+    parent.append(element('div', {class: 'warnings', role: 'note'},
+      element('ul', {}, ...explanation.warnings.map(text => element('li', {}, asSentence(text))))));
+  }
+  parent.append(checksTable(explanation));
+  explanation.causes.forEach((cause, index) => showCause(parent, cause, index));
+}
+
+const kExplanationSections = [
+  {id: 'gain', title: 'What the causes gain', show: showGain},
+  {id: 'simulated', title: 'Measured against simulated', show: showSimulated},
+  {id: 'left', title: 'What the simulation leaves', show: showLeft},
+  {id: 'tried', title: 'Effects that were tried', show: showTried},
+];
