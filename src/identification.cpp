@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "uncertainty_identification/data/check.h"
+#include "uncertainty_identification/effects/extended_model.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/estimation/initial_guess.h"
 #include "uncertainty_identification/estimation/linearisation.h"
@@ -152,12 +153,15 @@ void Identification::buildModel() {
   const Configuration& configuration = estimate_.configuration;
   const NominalModelOptions& options = configuration.nominal_model;
   const bool white = options.structure == Structure::output_error;
-  auto nominal = plant_.has_value()
-                     ? holdPlant(*plant_, white ? 0 : options.nc, white ? 0 : options.nd)
-                     : nominalModel();
-  completeErrorModel(*nominal, &estimate_.configuration.error_model);
+  nominal_ = plant_.has_value() ? holdPlant(*plant_, white ? 0 : options.nc, white ? 0 : options.nd)
+                                : nominalModel();
+  completeErrorModel(*nominal_, &estimate_.configuration.error_model);
   if (blocks_.empty()) blocks_ = makeBlocks(experiments_);
-  adopt(makeLinearModel(nominal, configuration.error_model, configuration.estimation));
+  if (configuration.effects.empty()) {
+    adopt(makeLinearModel(nominal_, configuration.error_model, configuration.estimation));
+  } else {
+    adopt(makeExtendedModel(nominal_, configuration, experiments_));
+  }
 }
 
 void Identification::adopt(std::unique_ptr<LinearModel> model) {

@@ -38,6 +38,7 @@ class Identification {
   void buildModel();
   void checkSizes() const;
   std::vector<Eigen::VectorXd> starts() const;
+  Eigen::VectorXd withEffects(const Eigen::VectorXd& start) const;
   Eigen::VectorXd given(const LinearModel& model, const Estimate* previous) const;
   bool isGiven(const Estimate* previous) const;
   std::shared_ptr<const NominalModel> nominalModel() const;
@@ -53,6 +54,7 @@ class Identification {
   void describe();
   void describeExperiments();
   void describeParameters();
+  void describeEffect(ParameterEstimate parameter, std::size_t dot);
   Eigen::MatrixXd jointCovariance(const Eigen::MatrixXd& coordinate_covariance) const;
   void reportFloor(const Eigen::MatrixXd& floor);
   void validate(const std::vector<Experiment>& validation);
@@ -72,6 +74,7 @@ class Identification {
   Estimate estimate_;                    ///< its configuration is the one being completed
   std::vector<Experiment> experiments_;  ///< those that passed the checks
   std::vector<Block> blocks_;
+  std::shared_ptr<const NominalModel> nominal_;
   std::unique_ptr<LinearModel> model_;
   std::unique_ptr<Likelihood> likelihood_;
   ModelParameters at_;

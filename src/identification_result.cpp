@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "identification.h"
+#include "uncertainty_identification/effects/extended_model.h"
 #include "uncertainty_identification/estimation/plant_coordinates.h"
 #include "uncertainty_identification/estimation/residual_tests.h"
 #include "uncertainty_identification/estimation/selection.h"
@@ -96,6 +97,10 @@ void Identification::describeParameters() {
   go.covariance.topLeftCorner(before, before) = plant_covariance_;
   go.covariance.bottomRightCorner(own, own) = errors.covariance.topLeftCorner(own, own);
   for (Index k = own; k < model_->parameterCount(); ++k) {
+    if (const auto dot = names[static_cast<std::size_t>(k)].find('.'); dot != std::string::npos) {
+      describeEffect(describe(k), dot);
+      continue;
+    }
     (names[static_cast<std::size_t>(k)] == "offset_u" ? estimate_.offset_u : estimate_.offset_y) =
         values[k];
   }
@@ -104,6 +109,25 @@ void Identification::describeParameters() {
       estimate_.error_model.parameters.push_back(describe(k));
   }
   estimate_.noise_variance = describe(last);
+}
+
+/// A parameter "effect.parameter" of an effect.
+void Identification::describeEffect(ParameterEstimate parameter, std::size_t dot) {
+  const std::string effect = parameter.name.substr(0, dot);
+  parameter.name = parameter.name.substr(dot + 1);
+  const auto& options = estimate_.configuration.effects;
+  const auto& effects = dynamic_cast<const ExtendedModel&>(*model_).effects();
+  for (std::size_t k = 0; k < options.size(); ++k) {
+    if (options[k].name != effect) continue;
+    while (estimate_.effects.size() <= k) {
+      const EffectOptions& next = options[estimate_.effects.size()];
+      estimate_.effects.push_back({next.name, next.variant, {}});
+    }
+    for (const EffectParameter& of : effects[k]->description().parameters)
+      if (of.name == parameter.name) parameter.unit = of.unit;
+    estimate_.effects[k].parameters.push_back(std::move(parameter));
+    return;
+  }
 }
 
 /// From the coordinates of the climb to those of Estimate::joint_covariance.

@@ -2,6 +2,7 @@
 #include <map>
 
 #include "identification.h"
+#include "uncertainty_identification/effects/extended_model.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/estimation/initial_guess.h"
 #include "uncertainty_identification/estimation/selection.h"
@@ -12,9 +13,23 @@ namespace uncertainty_identification {
 using Eigen::VectorXd;
 
 std::vector<VectorXd> Identification::starts() const {
-  return plant_.has_value()
-             ? noiseStarts(*model_, *plant_, plant_offset_, experiments_)
-             : nominalStarts(*model_, estimate_.configuration.nominal_model, experiments_);
+  const Configuration& configuration = estimate_.configuration;
+  const LinearModel plain(nominal_, model_->basis(), configuration.estimation);
+  std::vector<VectorXd> all = plant_.has_value()
+                                  ? noiseStarts(plain, *plant_, plant_offset_, experiments_)
+                                  : nominalStarts(plain, configuration.nominal_model, experiments_);
+  for (VectorXd& start : all) start = withEffects(start);
+  return all;
+}
+
+/// The start with those of the effects' parameters.
+VectorXd Identification::withEffects(const VectorXd& start) const {
+  const auto* extended = dynamic_cast<const ExtendedModel*>(model_.get());
+  if (extended == nullptr) return start;
+  const VectorXd psi = startingValues(extended->effects(), estimate_.configuration.effects);
+  VectorXd all(start.size() + psi.size());
+  all << start, psi;
+  return all;
 }
 
 bool Identification::isGiven(const Estimate* previous) const {
@@ -31,6 +46,10 @@ VectorXd Identification::given(const LinearModel& model, const Estimate* previou
       values[parameter.name] = parameter.value;
     values["offset_u"] = previous->offset_u;
     values["offset_y"] = previous->offset_y;
+    for (const EffectEstimate& effect : previous->effects) {
+      for (const ParameterEstimate& parameter : effect.parameters)
+        values[effect.name + "." + parameter.name] = parameter.value;
+    }
   } else {
     const std::vector<std::string> names = nominalModel()->names();
     const VectorXd& theta = configuration.initial.theta;
@@ -42,6 +61,9 @@ VectorXd Identification::given(const LinearModel& model, const Estimate* previou
     }
     for (std::size_t k = 0; k < names.size(); ++k)
       values[names[k]] = theta[static_cast<Eigen::Index>(k)];
+    const VectorXd psi = withEffects(VectorXd());
+    for (Eigen::Index k = 0; k < psi.size(); ++k)
+      values[*(model.names().end() - psi.size() + k)] = psi[k];
   }
   VectorXd at = VectorXd::Zero(model.parameterCount());
   const std::vector<std::string> names = model.names();

@@ -83,19 +83,6 @@ Fit baseFit(const Estimate& estimate, const FitData& data, const DataSummary& su
   return evaluated(model, at, data);
 }
 
-/// Names of the parameters that move Go.
-std::vector<std::string> plantParameters(const NominalModel& nominal, const VectorXd& theta) {
-  const Polynomials p = nominal.polynomials(theta);
-  const MatrixXd jacobian = nominal.jacobian(theta);
-  const std::vector<std::string> names = nominal.names();
-  std::vector<std::string> all;
-  for (Index k = 0; k < jacobian.cols(); ++k) {
-    if (jacobian.col(k).head(p.b.size() + p.a.size()).isZero(0)) break;
-    all.push_back(names[static_cast<std::size_t>(k)]);
-  }
-  return all;
-}
-
 /// Largest peaks of the residual's spectrum, where a hum would start.
 void findPeaks(const Residuals& residuals, const FitData& data, DataSummary* summary) {
   constexpr int kRefinement = 4;
@@ -367,14 +354,6 @@ void Explaining::describe(const SearchState& base, SearchState state) {
 }
 
 }  // namespace
-
-const EnumNames<Verdict>& enumNames(Verdict) {
-  static const EnumNames<Verdict> kNames{{Verdict::none, "none"},
-                                         {Verdict::explained, "explained"},
-                                         {Verdict::partly_explained, "partly_explained"},
-                                         {Verdict::unknown, "unknown"}};
-  return kNames;
-}
 
 Explanation explain(const Configuration& configuration, const std::vector<Experiment>& experiments,
                     const std::vector<Experiment>& validation, const ProgressCallback& progress) {

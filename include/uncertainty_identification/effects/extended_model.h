@@ -84,4 +84,17 @@ class ExtendedModel : public LinearModel {
   int count_ = 0;  ///< of all parameters
 };
 
+/// The model that a configuration with effects names. Throws ConfigurationError for an effect that
+/// does not exist or does not fit the data, or a parameter that it does not have.
+std::unique_ptr<ExtendedModel> makeExtendedModel(std::shared_ptr<const NominalModel> nominal,
+                                                 const Configuration& configuration,
+                                                 const std::vector<Experiment>& experiments);
+
+/// Names of the parameters of nominal model `nominal` that move Go, the first of theta.
+std::vector<std::string> plantParameters(const NominalModel& nominal, const Eigen::VectorXd& theta);
+
+/// Starting values of the effects' parameters: those that the options give, else the first of the
+/// catalogue.
+Eigen::VectorXd startingValues(const Effects& effects, const std::vector<EffectOptions>& options);
+
 }  // namespace uncertainty_identification
