@@ -15,23 +15,24 @@ bool isBelow(const fs::path& path, const fs::path& folder) {
 
 }  // namespace
 
-std::string resolveBagName(const std::string& directory, const std::string& name) {
+std::string resolveBagName(const std::string& directory, const std::string& name,
+                           const std::string& what) {
   if (directory.empty())
-    throw RefusedError("bag '" + name +
-                       "': bag names are refused until bag_directory is configured");
+    throw RefusedError("bag '" + name + "': bag names are refused until " + what +
+                       " is configured");
   const fs::path relative(name);
   if (name.empty() || relative.is_absolute() ||
       std::find(relative.begin(), relative.end(), "..") != relative.end())
-    throw RefusedError("bag '" + name + "': give a name below bag_directory, without '..'");
+    throw RefusedError("bag '" + name + "': give a name below " + what + ", without '..'");
   std::error_code error;
   const fs::path folder = fs::canonical(directory, error);
-  if (error) throw FileError("bag_directory '" + directory + "': " + error.message());
+  if (error) throw FileError(what + " '" + directory + "': " + error.message());
   const fs::path bag = fs::canonical(folder / relative, error);
-  if (error) throw FileError("bag '" + name + "' in bag_directory: " + error.message());
+  if (error) throw FileError("bag '" + name + "' in " + what + ": " + error.message());
   if (!isBelow(bag, folder))
-    throw RefusedError("bag '" + name + "' is a link that leads out of bag_directory");
+    throw RefusedError("bag '" + name + "' is a link that leads out of " + what);
   if (!fs::is_regular_file(bag) || bag.extension() != ".bag")
-    throw FileError("bag '" + name + "' in bag_directory is no .bag file");
+    throw FileError("bag '" + name + "' in " + what + " is no .bag file");
   return bag.string();
 }
 

@@ -4,9 +4,8 @@
 #include <utility>
 namespace uncertainty_identification {
 
-BoundsPublisher::BoundsPublisher(ros::NodeHandle node, const BoundsOptions& options, Done done)
-    : wanted_(options.frequencies > 0),
-      done_(std::move(done)),
+BoundsPublisher::BoundsPublisher(ros::NodeHandle node, Done done)
+    : done_(std::move(done)),
       publisher_(node.advertise<messages::UncertaintyBounds>("uncertainty_bounds", 1, true)),
       thread_([this] { run(); }) {}
 
@@ -20,7 +19,7 @@ BoundsPublisher::~BoundsPublisher() {
 }
 
 void BoundsPublisher::add(std::shared_ptr<const Estimate> estimate, const ResultContext& context) {
-  if (!wanted_) return;
+  if (estimate->configuration.bounds.frequencies == 0) return;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     newest_ = Request{std::move(estimate), context};

@@ -44,9 +44,9 @@ int lockFolder(const std::string& directory) {
   if (::flock(lock, LOCK_EX | LOCK_NB) == 0) return lock;
   const int reason = errno;
   ::close(lock);
-  throw ConfigurationError("store_directory: '" + directory + "': " +
-                           (reason == EWOULDBLOCK ? "another node uses it; give each its own"
-                                                  : std::strerror(reason)));
+  throw ConfigurationError(
+      "store_directory: '" + directory + "': " +
+      (reason == EWOULDBLOCK ? "another node uses it; give each its own" : std::strerror(reason)));
 }
 
 }  // namespace

@@ -18,35 +18,37 @@ std_srvs::Trigger::Response answer(bool success, const std::string& message) {
 
 void warn(const std::string& message) { ROS_WARN_STREAM(message); }
 
-const Configuration& requireAvailable(const Configuration& configuration) {
-  if (configuration.store_directory.empty()) return configuration;
-  throw ConfigurationError("store_directory: found '" + configuration.store_directory +
-                           "', but this version keeps experiments in memory only; leave it empty");
+std::unique_ptr<StoreWriter> openStore(const Configuration& parameters,
+                                       const std::function<void()>& changed) {
+  if (parameters.store_directory.empty()) return nullptr;
+  return std::make_unique<StoreWriter>(parameters.store_directory, parameters.limits, changed);
 }
 
 }  // namespace
 
 IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                                            const ros::NodeHandle& private_node,
-                                           const Configuration& configuration)
-    : configuration_(requireAvailable(configuration)),
-      results_(private_node),
-      reports_(configuration.report_directory),
-      bounds_(private_node, configuration.bounds,
+                                           const Configuration& parameters)
+    : results_(private_node),
+      reports_(parameters.report_directory),
+      bounds_(private_node,
               [this](const Result& result) {
                 if (!configuration_.report_each_result) return;
                 const auto answer = reports_.answer({}, &result);
                 if (answer.code != messages::WriteReport::Response::OK) warn(answer.message);
               }),
       status_(
-          private_node, [this] { return worker_.status(); },
-          [this] { return results_.sequence(); }),
-      worker_(configuration, {[this](const WorkerResult& result) {
-                                bounds_.add(result.estimate, results_.publish(result));
-                              },
-                              [](const KeptExperiment&) {}, [](const RejectedExperiment&) {},
-                              [this] { status_.publish(); }, warn}),
-      recorder_(node, private_node, configuration,
+          private_node, [this] { return workerStatus(); }, [this] { return results_.sequence(); }),
+      store_(openStore(parameters, [this] { status_.publish(); })),
+      stored_(store_ ? store_->load() : StoredState()),
+      configuration_(configurationAtStart(parameters, stored_.configuration)),
+      worker_(configuration_, workerListener()),
+      reconfiguration_(parameters, configuration_, worker_,
+                       [this](const StoredConfiguration& configuration) {
+                         if (store_) store_->keep(configuration);
+                       }),
+      saved_(parameters.store_directory, worker_),
+      recorder_(node, private_node, configuration_,
                 {[this](FinishedExperiment experiment) { worker_.add(std::move(experiment)); },
                  [this](const std::string& problem) {
                    warn(problem);
@@ -60,10 +62,12 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                     [this] { return worker_.status(); }}),
       identify_bags_(private_node, "identify_bags",
                      [this](const messages::IdentifyBagsGoal& goal, const ProgressCallback& go_on) {
-                       return answerIdentifyBags(goal, configuration_, go_on);
+                       return answerIdentifyBags(goal, reconfiguration_.current(), go_on);
                      }) {
+  restore();
   advertiseTriggers(private_node);
   advertiseRequests();
+  advertiseKeeping();
   identify_thread_.start();
   query_thread_.start();
   identify_bags_.start();
@@ -72,6 +76,7 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
 
 IdentificationServer::~IdentificationServer() {
   stopping_ = true;
+  status_.close();
   for (auto& service : services_) service.shutdown();
   identify_thread_.stop();
   query_thread_.stop();
@@ -109,6 +114,7 @@ std_srvs::Trigger::Response IdentificationServer::reset() {
   status_.forgetProblems();
   recorder_.reset();
   worker_.reset();
+  if (store_) store_->reset();
   results_.forget();
   status_.publish();
   return answer(true, "all experiments and the result were dropped");
@@ -122,7 +128,7 @@ void IdentificationServer::advertiseRequests() {
   using messages::WriteReport;
   const boost::function<bool(Identify::Request&, Identify::Response&)> identify =
       [this](Identify::Request& request, Identify::Response& response) {
-        response = answerIdentify(request, configuration_,
+        response = answerIdentify(request, reconfiguration_.current(),
                                   [this](const Progress&) { return !stopping_ && ros::ok(); });
         return true;
       };

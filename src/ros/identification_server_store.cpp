@@ -59,8 +59,7 @@ void IdentificationServer::advertiseKeeping() {
   using messages::Save;
   const boost::function<bool(Configure::Request&, Configure::Response&)> configure =
       [this](Configure::Request& request, Configure::Response& response) {
-        response =
-            reconfiguration_.answer(request, [this] { return !stopping_ && ros::ok(); });
+        response = reconfiguration_.answer(request, [this] { return !stopping_ && ros::ok(); });
         response.sequence = results_.sequence();
         return true;
       };

@@ -132,7 +132,8 @@ void IdentificationWorker::succeed(Estimate estimate, bool preliminary, Work& wo
     status_.seconds = last_->seconds;
     status_.iterations = last_->iterations;
     unfit_ = last_->rejected;
-    listener_.result({last_, preliminary, windowOf(work.at.experiments)});
+    listener_.result(
+        {last_, preliminary, windowOf(work.at.experiments), work.identifier->configuration()});
   });
 }
 

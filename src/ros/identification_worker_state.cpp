@@ -119,7 +119,7 @@ void IdentificationWorker::adopt(const Configuration& configuration,
     status_.seconds = last_->seconds;
     status_.iterations = last_->iterations;
     unfit_ = last_->rejected;
-    listener_.result({last_, false, windowOf(snapshot.experiments)});
+    listener_.result({last_, false, windowOf(snapshot.experiments), configuration});
   });
 }
 

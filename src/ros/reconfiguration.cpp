@@ -15,8 +15,8 @@ using Response = messages::Configure::Response;
 
 /// What the recorder listens to, and the folders that no request may change.
 constexpr const char* kFixed[] = {
-    "input",           "output",           "covariates",         "experiment",
-    "bag_directory",   "report_directory", "report_each_result", "store_directory"};
+    "input",         "output",           "covariates",         "experiment",
+    "bag_directory", "report_directory", "report_each_result", "store_directory"};
 
 YAML::Node parse(const std::string& text) {
   try {

@@ -1,25 +1,13 @@
 #include "uncertainty_identification/ros/report_writer.h"
 
-#include <algorithm>
-#include <cctype>
-
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/report.h"
+#include "uncertainty_identification/ros/file_name.h"
 
 namespace uncertainty_identification {
 namespace {
 
 using Response = messages::WriteReport::Response;
-
-bool isPlainName(const std::string& name) {
-  constexpr std::size_t kLongest = 200;
-  const std::string ending = ".html";
-  return name.size() <= kLongest && name.size() > ending.size() && name[0] != '.' &&
-         name.compare(name.size() - ending.size(), ending.size(), ending) == 0 &&
-         std::all_of(name.begin(), name.end(), [](unsigned char c) {
-           return std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-';
-         });
-}
 
 Response answerOf(std::uint8_t code, const std::string& message) {
   Response response;
@@ -36,7 +24,7 @@ Response ReportWriter::answer(const messages::WriteReport::Request& request,
     return answerOf(Response::REFUSED, "reports are refused until report_directory is configured");
   }
   const std::string name = request.name.empty() ? "report.html" : request.name;
-  if (!isPlainName(name)) {
+  if (!isPlainFileName(name, ".html")) {
     return answerOf(Response::REFUSED, "name: found '" + name +
                                            "'; allowed: letters, digits, '.', '_' and '-', ending "
                                            "in .html, without a folder");

@@ -11,13 +11,25 @@ ResultPublisher::ResultPublisher(ros::NodeHandle node)
 
 ResultContext ResultPublisher::publish(const WorkerResult& result) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const ResultContext context{ros::Time::now(), ++count_, result.preliminary, result.window};
-  last_ = toMessage(*result.estimate, context);
-  last_estimate_ = result.estimate;
+  const ResultContext context{ros::Time::now(), count_ + 1, result.preliminary, result.window};
+  publishLocked(result.estimate, context);
+  return context;
+}
+
+void ResultPublisher::publishAgain(std::shared_ptr<const Estimate> estimate,
+                                   const ResultContext& context) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  publishLocked(std::move(estimate), context);
+}
+
+void ResultPublisher::publishLocked(std::shared_ptr<const Estimate> estimate,
+                                    const ResultContext& context) {
+  count_ = context.sequence;
+  last_ = toMessage(*estimate, context);
+  last_estimate_ = std::move(estimate);
   nominal_model_.publish(last_->nominal_model);
   error_model_.publish(last_->error_model);
   result_.publish(*last_);
-  return context;
 }
 
 std::optional<messages::IdentificationResult> ResultPublisher::last() const {

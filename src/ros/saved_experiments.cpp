@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using Save = messages::Save::Response;
 using Load = messages::Load::Response;
 
-constexpr std::ptrdiff_t kMostFiles = 100;                // so that requests do not fill the disk
+constexpr std::ptrdiff_t kMostFiles = 100;              // so that requests do not fill the disk
 constexpr std::uintmax_t kLargestFile = 1'000'000'000;  // [bytes]
 constexpr const char* kFolder = "saved/ in store_directory";
 
@@ -65,8 +65,8 @@ Save SavedExperiments::save(const messages::Save::Request& request,
     std::vector<const Experiment*> experiments;
     for (const auto& experiment : snapshot.experiments) experiments.push_back(&experiment);
     writeExperimentBag(path, experiments, result ? &*result : nullptr);
-    auto response = answerOf<Save>(
-        Save::OK, std::to_string(experiments.size()) + " experiments were saved");
+    auto response =
+        answerOf<Save>(Save::OK, std::to_string(experiments.size()) + " experiments were saved");
     response.path = path;
     response.experiments = static_cast<std::uint32_t>(experiments.size());
     return response;

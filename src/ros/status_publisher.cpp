@@ -43,6 +43,11 @@ void StatusPublisher::publish() {
   publishLocked();
 }
 
+void StatusPublisher::close() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  closed_ = true;
+}
+
 void StatusPublisher::setRunning(bool running) {
   const std::lock_guard<std::mutex> lock(mutex_);
   recorder_.running = running;
@@ -61,6 +66,7 @@ void StatusPublisher::forgetProblems() {
 }
 
 void StatusPublisher::publishLocked() {
+  if (closed_) return;
   auto message = toMessage(worker_(), recorder_);
   message.header.stamp = ros::Time::now();
   message.sequence = sequence_();

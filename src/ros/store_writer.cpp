@@ -10,8 +10,8 @@ StoreWriter::StoreWriter(const std::string& directory, const LimitOptions& limit
                          std::function<void()> changed)
     : most_(limits.max_experiments),
       store_(directory),
-      queue_(static_cast<std::size_t>(limits.max_experiments), kRetryInterval,
-             std::move(changed)) {}
+      queue_(static_cast<std::size_t>(limits.max_experiments), kRetryInterval, std::move(changed)) {
+}
 
 StoredState StoreWriter::load() {
   StoredState state = store_.load(most_);

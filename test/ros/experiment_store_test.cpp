@@ -157,8 +157,8 @@ TEST(ExperimentStore, ResetPutsAllAside) {
     store.write(numberedExperiments(1).front());
     store.reset();
     EXPECT_TRUE(store.load(kMany).kept.empty());
-    EXPECT_TRUE(fs::exists(folder / ("reset_" + std::to_string(round) +
-                                     "/experiment_00000001.bag")));
+    EXPECT_TRUE(
+        fs::exists(folder / ("reset_" + std::to_string(round) + "/experiment_00000001.bag")));
   }
 }
 

@@ -13,8 +13,10 @@ TopicActivity flowing(TopicRole role, const std::string& key) {
 }
 
 std::vector<TopicActivity> flowing() {
-  return {flowing(TopicRole::input, "input"), flowing(TopicRole::output, "output"),
-          flowing(TopicRole::covariate, "temperature"), {"/active", "experiment.topic"}};
+  return {flowing(TopicRole::input, "input"),
+          flowing(TopicRole::output, "output"),
+          flowing(TopicRole::covariate, "temperature"),
+          {"/active", "experiment.topic"}};
 }
 
 Status signals(const std::vector<TopicActivity>& topics, bool experiment_runs) {

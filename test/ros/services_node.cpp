@@ -221,7 +221,7 @@ TEST(BadParameters, EndTheNodeWithAMessage) {
       {"_sample_time:=-1", "sample_time: found -1"},
       {"_estimation/tolerence:=0.1", "did you mean estimation.tolerance?"},
       {"_nominal_model/nb:=many", "nominal_model.nb: found 'many'"},
-      {"_nominal_model/orders:=auto _store_directory:=/tmp", "store_directory: found '/tmp'"},
+      {"_nominal_model/orders:=auto _store_directory:=/dev/null", "store_directory: '/dev/null'"},
       {"_nominal_model/orders:=auto _input/topic:=bad~name", "bad~name"}};
   for (const auto& [parameters, message] : cases) {
     const auto [status, output] = runNode(parameters);

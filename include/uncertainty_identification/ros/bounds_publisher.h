@@ -22,8 +22,7 @@ class BoundsPublisher {
  public:
   using Done = std::function<void(const Result&)>;
 
-  /// Computes nothing when `options` ask for no frequencies.
-  BoundsPublisher(ros::NodeHandle private_node, const BoundsOptions& options, Done done);
+  BoundsPublisher(ros::NodeHandle private_node, Done done);
 
   /// Waits for the bounds being computed.
   ~BoundsPublisher();
@@ -31,6 +30,7 @@ class BoundsPublisher {
   BoundsPublisher(const BoundsPublisher&) = delete;
   BoundsPublisher& operator=(const BoundsPublisher&) = delete;
 
+  /// Computes nothing where the estimate's configuration asks for no frequencies.
   void add(std::shared_ptr<const Estimate> estimate, const ResultContext& context);
 
   /// The bounds of result `sequence`, if they are the last ones computed.
@@ -45,7 +45,6 @@ class BoundsPublisher {
   void run();
   void publish(const Request& request);
 
-  const bool wanted_;
   const Done done_;
   ros::Publisher publisher_;
   mutable std::mutex mutex_;  // guards what follows

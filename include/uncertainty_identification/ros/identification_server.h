@@ -4,6 +4,7 @@
 #include <std_srvs/Trigger.h>
 
 #include <atomic>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,25 +15,29 @@
 #include "uncertainty_identification/ros/identification_worker.h"
 #include "uncertainty_identification/ros/messages.h"
 #include "uncertainty_identification/ros/node_diagnostics.h"
+#include "uncertainty_identification/ros/reconfiguration.h"
 #include "uncertainty_identification/ros/report_writer.h"
 #include "uncertainty_identification/ros/result_publisher.h"
+#include "uncertainty_identification/ros/saved_experiments.h"
 #include "uncertainty_identification/ros/service_thread.h"
 #include "uncertainty_identification/ros/status_publisher.h"
+#include "uncertainty_identification/ros/store_writer.h"
 
 namespace uncertainty_identification {
 
 /// The node: topics to experiments (ExperimentRecorder), experiments to results
 /// (IdentificationWorker), results to topics (ResultPublisher, BoundsPublisher, StatusPublisher),
-/// and services.
+/// both to the disk (StoreWriter), and services.
 /// Topics and ~start_experiment, ~finish_experiment, ~discard_experiment, ~reset are served by the
-/// thread that spins; ~identify by one thread, the action ~identify_bags by two, ~get_result,
-/// ~list_experiments and ~sample_models by another, so that no request keeps a sample from being
-/// recorded, or another from being answered.
+/// thread that spins; ~identify and ~configure by one thread, the action ~identify_bags by two, the
+/// other services by another, so that no request keeps a sample from being recorded, or a quick one
+/// from being answered.
 class IdentificationServer {
  public:
-  /// Throws ConfigurationError when the configuration is not valid, or asks for a store.
+  /// Goes on from what the store holds, where there is one. Throws ConfigurationError when the
+  /// configuration is not valid, or the store cannot be opened.
   IdentificationServer(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
-                       const Configuration& configuration);
+                       const Configuration& parameters);
 
   /// Cancels what is running.
   ~IdentificationServer();
@@ -40,6 +45,10 @@ class IdentificationServer {
  private:
   using Trigger = std_srvs::Trigger;
 
+  IdentificationWorker::Listener workerListener();
+  WorkerStatus workerStatus() const;
+  void restore();
+  void advertiseKeeping();
   void advertiseTriggers(ros::NodeHandle node);
   void advertiseRequests();
   void advertiseTrigger(ros::NodeHandle& node, const std::string& name,
@@ -47,15 +56,21 @@ class IdentificationServer {
   Trigger::Response reset();
   messages::GetResult::Response getResult() const;
   messages::ListExperiments::Response listExperiments() const;
+  messages::RejectExperiment::Response rejectExperiment(
+      const messages::RejectExperiment::Request& request);
   messages::WriteReport::Response writeReport(const messages::WriteReport::Request& request) const;
 
-  const Configuration configuration_;
   std::atomic<bool> stopping_{false};
   ResultPublisher results_;
   ReportWriter reports_;
   BoundsPublisher bounds_;
   StatusPublisher status_;
+  std::unique_ptr<StoreWriter> store_;  // null: nothing is stored
+  StoredState stored_;                  // what it held; empty once the worker has it
+  const Configuration configuration_;   // at the start
   IdentificationWorker worker_;
+  Reconfiguration reconfiguration_;
+  SavedExperiments saved_;
   ExperimentRecorder recorder_;
   ServiceThread identify_thread_, query_thread_;
   NodeDiagnostics diagnostics_;

@@ -22,6 +22,7 @@ struct WorkerResult {
   std::shared_ptr<const Estimate> estimate;
   bool preliminary = false;  ///< started from the one before
   ExperimentWindow window;
+  Configuration configuration;  ///< asked for; the estimate has it with its choices made
 };
 
 /// What a worker is doing, and how its last identification went.

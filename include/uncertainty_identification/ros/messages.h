@@ -17,6 +17,7 @@
 // Experiment and NominalModel. A translation unit that uses both includes the messages through this
 // header and finds them in uncertainty_identification::messages.
 #define uncertainty_identification uncertainty_identification_messages
+#include <uncertainty_identification/Configure.h>
 #include <uncertainty_identification/Covariate.h>
 #include <uncertainty_identification/ErrorModel.h>
 #include <uncertainty_identification/Experiment.h>
@@ -30,11 +31,14 @@
 #include <uncertainty_identification/Identify.h>
 #include <uncertainty_identification/IdentifyBagsAction.h>
 #include <uncertainty_identification/ListExperiments.h>
+#include <uncertainty_identification/Load.h>
 #include <uncertainty_identification/NominalModel.h>
 #include <uncertainty_identification/Parameter.h>
+#include <uncertainty_identification/RejectExperiment.h>
 #include <uncertainty_identification/RobustMargin.h>
 #include <uncertainty_identification/Sample.h>
 #include <uncertainty_identification/SampleModels.h>
+#include <uncertainty_identification/Save.h>
 #include <uncertainty_identification/UncertaintyBounds.h>
 #include <uncertainty_identification/WriteReport.h>
 #undef uncertainty_identification

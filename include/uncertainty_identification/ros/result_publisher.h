@@ -22,6 +22,9 @@ class ResultPublisher {
   /// The context that the result was published with.
   ResultContext publish(const WorkerResult& result);
 
+  /// Publishes a result of the time before as it was; the next one gets the number after it.
+  void publishAgain(std::shared_ptr<const Estimate> estimate, const ResultContext& context);
+
   /// What was published last; nothing before the first result, or after forget().
   std::optional<messages::IdentificationResult> last() const;
 
@@ -34,6 +37,8 @@ class ResultPublisher {
   void forget();
 
  private:
+  void publishLocked(std::shared_ptr<const Estimate> estimate, const ResultContext& context);
+
   ros::Publisher result_, nominal_model_, error_model_;
   mutable std::mutex mutex_;  // guards what follows
   std::uint32_t count_ = 0;

@@ -30,6 +30,10 @@ class StatusPublisher {
                   std::function<std::uint32_t()> sequence);
 
   void publish();
+
+  /// Publishes nothing more, and waits for what is being published.
+  void close();
+
   void setRunning(bool running);
   void addProblem(const std::string& problem);
   void forgetProblems();
@@ -40,7 +44,8 @@ class StatusPublisher {
   ros::Publisher publisher_;
   std::function<WorkerStatus()> worker_;
   std::function<std::uint32_t()> sequence_;
-  std::mutex mutex_;  // guards recorder_, and the order of what is published
+  bool closed_ = false;
+  std::mutex mutex_;  // guards closed_ and recorder_, and the order of what is published
   RecorderStatus recorder_;
 };
 

@@ -147,8 +147,7 @@ TEST(HiddenEffect, DataAreSplitEvenlyInTime) {
 
 TEST(HiddenEffect, ExpModeIsNotDeclared) {
   const HiddenEffect hidden = randomHiddenEffect({"exp_mode"}, small(), 2);
-  EXPECT_EQ(hidden.declared.error_model.components,
-            hidden.truth.error_model.mixture.components());
+  EXPECT_EQ(hidden.declared.error_model.components, hidden.truth.error_model.mixture.components());
 }
 
 TEST(HiddenEffect, UnknownNamesAndImpossibleStrengthsAreRefused) {
