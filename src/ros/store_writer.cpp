@@ -1,17 +1,19 @@
 #include "uncertainty_identification/ros/store_writer.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace uncertainty_identification {
 
 constexpr std::chrono::milliseconds kRetryInterval(1000);
+constexpr int kFewestWaiting = 1000;  // files that find room, however few experiments are kept
 
 StoreWriter::StoreWriter(const std::string& directory, const LimitOptions& limits,
                          std::function<void()> changed)
     : most_(limits.max_experiments),
       store_(directory),
-      queue_(static_cast<std::size_t>(limits.max_experiments), kRetryInterval, std::move(changed)) {
-}
+      queue_(static_cast<std::size_t>(std::max(limits.max_experiments, kFewestWaiting)),
+             kRetryInterval, std::move(changed)) {}
 
 StoredState StoreWriter::load() {
   StoredState state = store_.load(most_);

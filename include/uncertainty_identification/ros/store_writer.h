@@ -14,7 +14,7 @@ struct StoreStatus {
   int stored = 0;        ///< experiments on the disk, rejected ones left out
   std::string last_id;   ///< of the newest one written
   int pending = 0;       ///< what waits to be written
-  int lost = 0;          ///< what was given up: more waited than experiments are kept
+  int lost = 0;          ///< what was given up: more waited than there is room for
   bool failing = false;  ///< the disk refuses; it is tried again
   std::string message;   ///< why, and what to do; empty: all is well
 };
@@ -23,7 +23,8 @@ struct StoreStatus {
 /// what it refuses waits in memory until it does not. May be used from any thread.
 class StoreWriter {
  public:
-  /// Opens the store in `directory`. Remembers as many experiments as `limits` say. `changed` is
+  /// Opens the store in `directory`. Loads as many experiments as `limits` say; as many files, and
+  /// at least a thousand, find room while the disk refuses. `changed` is
   /// called when status() changed, from the writer's thread. Throws ConfigurationError as
   /// ExperimentStore does.
   StoreWriter(const std::string& directory, const LimitOptions& limits,
