@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <random>
 #include <string>
@@ -11,6 +12,9 @@ namespace uncertainty_identification {
 
 /// Puts an effect of a size into a truth: just above 0 hardly any, 1 the largest that is sensible.
 using SetSize = std::function<void(double size, Truth* truth)>;
+
+/// Of a size that falls to nothing where the effect is largest, such as a limit.
+inline double remaining(double size) { return std::max(1 - size, 1e-3); }
 
 /// Draws the parameters of the named effect other than its size, for a truth with signals of this
 /// scale; the truth is given what the effect needs. Throws ConfigurationError for an unknown name.

@@ -62,8 +62,7 @@ double gainOfColour(const Truth& truth) {
   constexpr int kSamples = 2000;
   const auto& colour = *truth.effects.noise.colour;
   const VectorXd d = multiply(truth.noise.d, Eigen::Vector2d(colour.d1, colour.d2));
-  const VectorXd response =
-      filtered(VectorXd::Ones(1), d, 0, VectorXd::Unit(kSamples, 0).eval());
+  const VectorXd response = filtered(VectorXd::Ones(1), d, 0, VectorXd::Unit(kSamples, 0).eval());
   const Eigen::Index order = truth.noise.d.size();
   const auto autocovariance = [&](Eigen::Index lag) {
     return response.head(kSamples - lag).dot(response.tail(kSamples - lag));

@@ -13,12 +13,12 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr int kAttempts = 200;      // systems drawn before giving up
+constexpr int kAttempts = 200;       // systems drawn before giving up
 constexpr double kTolerance = 0.02;  // of the strength, relative
 
-const std::vector<std::string> kStaticInInput = {"act_saturation", "act_deadzone", "act_backlash",
-                                                 "act_hammerstein", "act_quantisation",
-                                                 "noise_hetero"};
+const std::vector<std::string> kStaticInInput = {"act_saturation",   "act_deadzone",
+                                                 "act_backlash",     "act_hammerstein",
+                                                 "act_quantisation", "noise_hetero"};
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -95,21 +95,21 @@ bool isHeldOut(int r, const HiddenEffectOptions& options) {
 
 const std::vector<std::string>& catalogueEffects() {
   static const std::vector<std::string> kNames = {
-      "act_delay",       "act_saturation",  "act_deadzone",   "act_backlash",
-      "act_ratelimit",   "act_quantisation", "act_offset",    "act_hammerstein",
-      "act_loss",        "plant_pole",      "plant_resonance", "plant_cubic",
-      "plant_coulomb",   "plant_drift",     "plant_aging",    "plant_temp",
-      "plant_init",      "sens_bias",       "sens_drift",     "sens_clip",
-      "sens_quant",      "sens_outliers",   "sens_dropout",   "sens_hum",
-      "sens_wiener",     "sens_lag",        "noise_colour",   "noise_tails",
-      "noise_hetero",    "noise_step",      "exp_feedback",   "exp_mode",
-      "exp_input2",      "exp_clock",       "exp_jitter",     "plant_parameter_spread"};
+      "act_delay",     "act_saturation",   "act_deadzone",    "act_backlash",
+      "act_ratelimit", "act_quantisation", "act_offset",      "act_hammerstein",
+      "act_loss",      "plant_pole",       "plant_resonance", "plant_cubic",
+      "plant_coulomb", "plant_drift",      "plant_aging",     "plant_temp",
+      "plant_init",    "sens_bias",        "sens_drift",      "sens_clip",
+      "sens_quant",    "sens_outliers",    "sens_dropout",    "sens_hum",
+      "sens_wiener",   "sens_lag",         "noise_colour",    "noise_tails",
+      "noise_hetero",  "noise_step",       "exp_feedback",    "exp_mode",
+      "exp_input2",    "exp_clock",        "exp_jitter",      "plant_parameter_spread"};
   return kNames;
 }
 
 const std::vector<std::string>& unnamedEffects() {
-  static const std::vector<std::string> kNames = {"unk_telegraph", "unk_bilinear",
-                                                  "unk_gravity",   "unk_outflow",
+  static const std::vector<std::string> kNames = {"unk_telegraph",     "unk_bilinear",
+                                                  "unk_gravity",       "unk_outflow",
                                                   "unk_rectification", "unk_burst"};
   return kNames;
 }

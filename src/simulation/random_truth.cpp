@@ -39,7 +39,8 @@ VectorXd fromRoots(const std::vector<Complex>& roots) {
   Eigen::VectorXcd polynomial = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(roots.size()) + 1);
   polynomial(0) = 1;
   for (const Complex root : roots) {
-    for (Eigen::Index k = polynomial.size() - 1; k > 0; --k) polynomial(k) -= root * polynomial(k - 1);
+    for (Eigen::Index k = polynomial.size() - 1; k > 0; --k)
+      polynomial(k) -= root * polynomial(k - 1);
   }
   return polynomial.real().tail(polynomial.size() - 1);
 }
@@ -137,6 +138,7 @@ Truth randomTruth(const RandomTruthOptions& options, std::mt19937_64& random) {
 
 Configuration declaredSimulation(const Truth& truth) {
   Configuration configuration;
+  configuration.sample_time = truth.sample_time;
   NominalModelOptions& model = configuration.nominal_model;
   model.nb = static_cast<int>(truth.plant.b.size());
   model.na = static_cast<int>(truth.plant.a.size());

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "uncertainty_identification/data/experiment.h"
+#include "uncertainty_identification/simulation/truth.h"
+
+namespace uncertainty_identification::suite {
+
+/// What a right explanation of a truth reports: values by "effect.parameter", in the engine's names
+/// and units (src/effects/). Parameters that are 0 in truth, or that the engine states otherwise
+/// than by a value of the truth, are left out. `training` are the experiments that it explains,
+/// about whose mean temperature it states plant_temp.
+std::map<std::string, double> reportedParameters(const Truth& truth,
+                                                 const std::vector<Experiment>& training);
+
+}  // namespace uncertainty_identification::suite
