@@ -32,6 +32,7 @@ void ExperimentSet::restore(std::vector<KeptExperiment> kept,
                             std::vector<RejectedExperiment> rejected, std::uint64_t last) {
   kept_.clear();
   for (auto& experiment : kept) {
+    recorded_before_.add(*experiment.experiment);
     const std::string id = freeId(experiment.experiment->id);
     if (id != experiment.experiment->id) {  // it had left the set when another one got its id
       Experiment renamed = *experiment.experiment;
@@ -48,6 +49,7 @@ void ExperimentSet::restore(std::vector<KeptExperiment> kept,
 std::vector<KeptExperiment> ExperimentSet::add(LoadedData data) {
   std::vector<KeptExperiment> added;
   for (auto& experiment : data.experiments) {
+    if (!recorded_before_.add(experiment)) continue;
     experiment.id = freeId(experiment.id);
     kept_.push_back({++last_number_, std::make_shared<const Experiment>(std::move(experiment))});
     added.push_back(kept_.back());
@@ -71,6 +73,7 @@ std::optional<std::uint64_t> ExperimentSet::reject(const std::string& id,
 }
 
 void ExperimentSet::clear() {
+  recorded_before_.clear();
   kept_.clear();
   rejected_.clear();
 }

@@ -35,7 +35,13 @@ void IdentificationWorker::receive(LoadedData data) {
     status_.failed = !data.rejected.empty();
     if (status_.failed) status_.message = data.rejected.back().reason;
     for (const auto& rejected : data.rejected) listener_.rejected(rejected);
-    for (const auto& kept : set_.add(std::move(data))) {
+    const std::size_t finished = data.experiments.size();
+    const auto added = set_.add(std::move(data));
+    if (added.size() < finished)
+      listener_.warning(
+          "an experiment with the stamps and samples of an earlier one came again, as from a bag "
+          "played in a loop; it is not counted twice");
+    for (const auto& kept : added) {
       listener_.kept(kept);
       ++version_;
       ++waiting_;

@@ -37,6 +37,20 @@ TEST(ExperimentSet, IdsDiffer) {
   EXPECT_EQ(idsOf(set), (Ids{"a", "a_2", "a_3"}));
 }
 
+TEST(ExperimentSet, WhatComesAgainCountsOnce) {
+  LimitOptions limits;
+  limits.max_experiments = 2;
+  ExperimentSet set(limits);
+  const auto shared = std::make_shared<const Experiment>(makeExperiment("a", 0));
+  set.restore({{1, shared}}, {}, 1);
+  EXPECT_TRUE(set.add({{makeExperiment("a", 0)}, {}, {}}).empty());
+  EXPECT_EQ(set.add({{makeExperiment("b", 2), makeExperiment("c", 4)}, {}, {}}).size(), 2U);
+  EXPECT_TRUE(set.add({{makeExperiment("a", 0)}, {}, {}}).empty()) << "no longer among the newest";
+  EXPECT_EQ(idsOf(set), (Ids{"b", "c"}));
+  set.clear();
+  EXPECT_EQ(set.add({{makeExperiment("a", 0)}, {}, {}}).size(), 1U);
+}
+
 TEST(ExperimentSet, NumbersRiseWhateverIsTakenOut) {
   ExperimentSet set{LimitOptions()};
   const auto shared = std::make_shared<const Experiment>(makeExperiment("a", 0));

@@ -9,6 +9,7 @@
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/experiment.h"
 #include "uncertainty_identification/data/loaded_data.h"
+#include "uncertainty_identification/data/recorded_before.h"
 
 namespace uncertainty_identification {
 
@@ -47,7 +48,8 @@ class ExperimentSet {
   void restore(std::vector<KeptExperiment> kept, std::vector<RejectedExperiment> rejected,
                std::uint64_t last);
 
-  /// Adds what was read, in order, and returns it as it is kept. An id already there gets a number:
+  /// Adds what was read, in order, and returns it as it is kept, without what was recorded before
+  /// (RecordedBefore), be it no longer among those kept. An id already there gets a number:
   /// "run", "run_2", ... Of the rejected ones the newest max_experiments are remembered.
   std::vector<KeptExperiment> add(LoadedData data);
 
@@ -70,6 +72,7 @@ class ExperimentSet {
   void keepNewest();
 
   LimitOptions limits_;
+  RecordedBefore recorded_before_;
   std::uint64_t last_number_ = 0;
   std::vector<KeptExperiment> kept_;
   std::vector<RejectedExperiment> rejected_;

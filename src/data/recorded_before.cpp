@@ -1,0 +1,34 @@
+#include "uncertainty_identification/data/recorded_before.h"
+
+#include <functional>
+
+#include "uncertainty_identification/data/check.h"
+
+namespace uncertainty_identification {
+namespace {
+
+std::uint64_t keyOf(const Experiment& experiment) {
+  constexpr std::uint64_t kSpread = 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio
+  const std::uint64_t data = std::stoull(dataFingerprint({experiment}), nullptr, 16);
+  return data ^ (kSpread * std::hash<double>()(experiment.start_time));
+}
+
+}  // namespace
+
+bool RecordedBefore::add(const Experiment& experiment) {
+  const std::uint64_t key = keyOf(experiment);
+  if (!keys_.insert(key).second) return false;
+  order_.push_back(key);
+  if (order_.size() > kRemembered) {
+    keys_.erase(order_.front());
+    order_.pop_front();
+  }
+  return true;
+}
+
+void RecordedBefore::clear() {
+  keys_.clear();
+  order_.clear();
+}
+
+}  // namespace uncertainty_identification
