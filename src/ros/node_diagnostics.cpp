@@ -10,9 +10,9 @@ namespace {
 using Level = diagnostic_msgs::DiagnosticStatus;
 using Status = diagnostic_updater::DiagnosticStatusWrapper;
 
-constexpr double kShortestSilence = 2;   // [s]
-constexpr double kMissedIntervals = 3;   // after which a topic counts as silent
-constexpr int kLongQueue = 10;           // experiments that wait
+constexpr double kShortestSilence = 2;  // [s]
+constexpr double kMissedIntervals = 3;  // after which a topic counts as silent
+constexpr int kLongQueue = 10;          // experiments that wait
 
 bool isSilent(const TopicActivity& topic) {
   return topic.role != TopicRole::marker && topic.messages > 0 &&
@@ -38,7 +38,7 @@ void summarise(const TopicActivity& topic, bool experiment_runs, Status& status)
   if (isMissing(topic)) {
     status.mergeSummary(levelOfMissing(topic.role, experiment_runs),
                         "nothing has arrived on " + nameOf(topic) +
-                                   "; check that it is published and that its name is right");
+                            "; check that it is published and that its name is right");
   } else if (isSilent(topic)) {
     status.mergeSummaryf(levelOfSilence(topic.role, experiment_runs), "silence on %s for %.1f s",
                          nameOf(topic).c_str(), topic.age);
@@ -76,8 +76,10 @@ void diagnoseIdentification(const WorkerStatus& worker, Status& status) {
     status.summary(Level::OK, worker.message);
   }
   if (worker.queue > kLongQueue)
-    status.mergeSummaryf(Level::WARN, "%d experiments wait; they come faster than they can be "
-                         "identified from", worker.queue);
+    status.mergeSummaryf(Level::WARN,
+                         "%d experiments wait; they come faster than they can be "
+                         "identified from",
+                         worker.queue);
   status.add("termination", toString(worker.termination));
   status.addf("seconds [s]", "%.3g", worker.seconds);
   status.add("iterations", worker.iterations);
@@ -85,6 +87,20 @@ void diagnoseIdentification(const WorkerStatus& worker, Status& status) {
   status.add("identifying", worker.busy);
   status.add("experiments", worker.stored);
   status.add("last experiment", worker.last_id);
+}
+
+void diagnoseStore(const StoreStatus& store, Status& status) {
+  if (store.failing || store.lost > 0) {
+    status.summary(Level::ERROR, store.message);
+  } else if (store.pending > kLongQueue) {
+    status.summaryf(Level::WARN, "%d things wait to be written; the disk is slow", store.pending);
+  } else {
+    status.summary(Level::OK, "all is on the disk");
+  }
+  status.add("stored", store.stored);
+  status.add("pending", store.pending);
+  status.add("given up", store.lost);
+  status.add("last stored", store.last_id);
 }
 
 NodeDiagnostics::NodeDiagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,

@@ -2,12 +2,12 @@
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
-#include <std_srvs/Trigger.h>
 
 #include <map>
 
 #include "support/example1.h"
 #include "support/node_client.h"
+#include "support/signal_publisher.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -24,12 +24,7 @@ class DiagnosticsTest : public testing::Test {
         });
   }
 
-  void SetUp() override {
-    ASSERT_TRUE(client_.waitForNode());
-    ASSERT_TRUE(waitFor([this] {
-      return command_.getNumSubscribers() > 0 && measurement_.getNumSubscribers() > 0;
-    }));
-  }
+  void SetUp() override { ASSERT_TRUE(client_.waitForNode()); }
 
   Level part(const std::string& name) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -50,59 +45,36 @@ class DiagnosticsTest : public testing::Test {
     return reaches(name, level, [] {});
   }
 
-  bool trigger(const std::string& name) {
-    return client_.call<std_srvs::Trigger>(name).success != 0;
-  }
-
-  void publish(double u, double y) {
-    messages::Sample sample;
-    sample.header.stamp = ros::Time::now();
-    sample.value = u;
-    command_.publish(sample);
-    sample.value = y;
-    measurement_.publish(sample);
-  }
-
-  void record(const Experiment& experiment) {
-    ASSERT_TRUE(trigger("start_experiment"));
-    const ros::Time begin = ros::Time::now();
-    for (int k = 0; k < experiment.samples(); ++k) {
-      ros::Time::sleepUntil(begin + ros::Duration(k * experiment.sample_time));
-      publish(experiment.u[k], experiment.y[k]);
-    }
-    ASSERT_TRUE(trigger("finish_experiment"));
-  }
-
   NodeClient client_;
+  SignalPublisher signals_{client_};
   ros::NodeHandle node_;
   std::mutex mutex_;
   std::map<std::string, Level> statuses_;  // by name
   ros::Subscriber subscriber_;
-  ros::Publisher command_ = node_.advertise<messages::Sample>("/actuator/command", 1000);
-  ros::Publisher measurement_ = node_.advertise<messages::Sample>("/sensor/measurement", 1000);
 };
 
 TEST_F(DiagnosticsTest, FollowTheNode) {
   EXPECT_TRUE(reaches("signals", Level::STALE));
   EXPECT_TRUE(reaches("identification", Level::STALE));
 
-  EXPECT_TRUE(reaches("signals", Level::OK, [this] { publish(0, 0); })) << part("signals").message;
+  EXPECT_TRUE(reaches("signals", Level::OK, [this] { signals_.publish(0, 0); }))
+      << part("signals").message;
   EXPECT_TRUE(reaches("signals", Level::WARN)) << "silence";
-  ASSERT_TRUE(trigger("start_experiment"));
+  ASSERT_TRUE(signals_.trigger("start_experiment"));
   EXPECT_TRUE(reaches("signals", Level::ERROR)) << "silence while an experiment runs";
-  ASSERT_TRUE(trigger("discard_experiment"));
-  EXPECT_TRUE(reaches("signals", Level::OK, [this] { publish(0, 0); }));
+  ASSERT_TRUE(signals_.trigger("discard_experiment"));
+  EXPECT_TRUE(reaches("signals", Level::OK, [this] { signals_.publish(0, 0); }));
 
-  for (const auto& experiment : example1Experiments(4)) record(experiment);
+  for (const auto& experiment : example1Experiments(4)) ASSERT_TRUE(signals_.record(experiment));
   EXPECT_TRUE(reaches("identification", Level::OK)) << part("identification").message;
   EXPECT_EQ(part("identification").values.at(0).key, "termination");
   EXPECT_EQ(part("identification").values.at(0).value, "converged");
 
   Experiment constant = example1Experiments(1).front();
   constant.u.setZero();
-  ASSERT_TRUE(trigger("reset"));
+  ASSERT_TRUE(signals_.trigger("reset"));
   EXPECT_TRUE(reaches("identification", Level::STALE));
-  record(constant);
+  ASSERT_TRUE(signals_.record(constant));
   EXPECT_TRUE(reaches("identification", Level::ERROR)) << part("identification").message;
 }
 

@@ -9,12 +9,14 @@
 
 #include "uncertainty_identification/ros/experiment_recorder.h"
 #include "uncertainty_identification/ros/identification_worker.h"
+#include "uncertainty_identification/ros/store_writer.h"
 
 namespace uncertainty_identification {
 
 /// Whether what is recorded arrives. STALE: input or output have never been heard; ERROR: the
 /// same, or a silent output, while an experiment runs; WARN: any signal is silent, a covariate has
-/// never been heard, or messages were left out. A topic is silent after three of its mean intervals, and never before two seconds.
+/// never been heard, or messages were left out. A topic is silent after three of its mean
+/// intervals, and never before two seconds.
 void diagnoseSignals(const std::vector<TopicActivity>& topics, bool experiment_runs,
                      diagnostic_updater::DiagnosticStatusWrapper& status);
 
@@ -22,6 +24,10 @@ void diagnoseSignals(const std::vector<TopicActivity>& topics, bool experiment_r
 /// WARN: its result did not converge, or more than ten experiments wait.
 void diagnoseIdentification(const WorkerStatus& worker,
                             diagnostic_updater::DiagnosticStatusWrapper& status);
+
+/// How the store on the disk is. ERROR: the disk refuses, or something was given up; WARN: more
+/// than ten things wait to be written.
+void diagnoseStore(const StoreStatus& store, diagnostic_updater::DiagnosticStatusWrapper& status);
 
 /// Publishes /diagnostics from the thread that spins, every ~diagnostic_period seconds of wall
 /// time: a clock that stands still or goes back keeps none away.
