@@ -18,11 +18,15 @@
 // header and finds them in uncertainty_identification::messages.
 #define uncertainty_identification uncertainty_identification_messages
 #include <uncertainty_identification/Configure.h>
+#include <uncertainty_identification/Cause.h>
+#include <uncertainty_identification/CauseParameter.h>
+#include <uncertainty_identification/Check.h>
 #include <uncertainty_identification/Covariate.h>
 #include <uncertainty_identification/ErrorModel.h>
 #include <uncertainty_identification/Experiment.h>
 #include <uncertainty_identification/ExperimentMarker.h>
 #include <uncertainty_identification/ExperimentSummary.h>
+#include <uncertainty_identification/Explanation.h>
 #include <uncertainty_identification/FaultStatus.h>
 #include <uncertainty_identification/GaussianComponent.h>
 #include <uncertainty_identification/GetResult.h>
@@ -39,6 +43,7 @@
 #include <uncertainty_identification/Sample.h>
 #include <uncertainty_identification/SampleModels.h>
 #include <uncertainty_identification/Save.h>
+#include <uncertainty_identification/TriedEffect.h>
 #include <uncertainty_identification/UncertaintyBounds.h>
 #include <uncertainty_identification/WriteReport.h>
 #undef uncertainty_identification
