@@ -347,6 +347,8 @@ void Explaining::describe(const SearchState& base, SearchState state) {
                              : (passed ? Verdict::explained : Verdict::partly_explained);
   explanation_.message = messageOf(explanation_);
   explanation_.after = explanation_.before;
+  explanation_.residual_before = residualPicture(base.fit, base.train);
+  explanation_.residual_after = residualPicture(state.fit, state.train);
   explanation_.pictures = picturesOf(base.fit, state.fit, state.held);
   explanation_.termination = cancelled_ ? Termination::cancelled : Termination::converged;
   explanation_.seconds =
