@@ -48,7 +48,7 @@ std::string reportObstacle(const ReportFiles& files) {
          "-DCHART_JS=/path/to/chart.min.js, and build again";
 }
 
-std::string reportHtml(const Result& result, const std::optional<Explanation>& explanation,
+std::string reportHtml(const Result& result, const Explanation* explanation,
                        const ReportFiles& files) {
   const std::string obstacle = reportObstacle(files);
   if (!obstacle.empty()) throw FileError(obstacle);
@@ -60,8 +60,7 @@ std::string reportHtml(const Result& result, const std::optional<Explanation>& e
                              {"explanation", embeddable(explained)}});
 }
 
-void writeReport(const std::string& path, const Result& result,
-                 const std::optional<Explanation>& explanation) {
+void writeReport(const std::string& path, const Result& result, const Explanation* explanation) {
   writeFileAtomically(path, reportHtml(result, explanation));
 }
 

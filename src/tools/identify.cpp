@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "data_argument.h"
 #include "uncertainty_identification/bounds/baseline.h"
 #include "uncertainty_identification/enum_names.h"
 #include "uncertainty_identification/errors.h"
@@ -19,7 +20,6 @@
 #include "uncertainty_identification/io/progress_bar.h"
 #include "uncertainty_identification/io/result_json.h"
 #include "uncertainty_identification/io/result_text.h"
-#include "uncertainty_identification/ros/load_data.h"
 
 namespace {
 
@@ -36,12 +36,6 @@ std::optional<ui::BaselineMethod> methodOf(const po::variables_map& arguments) {
     if (method == name) return baseline;
   }
   throw ui::ConfigurationError("--method: found '" + method + "'; allowed: se, mem, pem");
-}
-
-ui::LoadedData load(const po::variables_map& arguments, const std::string& key,
-                    const ui::Configuration& configuration) {
-  if (arguments.count(key) == 0) return {};
-  return ui::loadData(arguments[key].as<std::vector<std::string>>(), configuration);
 }
 
 /// Bounds of a usable model; what cannot be had is told by the warnings: the model is worth keeping
@@ -70,13 +64,13 @@ ui::Result identify(const po::variables_map& arguments,
   const ui::Configuration configuration =
       ui::loadConfiguration(arguments["config"].as<std::string>());
   const ui::Identifier identifier(configuration);
-  const ui::LoadedData data = load(arguments, "data", configuration);
+  const ui::LoadedData data = ui::loadDataArgument(arguments, "data", configuration);
   if (method && arguments.count("validation") > 0) {
     throw ui::ConfigurationError("--validation: found with --method " +
                                  arguments["method"].as<std::string>() +
                                  ", which measures nothing on other experiments; allowed: with se");
   }
-  const ui::LoadedData validation = load(arguments, "validation", configuration);
+  const ui::LoadedData validation = ui::loadDataArgument(arguments, "validation", configuration);
 
   ui::ProgressBar bar(std::cerr, isatty(STDERR_FILENO) != 0);
   const auto progress = [&](const ui::Progress& at) {

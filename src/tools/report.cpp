@@ -43,7 +43,7 @@ int run(const po::variables_map& arguments) {
   const ui::Result result = ui::loadResult(files[0]);
   std::optional<ui::Explanation> explanation;
   if (files.size() > 1) explanation = ui::loadExplanation(files[1]);
-  ui::writeReport(output, result, explanation);
+  ui::writeReport(output, result, explanation ? &*explanation : nullptr);
   return ui::kDone;
 }
 

@@ -8,11 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "support/example1.h"
 #include "support/example_explanation.h"
 #include "support/process.h"
 #include "support/temporary_folder.h"
 #include "uncertainty_identification/data/csv.h"
 #include "uncertainty_identification/io/explanation_json.h"
+#include "uncertainty_identification/io/explanation_text.h"
 #include "uncertainty_identification/io/read_file.h"
 #include "uncertainty_identification/io/report.h"
 #include "uncertainty_identification/io/result_json.h"
@@ -69,6 +71,17 @@ class Tools : public testing::Test {
     return tool("identify", more);
   }
 
+  ProcessResult explain(std::vector<std::string> more) {
+    more.insert(more.begin(), {"--config", kConfig + "example1.yaml", "--output", explanation_});
+    return tool("explain", more);
+  }
+
+  std::string dataBehindDeadZone(int experiments, std::uint64_t seed, double width) {
+    const std::string path = folder_ / ("dead_zone" + std::to_string(seed) + ".csv");
+    writeCsv(path, example1BehindDeadZone(experiments, width, seed));
+    return path;
+  }
+
   ProcessResult simulateExample(const std::string& output, std::vector<std::string> more = {}) {
     more.insert(more.begin(), {"--config", kConfig + "example1_truth.yaml", "--output", output});
     return tool("simulate", more);
@@ -76,10 +89,11 @@ class Tools : public testing::Test {
 
   TemporaryFolder folder_;
   const std::string result_ = folder_ / "result.json";
+  const std::string explanation_ = folder_ / "explanation.json";
 };
 
 TEST_F(Tools, HelpAndVersion) {
-  for (const std::string name : {"identify", "simulate", "report"}) {
+  for (const std::string name : {"identify", "explain", "simulate", "report"}) {
     const ProcessResult help = tool(name, {"--help"});
     EXPECT_EQ(help.status, 0);
     EXPECT_EQ(help.errors, "");
@@ -94,6 +108,8 @@ TEST_F(Tools, HelpAndVersion) {
 TEST_F(Tools, WrongUsage) {
   expectFailure(tool("identify", {}), 2, "identify", "'--config' is required");
   expectFailure(tool("simulate", {}), 2, "simulate", "'--config' is required");
+  expectFailure(tool("explain", {}), 2, "explain", "'--config' is required");
+  expectFailure(explain({}), 2, "explain", "no DATA given");
   expectFailure(identify({}), 2, "identify", "no DATA given");
   expectFailure(identify({"--colour", "x"}), 2, "identify", "unrecognised option '--colour'");
   expectFailure(identify({"--valid", "x", "y"}), 2, "identify", "unrecognised option '--valid'");
@@ -125,11 +141,10 @@ TEST_F(Tools, ReportOfAResult) {
   other.replace(other.find("result/1"), 8, "result/9");
   expectFailure(report({write("other.json", other)}), 2, "report",
                 "found 'uncertainty_identification/result/9'");
-  const std::string explanation = folder_ / "explanation.json";
-  saveExplanation(explanation, test::exampleExplanation());
+  saveExplanation(explanation_, test::exampleExplanation());
   expectFailure(report({result_, result_}), 2, "report",
                 "expected 'uncertainty_identification/explanation/1'");
-  expectFailure(report({result_, explanation, "more.json"}), 2, "report",
+  expectFailure(report({result_, explanation_, "more.json"}), 2, "report",
                 "more.json: a report holds one result.json and one explanation.json");
   expectFailure(tool("report", {"--output", folder_ / "no/report.html", result_}), 2, "report",
                 "there is no folder");
@@ -138,8 +153,9 @@ TEST_F(Tools, ReportOfAResult) {
   EXPECT_EQ(run.status, 0) << run.errors;
   EXPECT_EQ(run.output + run.errors, "");
   EXPECT_EQ(readFile(output), reportHtml(loadResult(result_)));
-  ASSERT_EQ(report({result_, explanation}).status, 0);
-  EXPECT_EQ(readFile(output), reportHtml(loadResult(result_), loadExplanation(explanation)));
+  ASSERT_EQ(report({result_, explanation_}).status, 0);
+  const Explanation explanation = loadExplanation(explanation_);
+  EXPECT_EQ(readFile(output), reportHtml(loadResult(result_), &explanation));
 }
 
 TEST_F(Tools, BaselinesFitEachExperiment) {
@@ -179,6 +195,40 @@ TEST_F(Tools, IdentifyWritesTheResultAndASummary) {
                            "Ended: converged", "Validation"}) {
     EXPECT_TRUE(contains(run.output, part)) << part << "\n" << run.output;
   }
+}
+
+TEST_F(Tools, ExplainNamesTheCauseAndMeasuresTheGain) {
+  const ProcessResult run = explain(
+      {"--validation", dataBehindDeadZone(10, 2, 0.4), "--", dataBehindDeadZone(30, 1, 0.4)});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(run.errors, "");  // no progress bar: standard error is no terminal
+  const Explanation explanation = loadExplanation(explanation_);
+  EXPECT_EQ(explanation.verdict, Verdict::explained);
+  ASSERT_GE(explanation.causes.size(), 1u);
+  const Cause& cause = explanation.causes[0];
+  EXPECT_EQ(cause.name, "act_deadzone");
+  ASSERT_EQ(cause.parameters.size(), 1u);
+  EXPECT_NEAR(cause.parameters[0].value, 0.4, 4 * cause.parameters[0].standard_error);
+  ASSERT_TRUE(cause.gain.has_value());
+  EXPECT_GT(cause.gain->log_density, 2 * cause.gain->standard_error);
+  ASSERT_EQ(explanation.held_out.size(), 10u);
+  EXPECT_TRUE(contains(explanation.held_out[0], "_of_seed_2")) << explanation.held_out[0];
+  EXPECT_EQ(run.output, explanationText(explanation));
+}
+
+TEST_F(Tools, ExplainRefusesWhatItCannotUse) {
+  const std::string good = data(4, 1);
+  expectFailure(explain({folder_ / "missing.csv"}), 2, "explain", "missing.csv");
+  expectFailure(explain({good, "--validation", folder_ / "none.csv"}), 2, "explain", "none.csv");
+  expectFailure(tool("explain", {"--config", folder_ / "none.yaml", "--output", "x.json", good}), 2,
+                "explain", "none.yaml: cannot be opened");
+  expectFailure(tool("explain", {"--config", kConfig + "example1.yaml", "--output",
+                                 folder_ / "nowhere/file", good}),
+                2, "explain", "there is no folder");
+  std::string constant = "experiment,t,u,y\n";
+  for (int k = 0; k < 100; ++k) constant += "still," + std::to_string(k) + ",1,0.5\n";
+  expectFailure(explain({write("constant.csv", constant)}), 1, "explain", "still");
+  EXPECT_FALSE(fs::exists(explanation_));
 }
 
 TEST_F(Tools, SampleDrawsPlantsFromAResult) {
@@ -285,12 +335,14 @@ TEST_F(Tools, InterruptEndsWithoutAResult) {
   truth.samples = {2000};
   writeCsv(folder_ / "long.csv", simulate(truth, 1));
   const std::string automatic = write("auto.yaml", "nominal_model: {orders: auto}");
-  Process process({std::string(TOOLS_FOLDER) + "/identify", "--config", automatic, "--output",
-                   result_, folder_ / "long.csv"});
-  ASSERT_TRUE(process.waitUntilItHandles(SIGINT));
-  ASSERT_EQ(kill(process.id(), SIGINT), 0);
-  expectFailure(process.wait(), 1, "identify", "cancelled; nothing was written");
-  EXPECT_FALSE(fs::exists(result_));
+  for (const std::string name : {"identify", "explain"}) {
+    Process process({std::string(TOOLS_FOLDER) + "/" + name, "--config", automatic, "--output",
+                     result_, folder_ / "long.csv"});
+    ASSERT_TRUE(process.waitUntilItHandles(SIGINT));
+    ASSERT_EQ(kill(process.id(), SIGINT), 0);
+    expectFailure(process.wait(), 1, name, "cancelled; nothing was written");
+    EXPECT_FALSE(fs::exists(result_));
+  }
 }
 
 TEST_F(Tools, SimulateWritesTheSameExperimentsInEveryForm) {

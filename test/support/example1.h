@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,20 @@ inline std::vector<Experiment> example1Experiments(int count) {
   Truth truth = loadTruth(std::string(PROJECT_FOLDER) + "/config/example1_truth.yaml");
   truth.experiments = count;
   return simulate(truth, 1);
+}
+
+/// The same, recorded in front of an actuator that does not answer to commands below `width`; of
+/// another seed other experiments.
+inline std::vector<Experiment> example1BehindDeadZone(int count, double width,
+                                                      std::uint64_t seed = 1) {
+  Truth truth = loadTruth(std::string(PROJECT_FOLDER) + "/config/example1_truth.yaml");
+  truth.experiments = count;
+  std::vector<Experiment> experiments = simulate(truth, seed);
+  for (Experiment& experiment : experiments) {
+    experiment.u += width * experiment.u.cwiseSign();
+    experiment.id += "_of_seed_" + std::to_string(seed);
+  }
+  return experiments;
 }
 
 /// How it is identified.

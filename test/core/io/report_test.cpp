@@ -59,7 +59,7 @@ TEST(Report, HoldsTheWholeResult) {
 TEST(Report, HoldsTheExplanationWhereThereIsOne) {
   const Result result = someResult();
   const Explanation explanation = test::exampleExplanation();
-  const std::string html = reportHtml(result, explanation, filesWithChart());
+  const std::string html = reportHtml(result, &explanation, filesWithChart());
   EXPECT_EQ(embedded(html, "explanation"), toJson(explanation));
   EXPECT_EQ(embedded(html), toJson(result));
   EXPECT_TRUE(embedded(reportHtml(result, {}, filesWithChart()), "explanation").is_null());

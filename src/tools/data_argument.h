@@ -1,0 +1,18 @@
+#pragma once
+
+#include <boost/program_options.hpp>
+#include <string>
+#include <vector>
+
+#include "uncertainty_identification/ros/load_data.h"
+
+namespace uncertainty_identification {
+
+/// The data that a command line names under this key; nothing where it names none.
+inline LoadedData loadDataArgument(const boost::program_options::variables_map& arguments,
+                                   const std::string& key, const Configuration& configuration) {
+  if (arguments.count(key) == 0) return {};
+  return loadData(arguments[key].as<std::vector<std::string>>(), configuration);
+}
+
+}  // namespace uncertainty_identification

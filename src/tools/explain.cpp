@@ -1,0 +1,97 @@
+// Says what the identified model gets wrong, why, and what naming the cause gains; docs and --help
+// say how.
+
+#include <unistd.h>
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "data_argument.h"
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/explanation/explanation.h"
+#include "uncertainty_identification/io/command_line.h"
+#include "uncertainty_identification/io/configuration_yaml.h"
+#include "uncertainty_identification/io/explanation_json.h"
+#include "uncertainty_identification/io/explanation_text.h"
+#include "uncertainty_identification/io/interrupt.h"
+#include "uncertainty_identification/io/output_file.h"
+#include "uncertainty_identification/io/progress_bar.h"
+
+namespace {
+
+namespace ui = uncertainty_identification;
+namespace po = boost::program_options;
+
+const char* const kName = "explain";
+
+/// What loading left out and noticed, beside what the explanation found itself.
+void addFindings(const ui::LoadedData& loaded, ui::Explanation* explanation) {
+  const auto append = [](const auto& from, auto* to) {
+    to->insert(to->end(), from.begin(), from.end());
+  };
+  append(loaded.warnings, &explanation->warnings);
+  append(loaded.rejected, &explanation->before.rejected);
+  append(loaded.rejected, &explanation->after.rejected);
+}
+
+ui::Explanation explain(const po::variables_map& arguments, const ui::InterruptGuard& interrupt) {
+  const ui::Configuration configuration =
+      ui::loadConfiguration(arguments["config"].as<std::string>());
+  const ui::LoadedData data = ui::loadDataArgument(arguments, "data", configuration);
+  const ui::LoadedData validation = ui::loadDataArgument(arguments, "validation", configuration);
+  ui::ProgressBar bar(std::cerr, isatty(STDERR_FILENO) != 0);
+  const auto progress = [&](const ui::Progress& at) {
+    bar.show(at);
+    return !interrupt.requested();
+  };
+  ui::Explanation explanation =
+      ui::explain(configuration, data.experiments, validation.experiments, progress);
+  for (const ui::LoadedData* loaded : {&data, &validation}) addFindings(*loaded, &explanation);
+  return explanation;
+}
+
+int run(const po::variables_map& arguments) {
+  if (arguments.count("data") == 0) {
+    throw ui::ConfigurationError("no DATA given; see explain --help");
+  }
+  const std::string output = arguments["output"].as<std::string>();
+  ui::requireWritable(output);
+  const ui::InterruptGuard interrupt;
+  const ui::Explanation explanation = explain(arguments, interrupt);
+  if (interrupt.requested() || explanation.termination == ui::Termination::cancelled) {
+    ui::printMessage(kName, "cancelled; nothing was written");
+    return ui::kDataCannotAnswer;
+  }
+  if (!explanation.before.usable()) {
+    throw ui::DataError("no usable model was found, nothing was written: " +
+                        explanation.before.message);
+  }
+  ui::saveExplanation(output, explanation);
+  std::cout << ui::explanationText(explanation);
+  return ui::kDone;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ui::Program program;
+  program.name = kName;
+  program.usage = "--config C.yaml --output explanation.json [--validation DATA]... [--] DATA...";
+  program.purpose =
+      R"(Identifies the model from experiments, shows where its simulation and the data part, names the cause,
+takes it into the model and measures what that gains on experiments not used for fitting. DATA is a
+.bag, a .csv with the columns experiment,t,u,y or t,u,y, or a folder of such files; further columns
+are covariates, in which a cause may be found.
+Exit status: 0 done; 1 the data cannot support an answer, or cancelled; 2 usage or configuration.)";
+  program.options.add_options()  //
+      ("config", po::value<std::string>()->required()->value_name("FILE"),
+       "configuration (YAML); config/reference.yaml explains every key")  //
+      ("output", po::value<std::string>()->required()->value_name("FILE"),
+       "where the explanation goes (JSON)")  //
+      ("validation", po::value<std::vector<std::string>>()->composing()->value_name("DATA"),
+       "data used only to measure the gain, in place of a share of DATA; may be repeated");
+  program.arguments = "data";
+  program.run = run;
+  return ui::runProgram(program, argc, argv);
+}
