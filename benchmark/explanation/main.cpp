@@ -2,6 +2,7 @@
 // how.
 #include <atomic>
 #include <cstdio>
+#include <exception>
 #include <mutex>
 #include <thread>
 
@@ -21,13 +22,21 @@ class Runner {
  public:
   explicit Runner(int jobs) : jobs_(jobs) {}
 
-  /// In the order of the tasks; a line for each as it finishes.
+  /// In the order of the tasks; a line for each as it finishes. Throws what hiding an effect threw.
   std::vector<Outcome> run(const std::vector<Task>& tasks) {
     std::vector<Outcome> outcomes(tasks.size());
     std::atomic<std::size_t> next{0};
+    std::exception_ptr error;
     const auto work = [&] {
       for (std::size_t k = next++; k < tasks.size(); k = next++) {
-        outcomes[k] = carryOut(tasks[k]);
+        try {
+          outcomes[k] = carryOut(tasks[k]);
+        } catch (...) {
+          const std::lock_guard<std::mutex> lock(printing_);
+          error = std::current_exception();
+          next = tasks.size();
+          return;
+        }
         const std::lock_guard<std::mutex> lock(printing_);
         std::printf("%s\n", outcomes[k].line().c_str());
         std::fflush(stdout);
@@ -37,6 +46,7 @@ class Runner {
     for (int j = 1; j < jobs_; ++j) threads.emplace_back(work);
     work();
     for (std::thread& thread : threads) thread.join();
+    if (error) std::rethrow_exception(error);
     all_.insert(all_.end(), outcomes.begin(), outcomes.end());
     return outcomes;
   }

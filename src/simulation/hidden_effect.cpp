@@ -13,7 +13,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr int kAttempts = 200;       // systems drawn before giving up
+constexpr int kAttempts = 2000;      // systems drawn before giving up
 constexpr double kTolerance = 0.02;  // of the strength, relative
 
 const std::vector<std::string> kStaticInInput = {"act_saturation",   "act_deadzone",
