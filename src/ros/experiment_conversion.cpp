@@ -22,8 +22,28 @@ void requireLength(const messages::Experiment& message, const std::string& field
                     std::to_string(message.u.size()) + "; give one for each sample");
 }
 
+void requireName(const messages::Experiment& message, const std::string& what,
+                 const std::string& name) {
+  constexpr std::size_t kLongest = 200;
+  if (name.size() <= kLongest) return;
+  throw DataError("experiment '" + message.id.substr(0, kLongest) + "': " + what + " has " +
+                  std::to_string(name.size()) + " characters; at most " + std::to_string(kLongest) +
+                  " are allowed");
+}
+
+/// The first and the last sample must have stamps.
+void requireTimes(const messages::Experiment& message) {
+  if (!(message.sample_time > 0))
+    fail(message,
+         "sample_time is " + std::to_string(message.sample_time) + " s; it must be above 0");
+  toStamp(
+      message.header.stamp.toSec() + message.sample_time * static_cast<double>(message.u.size()),
+      "experiment '" + message.id + "', time of its end");
+}
+
 void addCovariate(const messages::Experiment& message, const messages::Covariate& covariate,
                   Experiment& experiment) {
+  requireName(message, "a covariate's name", covariate.name);
   const std::string name = "covariate '" + covariate.name + "'";
   if (covariate.name.empty()) fail(message, "a covariate has no name; give each a name of its own");
   if (experiment.scalars.count(covariate.name) + experiment.signals.count(covariate.name) > 0)
@@ -73,7 +93,12 @@ messages::Experiment toMessage(const Experiment& experiment) {
   return message;
 }
 
-Experiment fromMessage(const messages::Experiment& message) {
+Experiment fromMessage(const messages::Experiment& message, const LimitOptions& limits) {
+  requireName(message, "its id", message.id);
+  requireTimes(message);
+  if (message.u.size() > static_cast<std::size_t>(limits.max_samples))
+    fail(message, "it has " + std::to_string(message.u.size()) +
+                      " samples, more than limits.max_samples; send it in parts, or raise that");
   requireLength(message, "y", message.y.size(), false);
   requireLength(message, "valid", message.valid.size(), true);
   requireLength(message, "stamp_offset", message.stamp_offset.size(), true);

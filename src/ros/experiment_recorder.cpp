@@ -43,8 +43,10 @@ ExperimentRecorder::ExperimentRecorder(const ros::NodeHandle& node,
     throw ConfigurationError(std::string("a topic of the configuration: ") + error.what());
   }
   for (const auto& topic : topics) subscribe(topic);
-  silence_timer_ = node_.createWallTimer(
-      ros::WallDuration(0.25), [this](const ros::WallTimerEvent&) { releaseAfterSilence(); });
+  timer_ = node_.createWallTimer(ros::WallDuration(0.25), [this](const ros::WallTimerEvent&) {
+    releaseAfterSilence();
+    renewSubscriptions();
+  });
 }
 
 void ExperimentRecorder::reset() {
@@ -61,8 +63,21 @@ void ExperimentRecorder::subscribe(const std::string& topic) {
   options.initByFullCallbackType<const Event&>(
       topic, kQueueLength, [this, topic](const Event& event) { receive(topic, event); });
   options.transport_hints = ros::TransportHints().tcpNoDelay();
-  subscribers_.push_back(node_.subscribe(options));
-  arrivals_[topic];
+  topics_[topic].subscriber = node_.subscribe(options);
+}
+
+// To roscpp a subscription is of the type of its first publisher for ever, and refuses all others
+// in silence: where a topic has lost its publishers it is subscribed to anew.
+void ExperimentRecorder::renewSubscriptions() {
+  const auto now = std::chrono::steady_clock::now();
+  for (auto& [name, topic] : topics_) {
+    const bool published = topic.subscriber.getNumPublishers() > 0;
+    topic.connected = topic.connected || published;
+    if (!topic.connected || published || now - topic.arrivals.newest() < kSilence) continue;
+    topic.connected = false;
+    topic.subscriber.shutdown();
+    subscribe(name);
+  }
 }
 
 std::vector<TopicActivity> ExperimentRecorder::activity() {
@@ -73,14 +88,14 @@ std::vector<TopicActivity> ExperimentRecorder::activity() {
       activity.back().left_out = use.left_out;
     }
   } else {
-    activity.push_back({arrivals_.begin()->first, "experiment.topic", TopicRole::marker});
+    activity.push_back({topics_.begin()->first, "experiment.topic", TopicRole::marker});
   }
   const auto now = std::chrono::steady_clock::now();
-  for (auto& [topic, arrivals] : arrivals_) {
+  for (auto& [name, topic] : topics_) {
     TopicActivity told;
-    arrivals.tell(now, told);
+    topic.arrivals.tell(now, told);
     for (auto& each : activity) {
-      if (each.topic != topic) continue;
+      if (each.topic != name) continue;
       each.messages = told.messages;
       each.rate = told.rate;
       each.age = told.age;
@@ -96,7 +111,8 @@ void ExperimentRecorder::receive(const std::string& topic, const Event& event) {
   ros::serialization::OStream stream(buffer_.data(), static_cast<std::uint32_t>(buffer_.size()));
   message.write(stream);
   last_arrival_ = std::chrono::steady_clock::now();
-  arrivals_[topic].count(last_arrival_);
+  topics_[topic].arrivals.count(last_arrival_);
+  topics_[topic].connected = true;
   try {
     record(topic, {message.getDataType(),
                    message.getMD5Sum(),
@@ -110,7 +126,8 @@ void ExperimentRecorder::receive(const std::string& topic, const Event& event) {
 
 void ExperimentRecorder::record(const std::string& topic, const RawMessage& message) {
   if (!router_) {
-    listener_.finished(fromMessage(deserialise<messages::Experiment>(message)));
+    listener_.finished(
+        fromMessage(deserialise<messages::Experiment>(message), configuration_.limits));
     return;
   }
   router_->add(topic, message);

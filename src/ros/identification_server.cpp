@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/ros/checked_service.h"
 #include "uncertainty_identification/ros/identify_request.h"
 #include "uncertainty_identification/ros/message_conversions.h"
 
@@ -64,6 +65,11 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                      [this](const messages::IdentifyBagsGoal& goal, const ProgressCallback& go_on) {
                        return answerIdentifyBags(goal, reconfiguration_.current(), go_on);
                      }) {
+  if (store_) {
+    diagnostics_.add("store", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
+      diagnoseStore(store_->status(), status);
+    });
+  }
   restore();
   advertiseTriggers(private_node);
   advertiseRequests();
@@ -148,7 +154,8 @@ void IdentificationServer::advertiseRequests() {
         response = answerSampleModels(request, last.first.get(), last.second);
         return true;
       };
-  services_.push_back(identify_thread_.node().advertiseService("identify", identify));
+  services_.push_back(advertiseChecked<Identify>(identify_thread_.node(), "identify", identify,
+                                                 Identify::Response::DATA_ERROR));
   services_.push_back(query_thread_.node().advertiseService("get_result", get_result));
   services_.push_back(query_thread_.node().advertiseService("list_experiments", list));
   services_.push_back(query_thread_.node().advertiseService("sample_models", sample));

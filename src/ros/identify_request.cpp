@@ -10,6 +10,7 @@
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/identifier.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
+#include "uncertainty_identification/io/untrusted_yaml.h"
 #include "uncertainty_identification/ros/bag_name.h"
 #include "uncertainty_identification/ros/load_data.h"
 #include "uncertainty_identification/ros/message_conversions.h"
@@ -22,19 +23,23 @@ using Response = messages::Identify::Response;
 
 Configuration configurationOf(const Request& request, const Configuration& own) {
   if (request.configuration.empty()) return own;
-  try {
-    return parseConfiguration(YAML::Load(request.configuration));
-  } catch (const YAML::Exception& error) {
-    throw ConfigurationError(std::string("configuration is no YAML: ") + error.what());
-  }
+  Configuration asked = parseConfiguration(loadUntrustedYaml(request.configuration));
+  asked.limits.max_experiments = std::min(asked.limits.max_experiments, own.limits.max_experiments);
+  asked.limits.max_samples = std::min(asked.limits.max_samples, own.limits.max_samples);
+  asked.estimation.threads = own.estimation.threads;  // which never changes a result
+  return asked;
 }
 
 LoadedData dataOf(const Request& request, const Configuration& configuration,
                   const std::string& bag_directory, const ProgressCallback& progress) {
+  const auto most = static_cast<std::size_t>(configuration.limits.max_experiments);
+  if (request.experiments.size() > most)
+    throw DataError("the request has " + std::to_string(request.experiments.size()) +
+                    " experiments; limits.max_experiments allows " + std::to_string(most));
   LoadedData data;
   for (const auto& experiment : request.experiments) {
     try {
-      data.experiments.push_back(fromMessage(experiment));
+      data.experiments.push_back(fromMessage(experiment, configuration.limits));
     } catch (const DataError& error) {
       data.rejected.push_back({experiment.id, error.what()});
     }

@@ -6,6 +6,7 @@
 
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
+#include "uncertainty_identification/io/untrusted_yaml.h"
 #include "uncertainty_identification/ros/bag_name.h"
 
 namespace uncertainty_identification {
@@ -19,12 +20,8 @@ constexpr const char* kFixed[] = {
     "bag_directory", "report_directory", "report_each_result", "store_directory"};
 
 YAML::Node parse(const std::string& text) {
-  try {
-    const YAML::Node tree = YAML::Load(text);
-    if (tree.IsMap()) return tree;
-  } catch (const YAML::Exception& error) {
-    throw ConfigurationError(std::string("configuration is no YAML: ") + error.what());
-  }
+  const YAML::Node tree = loadUntrustedYaml(text);
+  if (tree.IsMap()) return tree;
   throw ConfigurationError(
       "configuration: found no keys; give e.g. {nominal_model: {orders: auto}}");
 }

@@ -63,6 +63,13 @@ TEST_F(BagNameTest, LinksWithinTheDirectoryAreFine) {
   EXPECT_EQ(resolve("link.bag"), fs::canonical(directory_ + "/day/b.bag"));
 }
 
+TEST_F(BagNameTest, RefusesOverLargeFiles) {
+  fs::resize_file(directory_ + "/a.bag", std::uintmax_t{4} << 30);  // sparse: takes no room
+  EXPECT_NO_THROW(resolve("a.bag"));
+  fs::resize_file(directory_ + "/a.bag", (std::uintmax_t{4} << 30) + 1);
+  EXPECT_NE(refusal("a.bag").find("larger than 4 GiB"), std::string::npos);
+}
+
 TEST_F(BagNameTest, WhatIsNoBagIsNamed) {
   EXPECT_NE(messageOf<FileError>([&] { resolve("absent.bag"); }).find("No such file"),
             std::string::npos);

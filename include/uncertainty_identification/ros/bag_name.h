@@ -14,8 +14,8 @@ class RefusedError : public Error {
 
 /// The bag that a name in a request means: a .bag file below `directory`, which messages call
 /// `what`. Throws RefusedError when the directory is empty (bag names are not allowed), the name is
-/// absolute, contains "..", or leads out of the directory through a link; FileError when there is
-/// no such bag.
+/// absolute, contains "..", leads out of the directory through a link, or means a file of more than
+/// 4 GiB; FileError when there is no such bag.
 std::string resolveBagName(const std::string& directory, const std::string& name,
                            const std::string& what = "bag_directory");
 

@@ -59,10 +59,17 @@ class ExperimentRecorder {
  private:
   using Event = ros::MessageEvent<const topic_tools::ShapeShifter>;
 
+  struct Topic {
+    ros::Subscriber subscriber;
+    ArrivalCounter arrivals;
+    bool connected = false;  // was, since it was subscribed to
+  };
+
   void subscribe(const std::string& topic);
   void receive(const std::string& topic, const Event& event);
   void record(const std::string& topic, const RawMessage& message);
   void releaseAfterSilence();
+  void renewSubscriptions();
   void handOn();
   void report(const std::string& problem);
   void reportStamps();
@@ -71,10 +78,9 @@ class ExperimentRecorder {
   Configuration configuration_;
   Listener listener_;
   Patience patience_;
-  std::unique_ptr<TopicRouter> router_;             // none in mode message
-  std::map<std::string, ArrivalCounter> arrivals_;  // by topic
-  std::vector<ros::Subscriber> subscribers_;
-  ros::WallTimer silence_timer_;
+  std::unique_ptr<TopicRouter> router_;  // none in mode message
+  std::map<std::string, Topic> topics_;
+  ros::WallTimer timer_;
   std::chrono::steady_clock::time_point last_arrival_;
   std::chrono::steady_clock::time_point last_release_;  // or when nothing waited last
   std::vector<std::uint8_t> buffer_;

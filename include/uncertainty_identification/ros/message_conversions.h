@@ -22,8 +22,9 @@ struct ResultContext {
 messages::Experiment toMessage(const Experiment& experiment);
 
 /// Throws DataError, naming the experiment and the field, when sizes disagree, a covariate's kind
-/// is unknown or its name is empty or given twice.
-Experiment fromMessage(const messages::Experiment& message);
+/// is unknown or its name is empty or given twice, a name has more than 200 characters, or the
+/// times of its samples do not fit stamps. Also when it has more than limits.max_samples.
+Experiment fromMessage(const messages::Experiment& message, const LimitOptions& limits = {});
 
 /// The start is 0 for what was rejected before it had samples.
 messages::ExperimentSummary toMessage(const ExperimentDigest& digest);

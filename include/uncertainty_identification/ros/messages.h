@@ -48,6 +48,8 @@
 #include <uncertainty_identification/WriteReport.h>
 #undef uncertainty_identification
 
+#include "uncertainty_identification/ros/goal_serializer.h"
+
 namespace uncertainty_identification {
 namespace messages = ::uncertainty_identification_messages;
 }

@@ -34,6 +34,9 @@ class ArrivalCounter {
     newest_ = now;
   }
 
+  /// When the newest one arrived.
+  Clock::time_point newest() const { return newest_; }
+
   /// Fills in messages, rate, age and interval.
   void tell(Clock::time_point now, TopicActivity& activity) {
     const double elapsed = std::chrono::duration<double>(now - told_at_).count();
