@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "uncertainty_identification/estimation/embedded_start.h"
 #include "uncertainty_identification/estimation/least_squares_start.h"
 #include "uncertainty_identification/model/polynomial.h"
 
@@ -182,6 +183,9 @@ std::vector<VectorXd> nominalStarts(const LinearModel& model, const NominalModel
   LeastSquaresModel median;
   if (medianOfExperiments(experiments, sizes, with_constant, &median))
     addStarts(model, median, experiments, &starts);
+  for (const LeastSquaresModel& start :
+       embeddedStarts(model.basis(), sizes, experiments, with_constant))
+    addStarts(model, start, experiments, &starts);
   return starts;
 }
 

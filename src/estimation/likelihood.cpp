@@ -84,6 +84,26 @@ std::vector<Signals> sensitivities(const Response& response, const Block& block,
   return all;
 }
 
+/// Fisher information of the parameters that move the precisions of random effects: with A = Z'Z +
+/// precision, 1/2 dp' (M o M) dp, M = precision^-1 - A^-1, over the proper columns.
+MatrixXd precisionInformation(const Response& response, const MatrixXd& inverse_of_A) {
+  const VectorXd& precision = response.column_precision;
+  const auto p = static_cast<Index>(response.column_precision_derivatives.size());
+  MatrixXd dp(precision.size(), p);
+  for (Index j = 0; j < p; ++j)
+    dp.col(j) = response.column_precision_derivatives[static_cast<std::size_t>(j)];
+  MatrixXd M = -inverse_of_A;
+  for (Index k = 0; k < precision.size(); ++k) {
+    if (precision[k] > 0) {
+      M(k, k) += 1 / precision[k];
+    } else {
+      M.row(k).setZero();
+      M.col(k).setZero();
+    }
+  }
+  return 0.5 * dp.transpose() * M.cwiseAbs2() * dp;
+}
+
 ScoringInformation informationOf(const Model& model, const Block& block, const ModelParameters& at,
                                  const LatentMoments& moments) {
   Response response;
@@ -102,15 +122,21 @@ ScoringInformation informationOf(const Model& model, const Block& block, const M
     const MatrixXd& gram = grams[static_cast<std::size_t>(lane)];
     MatrixXd inner = gram.topLeftCorner(columns, columns);
     inner.diagonal() += response.column_precision;
+    const MatrixXd inverse = PseudoInverse(inner).inverse;
     const auto cross = gram.topRightCorner(columns, n + p);
-    const MatrixXd rest = gram.bottomRightCorner(n + p, n + p) -
-                          cross.transpose() * PseudoInverse(inner).inverse * cross;
+    const MatrixXd rest =
+        gram.bottomRightCorner(n + p, n + p) - cross.transpose() * inverse * cross;
     MatrixXd all(p + n, p + n), to_phi(n, p + n);  // [d, -Phi], and Phi'[d, -Phi]
     all << rest.bottomRightCorner(p, p), -rest.bottomLeftCorner(p, n), -rest.topRightCorner(n, p),
         rest.topLeftCorner(n, n);
     to_phi << rest.topRightCorner(n, p), -rest.topLeftCorner(n, n);
     const Eigen::Map<const MatrixXd> P(
         moments.covariances.col(block.index[static_cast<std::size_t>(lane)]).data(), n, n);
+    if (!response.column_precision_derivatives.empty()) {
+      const MatrixXd of_precision = precisionInformation(response, inverse);
+      sum.complete.topLeftCorner(p, p) += of_precision;
+      sum.observed.topLeftCorner(p, p) += of_precision;
+    }
     sum.complete += all / at.noise_variance;
     sum.observed += all / at.noise_variance -
                     to_phi.transpose() * P * to_phi / (at.noise_variance * at.noise_variance);

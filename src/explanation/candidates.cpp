@@ -7,13 +7,13 @@
 #include "screening.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/estimation/initial_guess.h"
-#include "uncertainty_identification/estimation/least_squares_start.h"
 #include "uncertainty_identification/model/filter.h"
 
 namespace uncertainty_identification {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kNone = -std::numeric_limits<double>::infinity();
@@ -26,43 +26,27 @@ double penaltyOf(const Effect& effect, const FitData& data) {
   return 0.5 * parameters * each + std::log(starts);
 }
 
-/// Experiments whose input has passed the effects ahead of a linear plant, so that least squares
-/// can start theta anew.
-std::vector<Experiment> withDrivenInput(const Fit& fit, const FitData& data) {
+/// The experiments as the linear part of the model alone would have met them: the input that drives
+/// it, and the measurement less what the effects are estimated to have done to it.
+std::vector<Experiment> linearPartOf(const Fit& fit, const FitData& data) {
   std::vector<Experiment> experiments = data.experiments();
+  const VectorXd plain_parameters =
+      fit.at.parameters.head(fit.at.parameters.size() - fit.model->effectParameterCount());
+  const auto plain = fit.model->with({});
   for (const Block& block : data.blocks()) {
-    const Signals u = fit.model->drivingInput(block, fit.at.parameters);
+    Block driven = block;
+    driven.u = fit.model->drivingInput(block, fit.at.parameters);
+    const Signals effects = fit.model->simulated(block, fit.at.parameters, fit.xi).expected() -
+                            plain->simulated(driven, plain_parameters, fit.xi).expected();
     for (int lane = 0; lane < block.lanes; ++lane) {
       const auto at = static_cast<std::size_t>(lane);
-      experiments[static_cast<std::size_t>(block.index[at])].u =
-          u.row(lane).head(block.lengths[at]).transpose();
+      const int length = block.lengths[at];
+      Experiment& experiment = experiments[static_cast<std::size_t>(block.index[at])];
+      experiment.u = driven.u.row(lane).head(length).transpose();
+      experiment.y -= effects.row(lane).head(length).transpose().matrix();
     }
   }
   return experiments;
-}
-
-/// Theta started anew by least squares, given the effects; kept if it leads higher.
-Fit withNewPlant(const Fit& fit, const FitData& data, const FitContext& context, int steps) {
-  const NominalModel& nominal = fit.model->nominal();
-  const Index own = nominal.parameterCount();
-  Polynomials p = nominal.polynomials(fit.at.parameters.head(own));
-  const std::vector<Experiment> driven = withDrivenInput(fit, data);
-  std::vector<const Experiment*> list;
-  for (const Experiment& experiment : driven) list.push_back(&experiment);
-  try {
-    const LeastSquaresModel start =
-        LeastSquaresStart(list, false, 20000)
-            .steiglitzMcBride(static_cast<int>(p.b.size()), static_cast<int>(p.a.size()), p.delay,
-                              p.delay);
-    p.b = start.polynomials.b;
-    p.a = start.polynomials.a;
-    Fit fresh = fit;
-    fresh.at.parameters.head(own) = nominal.fromPolynomials(p);
-    fresh = improved(evaluated(fresh.model, fresh.at, data), data, context.options, steps, 0.05);
-    return fresh.log_likelihood > fit.log_likelihood ? fresh : fit;
-  } catch (const Error&) {  // a model without polynomials to start from, or a singular regression
-    return fit;
-  }
 }
 
 Fit withNewMixture(const Fit& fit, const FitData& data, const FitContext& context, int components,
@@ -77,6 +61,49 @@ Fit withNewMixture(const Fit& fit, const FitData& data, const FitContext& contex
   const ModelParameters at = spreadComponents(likelihood, statistics, single, components, restarts,
                                               context.seed, options, &reached);
   return evaluated(fit.model, at, data);
+}
+
+/// The model about zero error parameters, its clock shifts kept: the points of one theta are none
+/// of another's.
+std::shared_ptr<const ExtendedModel> aboutZero(const std::shared_ptr<const ExtendedModel>& model,
+                                               int experiments) {
+  if (!model->isLocallyLinear()) return model;
+  return model->about(model->points(VectorXd(), MatrixXd::Zero(model->regressors(), experiments)));
+}
+
+/// Theta, noise model and mixture started anew, given the effects; kept if that leads higher.
+Fit withNewStart(const Fit& fit, const FitData& data, const FitContext& context, int steps) {
+  constexpr int kRestarts = 4;
+  constexpr double kHopeless = 100;  // [nats]
+  const auto plain = fit.model->with({});
+  const VectorXd psi = fit.at.parameters.tail(fit.model->effectParameterCount());
+  try {
+    std::vector<VectorXd> starts =
+        nominalStarts(*plain, NominalModelOptions(), linearPartOf(fit, data));
+    for (VectorXd& start : starts) {
+      start.conservativeResize(start.size() + psi.size());
+      start.tail(psi.size()) = psi;
+    }
+    const std::shared_ptr<const ExtendedModel> model = aboutZero(fit.model, data.count());
+    const Likelihood likelihood(*model, data.blocks(), data.count(), 1);
+    Fit fresh = evaluated(model, bestSingleComponent(likelihood, starts, context.options), data);
+    const int components = fit.at.mixture.components();
+    if (components > 1 && std::isfinite(fresh.log_likelihood))
+      fresh = withNewMixture(fresh, data, context, components, kRestarts);
+      fprintf(stderr, "new start %s: fit %.1f fresh %.1f starts %zu psi ",
+              fit.model->effects().empty() ? "" : fit.model->effects().back()->label().c_str(),
+              fit.log_likelihood, fresh.log_likelihood, starts.size());
+      for (int i = 0; i < fit.at.parameters.size(); ++i)
+        fprintf(stderr, "%.4g/%.4g ", fit.at.parameters[i], fresh.at.parameters[i]);
+      fprintf(stderr, "\n");
+    }
+    for (int round = 0; round < 3; ++round) fresh = relinearised(fresh, data);
+    if (!(fresh.log_likelihood > fit.log_likelihood - kHopeless)) return fit;
+    fresh = improved(std::move(fresh), data, context.options, steps, 0.02);
+    return fresh.log_likelihood > fit.log_likelihood ? fresh : fit;
+  } catch (const Error&) {  // a model without polynomials to start from
+    return fit;
+  }
 }
 
 /// Whether theta may lie far from where it was without the effect.
@@ -95,9 +122,9 @@ FittedEffect screened(const Screening& screening, const std::shared_ptr<const Ef
 }
 
 void converge(FittedEffect* candidate, const Fit& base, const FitData& data,
-              const FitContext& context, int steps) {
+              const FitContext& context, int steps, bool anew) {
   Fit fit = improved(std::move(candidate->fit), data, context.options, steps, 0.05);
-  if (movesPlant(*candidate->effect)) fit = withNewPlant(fit, data, context, steps);
+  if (anew) fit = withNewStart(fit, data, context, steps);
   if (steps > 5) fit = searched(std::move(fit), data, context);
   candidate->fit = std::move(fit);
   candidate->score = candidate->fit.log_likelihood - base.log_likelihood - candidate->penalty;
@@ -115,7 +142,7 @@ bool isOfMixture(const Effect& effect) {
   return effect.name() == "exp_mode" || effect.name() == "plant_aging";
 }
 
-Fit polished(Fit fit, const FitData& data, const FitContext& context) {
+Fit settled(Fit fit, const FitData& data, const FitContext& context) {
   constexpr int kRounds = 5, kSteps = 12;
   for (int round = 0; round < kRounds; ++round) {
     Fit next = improved(fit, data, context.options, kSteps, 0.01);
@@ -123,7 +150,12 @@ Fit polished(Fit fit, const FitData& data, const FitContext& context) {
     if (gain > 0) fit = std::move(next);
     if (gain < 0.2) break;
   }
-  if (!fit.model->isLocallyLinear()) fit = withNewPlant(fit, data, context, kSteps);
+  return fit;
+}
+
+Fit polished(Fit fit, const FitData& data, const FitContext& context) {
+  constexpr int kSteps = 12;
+  fit = withNewStart(settled(std::move(fit), data, context), data, context, kSteps);
   const int components = fit.at.mixture.components();
   if (components < 2) return fit;
   const Fit other = improved(withNewMixture(fit, data, context, components, 8), data,
@@ -157,7 +189,7 @@ Fit searched(Fit fit, const FitData& data, const FitContext& context) {
 
 std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
                                         const Effects& effects, const FitContext& context) {
-  constexpr std::size_t kFitted = 12, kConverged = 7;
+  constexpr std::size_t kFitted = 12, kConverged = 7, kAnew = 3;
   constexpr double kHopeless = -6;  // [nats] of predicted score
   const Screening screening(base, data, context.options);
   std::vector<FittedEffect> candidates(effects.size());
@@ -168,19 +200,23 @@ std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
   };
   inParallel(effects.size(),
              [&](std::size_t k) { candidates[k] = screened(screening, effects[k], base, data); });
+  sortByScore(&candidates);
+  const bool wrong = !candidates.empty() && candidates.front().score > 0;
+  std::size_t fitted = 0;
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
-                                  [](const FittedEffect& candidate) {
-                                    return candidate.effect == nullptr ||
-                                           candidate.score < kHopeless;
+                                  [&](const FittedEffect& candidate) {
+                                    if (candidate.effect == nullptr) return true;
+                                    if (wrong && movesPlant(*candidate.effect)) return false;
+                                    return candidate.score < kHopeless || ++fitted > kFitted;
                                   }),
                    candidates.end());
+  inParallel(candidates.size(), [&](std::size_t k) {
+    converge(&candidates[k], base, data, context, 4, movesPlant(*candidates[k].effect));
+  });
   sortByScore(&candidates);
-  if (candidates.size() > kFitted) candidates.resize(kFitted);
-  inParallel(candidates.size(),
-             [&](std::size_t k) { converge(&candidates[k], base, data, context, 4); });
-  sortByScore(&candidates);
-  inParallel(std::min(kConverged, candidates.size()),
-             [&](std::size_t k) { converge(&candidates[k], base, data, context, 15); });
+  inParallel(std::min(kConverged, candidates.size()), [&](std::size_t k) {
+    converge(&candidates[k], base, data, context, 15, wrong && k < kAnew);
+  });
   sortByScore(&candidates);
   return candidates;
 }

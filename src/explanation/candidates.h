@@ -25,6 +25,9 @@ struct FitContext {
   std::function<bool()> going_on;
 };
 
+/// To convergence from where it is.
+Fit settled(Fit fit, const FitData& data, const FitContext& context);
+
 /// To convergence, from new starts of theta and of the mixture too: what further iterations gain
 /// must not count for a candidate.
 Fit polished(Fit fit, const FitData& data, const FitContext& context);

@@ -274,7 +274,7 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   SearchState base{{}, FitData(std::move(used)), FitData(std::move(data.held)), {}, {}, false, 0};
   DataSummary summary = summarise(base.train.experiments());
   const FitContext context = this->context(explanation_.before);
-  base.fit = polished(baseFit(explanation_.before, base.train, summary), base.train, context);
+  base.fit = settled(baseFit(explanation_.before, base.train, summary), base.train, context);
   summary.regressors = base.fit.model->regressors();
   summary.plant_parameters =
       plantParameters(base.fit.model->nominal(),

@@ -116,15 +116,17 @@ Fit relinearised(const Fit& fit, const FitData& data) {
 
 Fit improved(Fit fit, const FitData& data, const ClimbOptions& options, int steps,
              double tolerance) {
+  constexpr int kSettling = 3;  // rounds until points and posterior means agree
   const bool local = fit.model->isLocallyLinear();
+  for (int round = 0; local && round < kSettling && std::isfinite(fit.log_likelihood); ++round)
+    fit = relinearised(fit, data);
   const int at_once = local ? 2 : steps;
   for (int done = 0; done < steps && std::isfinite(fit.log_likelihood); done += at_once) {
     const Likelihood likelihood(*fit.model, data.blocks(), data.count(), 1);
     const ModelParameters at = scoringSteps(likelihood, fit.at, options, at_once, tolerance);
     Fit next = relinearised(evaluated(fit.model, at, data), data);
     const double gain = next.log_likelihood - fit.log_likelihood;
-    if (gain > 0 || (local && done == 0 && std::isfinite(next.log_likelihood)))
-      fit = std::move(next);
+    if (gain > 0) fit = std::move(next);
     if (gain < tolerance) break;
   }
   return fit;

@@ -70,8 +70,9 @@ Search::Search(const ExplanationOptions& options, FitContext context, Effects ca
     : options_(options), context_(std::move(context)), catalogue_(std::move(catalogue)) {}
 
 double Search::threshold(const Effect& effect) const {
-  constexpr double kOfMixture = 2.5;
-  return isOfMixture(effect) ? kOfMixture : options_.acceptance;
+  constexpr double kMode = 2.5, kAging = 4.5;  // a mode is judged by simulation too
+  if (effect.name() == "exp_mode") return kMode;
+  return effect.name() == "plant_aging" ? kAging : options_.acceptance;
 }
 
 Effects Search::considered(const SearchState& state) const {
@@ -115,6 +116,12 @@ std::vector<FittedEffect> Search::rank(const SearchState& state) {
 bool Search::extend(SearchState* state, std::size_t skip) {
   constexpr std::size_t kMostTried = 5;
   const std::vector<FittedEffect> ranked = rank(*state);
+    for (size_t i = 0; i < ranked.size() && i < 6; ++i)
+      fprintf(stderr, "%s %.1f, ", ranked[i].effect->label().c_str(), ranked[i].score);
+    fprintf(stderr, "\n");
+  }
+  if (first_scores_.empty())
+    for (const FittedEffect& candidate : ranked) first_scores_.push_back(candidate.score);
   for (const FittedEffect& candidate : ranked) {
     if (tried_.size() < 40 && std::isfinite(candidate.score) && state->causes.empty())
       tried_.push_back({candidate.effect->name(), candidate.effect->description().variant,
@@ -248,6 +255,7 @@ SearchState Search::greedy(SearchState state, std::size_t first) {
 
 SearchState Search::run(const SearchState& base) {
   constexpr std::size_t kFirst = 3;
+  constexpr double kWorthwhile = 0.3;  // of the best first cause's score
   SearchState best = greedy(base, 0);
   const std::size_t signatures = base.causes.size();
   const auto settled = [&](const SearchState& state) {
@@ -256,6 +264,8 @@ SearchState Search::run(const SearchState& base) {
   };
   if (best.causes.size() == signatures || settled(best)) return best;
   for (std::size_t first = 1; first < kFirst && context_.going_on(); ++first) {
+    if (first >= first_scores_.size() || first_scores_[first] < kWorthwhile * first_scores_[0])
+      break;
     SearchState other = greedy(base, first);
     if (other.total > best.total) best = std::move(other);
   }

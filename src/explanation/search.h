@@ -62,6 +62,7 @@ class Search {
   FitContext context_;
   Effects catalogue_;
   std::vector<TriedEffect> tried_;
+  std::vector<double> first_scores_;  ///< of the first ranking, best first
 };
 
 }  // namespace uncertainty_identification

@@ -29,16 +29,28 @@ std::unique_ptr<StoreWriter> openStore(const Configuration& parameters,
 
 IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                                            const ros::NodeHandle& private_node,
+<<<<<<< HEAD
                                            const Configuration& parameters)
     : results_(private_node),
       reports_(parameters.report_directory),
       bounds_(private_node,
+=======
+                                           const Configuration& configuration)
+    : configuration_(requireAvailable(configuration)),
+      results_(private_node),
+      explanations_(private_node, {[this] { return configuration_; },
+                                   [this] { return worker_.snapshot().experiments; },
+                                   [this] { return results_.sequence(); }}),
+      reports_(configuration.report_directory),
+      bounds_(private_node, configuration.bounds,
+>>>>>>> e042d9f (The node explains: ~explain, the action ~explain_experiments, ~explanation, /diagnostics, and by itself after each so many experiments)
               [this](const Result& result) {
                 if (!configuration_.report_each_result) return;
-                const auto answer = reports_.answer({}, &result);
+                const auto answer = reports_.answer({}, &result, explanations_.last().get());
                 if (answer.code != messages::WriteReport::Response::OK) warn(answer.message);
               }),
       status_(
+<<<<<<< HEAD
           private_node, [this] { return workerStatus(); }, [this] { return results_.sequence(); }),
       store_(openStore(parameters, [this] { status_.publish(); })),
       stored_(store_ ? store_->load() : StoredState()),
@@ -50,6 +62,18 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                        }),
       saved_(parameters.store_directory, worker_),
       recorder_(node, private_node, configuration_,
+=======
+          private_node, [this] { return worker_.status(); },
+          [this] { return results_.sequence(); }),
+      worker_(configuration,
+              {[this](const WorkerResult& result) {
+                 bounds_.add(result.estimate, results_.publish(result));
+                 explanations_.resultCame();
+               },
+               [this](const KeptExperiment&) { explanations_.experimentCame(); },
+               [](const RejectedExperiment&) {}, [this] { status_.publish(); }, warn}),
+      recorder_(node, private_node, configuration,
+>>>>>>> e042d9f (The node explains: ~explain, the action ~explain_experiments, ~explanation, /diagnostics, and by itself after each so many experiments)
                 {[this](FinishedExperiment experiment) { worker_.add(std::move(experiment)); },
                  [this](const std::string& problem) {
                    warn(problem);
@@ -65,18 +89,25 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                      [this](const messages::IdentifyBagsGoal& goal, const ProgressCallback& go_on) {
                        return answerIdentifyBags(goal, reconfiguration_.current(), go_on);
                      }) {
+<<<<<<< HEAD
   if (store_) {
     diagnostics_.add("store", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
       diagnoseStore(store_->status(), status);
     });
   }
   restore();
+=======
+  diagnostics_.add("explanation", [this](auto& status) {
+    diagnoseExplanation(explanations_.last().get(), status);
+  });
+>>>>>>> e042d9f (The node explains: ~explain, the action ~explain_experiments, ~explanation, /diagnostics, and by itself after each so many experiments)
   advertiseTriggers(private_node);
   advertiseRequests();
   advertiseKeeping();
   identify_thread_.start();
   query_thread_.start();
   identify_bags_.start();
+  explanations_.start();
   status_.publish();
 }
 
@@ -84,6 +115,7 @@ IdentificationServer::~IdentificationServer() {
   stopping_ = true;
   status_.close();
   for (auto& service : services_) service.shutdown();
+  explanations_.stop();
   identify_thread_.stop();
   query_thread_.stop();
 }
@@ -122,6 +154,7 @@ std_srvs::Trigger::Response IdentificationServer::reset() {
   worker_.reset();
   if (store_) store_->reset();
   results_.forget();
+  explanations_.reset();
   status_.publish();
   return answer(true, "all experiments and the result were dropped");
 }
@@ -190,9 +223,9 @@ messages::ListExperiments::Response IdentificationServer::listExperiments() cons
 messages::WriteReport::Response IdentificationServer::writeReport(
     const messages::WriteReport::Request& request) const {
   const auto [estimate, sequence] = results_.lastEstimate();
-  if (estimate == nullptr) return reports_.answer(request, nullptr);
+  if (estimate == nullptr) return reports_.answer(request, nullptr, nullptr);
   const Result result{*estimate, bounds_.boundsOf(sequence), {}};
-  return reports_.answer(request, &result);
+  return reports_.answer(request, &result, explanations_.last().get());
 }
 
 }  // namespace uncertainty_identification

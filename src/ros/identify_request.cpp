@@ -4,16 +4,19 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/identifier.h"
+<<<<<<< HEAD
 #include "uncertainty_identification/io/configuration_yaml.h"
 #include "uncertainty_identification/io/untrusted_yaml.h"
 #include "uncertainty_identification/ros/bag_name.h"
 #include "uncertainty_identification/ros/load_data.h"
+=======
+>>>>>>> e042d9f (The node explains: ~explain, the action ~explain_experiments, ~explanation, /diagnostics, and by itself after each so many experiments)
 #include "uncertainty_identification/ros/message_conversions.h"
+#include "uncertainty_identification/ros/request.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -21,6 +24,7 @@ namespace {
 using Request = messages::Identify::Request;
 using Response = messages::Identify::Response;
 
+<<<<<<< HEAD
 Configuration configurationOf(const Request& request, const Configuration& own) {
   if (request.configuration.empty()) return own;
   Configuration asked = parseConfiguration(loadUntrustedYaml(request.configuration));
@@ -30,6 +34,8 @@ Configuration configurationOf(const Request& request, const Configuration& own) 
   return asked;
 }
 
+=======
+>>>>>>> e042d9f (The node explains: ~explain, the action ~explain_experiments, ~explanation, /diagnostics, and by itself after each so many experiments)
 LoadedData dataOf(const Request& request, const Configuration& configuration,
                   const std::string& bag_directory, const ProgressCallback& progress) {
   const auto most = static_cast<std::size_t>(configuration.limits.max_experiments);
@@ -44,11 +50,7 @@ LoadedData dataOf(const Request& request, const Configuration& configuration,
       data.rejected.push_back({experiment.id, error.what()});
     }
   }
-  std::vector<std::string> paths;
-  for (const auto& name : request.bags) paths.push_back(resolveBagName(bag_directory, name));
-  const Progress reading{"reading bags", 0, std::numeric_limits<double>::quiet_NaN()};
-  if (!paths.empty())
-    append(loadData(paths, configuration, [&] { return progress(reading); }), data);
+  append(loadRequestedBags(request.bags, bag_directory, configuration, progress), data);
   return data;
 }
 
@@ -67,7 +69,7 @@ std::uint8_t codeOf(const Estimate& estimate) {
 
 Response identify(const Request& request, const Configuration& own,
                   const ProgressCallback& progress) {
-  const Configuration configuration = configurationOf(request, own);
+  const Configuration configuration = requestedConfiguration(request.configuration, own);
   LoadedData data = dataOf(request, configuration, own.bag_directory, progress);
   ResultContext context;
   context.stamp = ros::Time::now();
@@ -80,32 +82,11 @@ Response identify(const Request& request, const Configuration& own,
   return response;
 }
 
-Response failure(std::uint8_t code, const std::string& message) {
-  Response response;
-  response.code = code;
-  response.message = message;
-  return response;
-}
-
 }  // namespace
 
 Response answerIdentify(const Request& request, const Configuration& own,
                         const ProgressCallback& progress) {
-  try {
-    return identify(request, own, progress);
-  } catch (const RefusedError& error) {
-    return failure(Response::REFUSED, error.what());
-  } catch (const ConfigurationError& error) {
-    return failure(Response::CONFIGURATION_ERROR, error.what());
-  } catch (const DataError& error) {
-    return failure(Response::DATA_ERROR, error.what());
-  } catch (const FileError& error) {
-    return failure(Response::FILE_ERROR, error.what());
-  } catch (const CancelledError& error) {
-    return failure(Response::CANCELLED, error.what());
-  } catch (const std::exception& error) {
-    return failure(Response::INTERNAL_ERROR, std::string("internal error: ") + error.what());
-  }
+  return answerErrors<Response>([&] { return identify(request, own, progress); });
 }
 
 messages::IdentifyBagsResult answerIdentifyBags(const messages::IdentifyBagsGoal& goal,

@@ -18,8 +18,8 @@ Response answerOf(std::uint8_t code, const std::string& message) {
 
 }  // namespace
 
-Response ReportWriter::answer(const messages::WriteReport::Request& request,
-                              const Result* result) const {
+Response ReportWriter::answer(const messages::WriteReport::Request& request, const Result* result,
+                              const Explanation* explanation) const {
   if (directory_.empty()) {
     return answerOf(Response::REFUSED, "reports are refused until report_directory is configured");
   }
@@ -33,7 +33,7 @@ Response ReportWriter::answer(const messages::WriteReport::Request& request,
   try {
     Response response = answerOf(Response::OK, "");
     response.path = directory_ + "/" + name;
-    writeReport(response.path, *result);
+    writeReport(response.path, *result, explanation);
     return response;
   } catch (const Error& error) {
     return answerOf(Response::FILE_ERROR, error.what());

@@ -1,6 +1,5 @@
 // The action ~identify_bags: results, feedback, cancelling, and goals that come while one runs.
 
-#include <actionlib/client/action_client.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -10,6 +9,7 @@
 
 #include "support/example1.h"
 #include "support/node_client.h"
+#include "support/sent_goal.h"
 #include "uncertainty_identification/identifier.h"
 #include "uncertainty_identification/ros/bag_writer.h"
 #include "uncertainty_identification/ros/parameters.h"
@@ -21,44 +21,7 @@ using Goal = messages::IdentifyBagsGoal;
 using Result = messages::IdentifyBagsResult;
 using Client = actionlib::ActionClient<messages::IdentifyBagsAction>;
 
-// A goal as its client sees it.
-class Sent {
- public:
-  Sent(Client& client, const Goal& goal)
-      : handle_(client.sendGoal(
-            goal, [this](const Client::GoalHandle& handle) { follow(handle); },
-            [this](const Client::GoalHandle&, const auto& feedback) { hear(*feedback); })) {}
-
-  bool ended() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return ended_;
-  }
-
-  std::vector<messages::IdentifyBagsFeedback> feedback() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return feedback_;
-  }
-
-  Result result() const { return *handle_.getResult(); }
-  actionlib::TerminalState::StateEnum state() const { return handle_.getTerminalState().state_; }
-  void cancel() { handle_.cancel(); }
-
- private:
-  void follow(const Client::GoalHandle& handle) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    ended_ = handle.getCommState() == actionlib::CommState::DONE;
-  }
-
-  void hear(const messages::IdentifyBagsFeedback& feedback) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    feedback_.push_back(feedback);
-  }
-
-  mutable std::mutex mutex_;
-  bool ended_ = false;
-  std::vector<messages::IdentifyBagsFeedback> feedback_;
-  Client::GoalHandle handle_;
-};
+using Sent = SentGoal<messages::IdentifyBagsAction>;
 
 class ActionsTest : public testing::Test {
  protected:

@@ -31,6 +31,7 @@ class ExtendedModel : public LinearModel {
 
   /// Where effect k's parameters begin among all.
   int offsetOf(std::size_t k) const { return offsets_[k]; }
+  int effectParameterCount() const { return count_ - static_cast<int>(own()); }
   Eigen::VectorXd psi(const Eigen::VectorXd& parameters, std::size_t k) const;
 
   /// The same with other effects, of another data set, or linearised about other points.

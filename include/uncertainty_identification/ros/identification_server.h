@@ -12,6 +12,7 @@
 #include "uncertainty_identification/ros/action_thread.h"
 #include "uncertainty_identification/ros/bounds_publisher.h"
 #include "uncertainty_identification/ros/experiment_recorder.h"
+#include "uncertainty_identification/ros/explanation_server.h"
 #include "uncertainty_identification/ros/identification_worker.h"
 #include "uncertainty_identification/ros/messages.h"
 #include "uncertainty_identification/ros/node_diagnostics.h"
@@ -26,8 +27,13 @@
 namespace uncertainty_identification {
 
 /// The node: topics to experiments (ExperimentRecorder), experiments to results
+<<<<<<< HEAD
 /// (IdentificationWorker), results to topics (ResultPublisher, BoundsPublisher, StatusPublisher),
 /// both to the disk (StoreWriter), and services.
+=======
+/// (IdentificationWorker), results to topics (ResultPublisher, BoundsPublisher, StatusPublisher)
+/// and explanations (ExplanationServer), and services.
+>>>>>>> e042d9f (The node explains: ~explain, the action ~explain_experiments, ~explanation, /diagnostics, and by itself after each so many experiments)
 /// Topics and ~start_experiment, ~finish_experiment, ~discard_experiment, ~reset are served by the
 /// thread that spins; ~identify and ~configure by one thread, the action ~identify_bags by two, the
 /// other services by another, so that no request keeps a sample from being recorded, or a quick one
@@ -62,6 +68,7 @@ class IdentificationServer {
 
   std::atomic<bool> stopping_{false};
   ResultPublisher results_;
+  ExplanationServer explanations_;
   ReportWriter reports_;
   BoundsPublisher bounds_;
   StatusPublisher status_;

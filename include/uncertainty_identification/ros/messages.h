@@ -26,6 +26,8 @@
 #include <uncertainty_identification/Experiment.h>
 #include <uncertainty_identification/ExperimentMarker.h>
 #include <uncertainty_identification/ExperimentSummary.h>
+#include <uncertainty_identification/Explain.h>
+#include <uncertainty_identification/ExplainExperimentsAction.h>
 #include <uncertainty_identification/Explanation.h>
 #include <uncertainty_identification/FaultStatus.h>
 #include <uncertainty_identification/GaussianComponent.h>

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "uncertainty_identification/explanation/explanation.h"
 #include "uncertainty_identification/io/result_json.h"
 #include "uncertainty_identification/ros/messages.h"
 
@@ -13,9 +14,10 @@ class ReportWriter {
   /// `directory` empty: requests are refused.
   explicit ReportWriter(std::string directory) : directory_(std::move(directory)) {}
 
-  /// Answers a request; `result` null: there is none yet.
+  /// Answers a request; `result` null: there is none yet; `explanation` null: the report has none.
   messages::WriteReport::Response answer(const messages::WriteReport::Request& request,
-                                         const Result* result) const;
+                                         const Result* result,
+                                         const Explanation* explanation) const;
 
  private:
   std::string directory_;

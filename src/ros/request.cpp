@@ -1,0 +1,28 @@
+#include "uncertainty_identification/ros/request.h"
+
+#include <limits>
+
+#include "uncertainty_identification/io/configuration_yaml.h"
+#include "uncertainty_identification/ros/load_data.h"
+
+namespace uncertainty_identification {
+
+Configuration requestedConfiguration(const std::string& yaml, const Configuration& own) {
+  if (yaml.empty()) return own;
+  try {
+    return parseConfiguration(YAML::Load(yaml));
+  } catch (const YAML::Exception& error) {
+    throw ConfigurationError(std::string("configuration is no YAML: ") + error.what());
+  }
+}
+
+LoadedData loadRequestedBags(const std::vector<std::string>& names, const std::string& directory,
+                             const Configuration& configuration, const ProgressCallback& progress) {
+  if (names.empty()) return {};
+  std::vector<std::string> paths;
+  for (const auto& name : names) paths.push_back(resolveBagName(directory, name));
+  const Progress reading{"reading bags", 0, std::numeric_limits<double>::quiet_NaN()};
+  return loadData(paths, configuration, [&] { return progress(reading); });
+}
+
+}  // namespace uncertainty_identification
