@@ -90,13 +90,6 @@ Fit withNewStart(const Fit& fit, const FitData& data, const FitContext& context,
     const int components = fit.at.mixture.components();
     if (components > 1 && std::isfinite(fresh.log_likelihood))
       fresh = withNewMixture(fresh, data, context, components, kRestarts);
-      fprintf(stderr, "new start %s: fit %.1f fresh %.1f starts %zu psi ",
-              fit.model->effects().empty() ? "" : fit.model->effects().back()->label().c_str(),
-              fit.log_likelihood, fresh.log_likelihood, starts.size());
-      for (int i = 0; i < fit.at.parameters.size(); ++i)
-        fprintf(stderr, "%.4g/%.4g ", fit.at.parameters[i], fresh.at.parameters[i]);
-      fprintf(stderr, "\n");
-    }
     for (int round = 0; round < 3; ++round) fresh = relinearised(fresh, data);
     if (!(fresh.log_likelihood > fit.log_likelihood - kHopeless)) return fit;
     fresh = improved(std::move(fresh), data, context.options, steps, 0.02);

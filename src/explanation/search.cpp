@@ -116,10 +116,6 @@ std::vector<FittedEffect> Search::rank(const SearchState& state) {
 bool Search::extend(SearchState* state, std::size_t skip) {
   constexpr std::size_t kMostTried = 5;
   const std::vector<FittedEffect> ranked = rank(*state);
-    for (size_t i = 0; i < ranked.size() && i < 6; ++i)
-      fprintf(stderr, "%s %.1f, ", ranked[i].effect->label().c_str(), ranked[i].score);
-    fprintf(stderr, "\n");
-  }
   if (first_scores_.empty())
     for (const FittedEffect& candidate : ranked) first_scores_.push_back(candidate.score);
   for (const FittedEffect& candidate : ranked) {

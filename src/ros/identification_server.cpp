@@ -29,28 +29,19 @@ std::unique_ptr<StoreWriter> openStore(const Configuration& parameters,
 
 IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                                            const ros::NodeHandle& private_node,
-<<<<<<< HEAD
                                            const Configuration& parameters)
     : results_(private_node),
-      reports_(parameters.report_directory),
-      bounds_(private_node,
-=======
-                                           const Configuration& configuration)
-    : configuration_(requireAvailable(configuration)),
-      results_(private_node),
-      explanations_(private_node, {[this] { return configuration_; },
+      explanations_(private_node, {[this] { return reconfiguration_.current(); },
                                    [this] { return worker_.snapshot().experiments; },
                                    [this] { return results_.sequence(); }}),
-      reports_(configuration.report_directory),
-      bounds_(private_node, configuration.bounds,
->>>>>>> e042d9f (The node explains: ~explain, the action ~explain_experiments, ~explanation, /diagnostics, and by itself after each so many experiments)
+      reports_(parameters.report_directory),
+      bounds_(private_node,
               [this](const Result& result) {
                 if (!configuration_.report_each_result) return;
                 const auto answer = reports_.answer({}, &result, explanations_.last().get());
                 if (answer.code != messages::WriteReport::Response::OK) warn(answer.message);
               }),
       status_(
-<<<<<<< HEAD
           private_node, [this] { return workerStatus(); }, [this] { return results_.sequence(); }),
       store_(openStore(parameters, [this] { status_.publish(); })),
       stored_(store_ ? store_->load() : StoredState()),
@@ -62,18 +53,6 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                        }),
       saved_(parameters.store_directory, worker_),
       recorder_(node, private_node, configuration_,
-=======
-          private_node, [this] { return worker_.status(); },
-          [this] { return results_.sequence(); }),
-      worker_(configuration,
-              {[this](const WorkerResult& result) {
-                 bounds_.add(result.estimate, results_.publish(result));
-                 explanations_.resultCame();
-               },
-               [this](const KeptExperiment&) { explanations_.experimentCame(); },
-               [](const RejectedExperiment&) {}, [this] { status_.publish(); }, warn}),
-      recorder_(node, private_node, configuration,
->>>>>>> e042d9f (The node explains: ~explain, the action ~explain_experiments, ~explanation, /diagnostics, and by itself after each so many experiments)
                 {[this](FinishedExperiment experiment) { worker_.add(std::move(experiment)); },
                  [this](const std::string& problem) {
                    warn(problem);
@@ -89,18 +68,15 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                      [this](const messages::IdentifyBagsGoal& goal, const ProgressCallback& go_on) {
                        return answerIdentifyBags(goal, reconfiguration_.current(), go_on);
                      }) {
-<<<<<<< HEAD
   if (store_) {
     diagnostics_.add("store", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
       diagnoseStore(store_->status(), status);
     });
   }
-  restore();
-=======
   diagnostics_.add("explanation", [this](auto& status) {
     diagnoseExplanation(explanations_.last().get(), status);
   });
->>>>>>> e042d9f (The node explains: ~explain, the action ~explain_experiments, ~explanation, /diagnostics, and by itself after each so many experiments)
+  restore();
   advertiseTriggers(private_node);
   advertiseRequests();
   advertiseKeeping();

@@ -12,9 +12,11 @@ IdentificationWorker::Listener IdentificationServer::workerListener() {
   listener.result = [this](const WorkerResult& result) {
     const ResultContext context = results_.publish(result);
     bounds_.add(result.estimate, context);
+    explanations_.resultCame();
     if (store_) store_->keep(StoredResult{result.estimate, context, result.configuration});
   };
   listener.kept = [this](const KeptExperiment& experiment) {
+    explanations_.experimentCame();
     if (store_) store_->keep(experiment);
   };
   listener.rejected = [this](const RejectedExperiment& rejected) {

@@ -8,13 +8,6 @@
 
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/identifier.h"
-<<<<<<< HEAD
-#include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/io/untrusted_yaml.h"
-#include "uncertainty_identification/ros/bag_name.h"
-#include "uncertainty_identification/ros/load_data.h"
-=======
->>>>>>> e042d9f (The node explains: ~explain, the action ~explain_experiments, ~explanation, /diagnostics, and by itself after each so many experiments)
 #include "uncertainty_identification/ros/message_conversions.h"
 #include "uncertainty_identification/ros/request.h"
 
@@ -24,18 +17,6 @@ namespace {
 using Request = messages::Identify::Request;
 using Response = messages::Identify::Response;
 
-<<<<<<< HEAD
-Configuration configurationOf(const Request& request, const Configuration& own) {
-  if (request.configuration.empty()) return own;
-  Configuration asked = parseConfiguration(loadUntrustedYaml(request.configuration));
-  asked.limits.max_experiments = std::min(asked.limits.max_experiments, own.limits.max_experiments);
-  asked.limits.max_samples = std::min(asked.limits.max_samples, own.limits.max_samples);
-  asked.estimation.threads = own.estimation.threads;  // which never changes a result
-  return asked;
-}
-
-=======
->>>>>>> e042d9f (The node explains: ~explain, the action ~explain_experiments, ~explanation, /diagnostics, and by itself after each so many experiments)
 LoadedData dataOf(const Request& request, const Configuration& configuration,
                   const std::string& bag_directory, const ProgressCallback& progress) {
   const auto most = static_cast<std::size_t>(configuration.limits.max_experiments);

@@ -1,19 +1,22 @@
 #include "uncertainty_identification/ros/request.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "uncertainty_identification/io/configuration_yaml.h"
+#include "uncertainty_identification/io/untrusted_yaml.h"
+#include "uncertainty_identification/ros/bag_name.h"
 #include "uncertainty_identification/ros/load_data.h"
 
 namespace uncertainty_identification {
 
 Configuration requestedConfiguration(const std::string& yaml, const Configuration& own) {
   if (yaml.empty()) return own;
-  try {
-    return parseConfiguration(YAML::Load(yaml));
-  } catch (const YAML::Exception& error) {
-    throw ConfigurationError(std::string("configuration is no YAML: ") + error.what());
-  }
+  Configuration asked = parseConfiguration(loadUntrustedYaml(yaml));
+  asked.limits.max_experiments = std::min(asked.limits.max_experiments, own.limits.max_experiments);
+  asked.limits.max_samples = std::min(asked.limits.max_samples, own.limits.max_samples);
+  asked.estimation.threads = own.estimation.threads;  // which never changes a result
+  return asked;
 }
 
 LoadedData loadRequestedBags(const std::vector<std::string>& names, const std::string& directory,

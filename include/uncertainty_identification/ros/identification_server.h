@@ -27,13 +27,8 @@
 namespace uncertainty_identification {
 
 /// The node: topics to experiments (ExperimentRecorder), experiments to results
-<<<<<<< HEAD
 /// (IdentificationWorker), results to topics (ResultPublisher, BoundsPublisher, StatusPublisher),
-/// both to the disk (StoreWriter), and services.
-=======
-/// (IdentificationWorker), results to topics (ResultPublisher, BoundsPublisher, StatusPublisher)
-/// and explanations (ExplanationServer), and services.
->>>>>>> e042d9f (The node explains: ~explain, the action ~explain_experiments, ~explanation, /diagnostics, and by itself after each so many experiments)
+/// both to the disk (StoreWriter), explanations (ExplanationServer), and services.
 /// Topics and ~start_experiment, ~finish_experiment, ~discard_experiment, ~reset are served by the
 /// thread that spins; ~identify and ~configure by one thread, the action ~identify_bags by two, the
 /// other services by another, so that no request keeps a sample from being recorded, or a quick one
