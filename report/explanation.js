@@ -75,7 +75,6 @@ function showCause(parent, cause, index) {
 
 function showVerdict(parent, explanation) {
   parent.append(element('p', {class: 'verdict ' + explanation.verdict}, verdictSentence(explanation)));
-  if (explanation.message) parent.append(paragraph(asSentence(explanation.message)));
   if (explanation.warnings.length > 0) {
     parent.append(element('div', {class: 'warnings', role: 'note'},
       element('ul', {}, ...explanation.warnings.map(text => element('li', {}, asSentence(text))))));

@@ -1,6 +1,7 @@
 """Results, their reports and a headless Chromium that opens them: for check_report and make_screenshots."""
 import json
 import os
+import random
 import subprocess
 import sys
 
@@ -31,6 +32,11 @@ noise: {variance: 0.01}
 """
 ONE_EXPERIMENT = """
 nominal_model: {structure: output_error, nb: 1, na: 1, delay: 2}
+"""
+DEAD_ZONE = """
+nominal_model: {structure: output_error, nb: 1, na: 2, delay: 1}
+error_model: {taps: 1, constraint: zero_mean, components: 1}
+estimation: {initial_state: zero, offsets: none}
 """
 
 
@@ -94,6 +100,39 @@ def prediction_errors(folder):
     run("identify", "--config", os.path.join(ROOT, "config/example1.yaml"), "--method", "pem", "--output", base + ".json",
         "--", os.path.join(folder, "example1_data.csv"))
     run("report", "--output", base + ".html", base + ".json")
+    return base + ".html"
+
+
+def dead_zone_data(path):
+    """Experiments with a plant of order 2 whose actuator does not answer to commands below 0.4."""
+    draw = random.Random(1)
+    rows = ["experiment,t,u,y"]
+    for run_number in range(1, 31):
+        gain, u, passed, x = 0.15 * (1 + draw.gauss(0, 0.15)), 0.0, 0.0, [0.0, 0.0]
+        for k in range(300):
+            u = draw.uniform(-1.5, 1.5) if k % 8 == 0 else u
+            x = [1.4 * x[0] - 0.55 * x[1] + gain * passed, x[0]]
+            passed = max(u - 0.4, 0) + min(u + 0.4, 0)
+            rows.append("run%02d,%.3f,%.6f,%.6f" % (run_number, 0.05 * k, u, x[0] + draw.gauss(0, 0.05)))
+    return written(path, "\n".join(rows) + "\n")
+
+
+def explained(folder):
+    """What a simulation without the actuator's dead zone gets wrong."""
+    base = os.path.join(folder, "explained")
+    configuration, data = written(base + ".yaml", DEAD_ZONE), dead_zone_data(base + ".csv")
+    run("identify", "--config", configuration, "--output", base + ".json", "--", data)
+    run("explain", "--config", configuration, "--output", base + "_why.json", "--", data)
+    run("report", "--output", base + ".html", base + ".json", base + "_why.json")
+    return base + ".html"
+
+
+def nothing_wrong(folder):
+    """An explanation that finds nothing: Example 1."""
+    base = os.path.join(folder, "nothing_wrong")
+    run("explain", "--config", os.path.join(ROOT, "config/example1.yaml"), "--output", base + "_why.json", "--",
+        os.path.join(folder, "example1_data.csv"))
+    run("report", "--output", base + ".html", os.path.join(folder, "example1.json"), base + "_why.json")
     return base + ".html"
 
 
