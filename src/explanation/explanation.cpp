@@ -1,6 +1,5 @@
 #include "uncertainty_identification/explanation/explanation.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -9,6 +8,9 @@
 #include <thread>
 
 #include "checks.h"
+#include "estimate_fit.h"
+#include "intervals.h"
+#include "peaks.h"
 #include "search.h"
 #include "signatures.h"
 #include "uncertainty_identification/errors.h"
@@ -18,8 +20,6 @@
 namespace uncertainty_identification {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 const std::set<std::string>& noiseClass() {
@@ -51,135 +51,6 @@ Split split(const Configuration& configuration, const std::vector<Experiment>& e
   for (std::size_t k = 0; k < experiments.size(); ++k)
     (chosen.count(k) > 0 ? parts.held : parts.train).push_back(experiments[k]);
   return parts;
-}
-
-/// The model of an estimate, ready to be extended.
-Fit baseFit(const Estimate& estimate, const FitData& data, const DataSummary& summary) {
-  NominalModelOptions options = estimate.configuration.nominal_model;
-  options.fit = PlantFit::likelihood;
-  const auto nominal = makeNominalModel(options, estimate.nominal_model.sample_time);
-  const ErrorBasis basis(estimate.configuration.error_model);
-  const auto model = std::make_shared<const ExtendedModel>(
-      nominal, basis, estimate.configuration.estimation, Effects(), summary, data.count());
-  ModelParameters at{VectorXd::Zero(model->LinearModel::parameterCount()),
-                     estimate.error_model.mixture, estimate.noise_variance.value};
-  Polynomials p;
-  p.delay = estimate.nominal_model.delay;
-  p.b = estimate.nominal_model.b;
-  p.a = estimate.nominal_model.a;
-  p.c = estimate.nominal_model.c;
-  p.d = estimate.nominal_model.d;
-  const Index own = nominal->parameterCount();
-  if (static_cast<Index>(estimate.nominal_model.parameters.size()) == own) {
-    for (Index k = 0; k < own; ++k)
-      at.parameters[k] = estimate.nominal_model.parameters[static_cast<std::size_t>(k)].value;
-  } else {
-    at.parameters.head(own) = nominal->fromPolynomials(p);
-  }
-  if (at.parameters.size() > own)
-    at.parameters[own] = options.structure == Structure::continuous || estimate.offset_u == 0
-                             ? estimate.offset_y
-                             : estimate.offset_u;
-  return evaluated(model, at, data);
-}
-
-/// Largest peaks of the residual's spectrum, where a hum would start.
-void findPeaks(const Residuals& residuals, const FitData& data, DataSummary* summary) {
-  constexpr int kRefinement = 4;
-  const int samples = summary->samples, points = kRefinement * samples / 2;
-  Eigen::ArrayXd common = Eigen::ArrayXd::Zero(points), own = common;
-  VectorXd mean = VectorXd::Zero(samples);
-  const auto spectrum = [&](const VectorXd& signal) {
-    Eigen::ArrayXd power(points);
-    for (int i = 0; i < points; ++i) {
-      const double frequency = M_PI * i / points;
-      double cosine = 0, sine = 0;  // Goertzel's recursion
-      const double turn = 2 * std::cos(frequency);
-      for (Index t = 0; t < signal.size(); ++t) {
-        const double next = signal[t] + turn * cosine - sine;
-        sine = cosine;
-        cosine = next;
-      }
-      power[i] = cosine * cosine + sine * sine - turn * cosine * sine;
-    }
-    return power;
-  };
-  constexpr int kMostSpectra = 12;
-  int spectra = 0;
-  for (std::size_t b = 0; b < data.blocks().size(); ++b) {
-    const Block& block = data.blocks()[b];
-    for (int lane = 0; lane < block.lanes; ++lane) {
-      const Index length = block.lengths[static_cast<std::size_t>(lane)];
-      VectorXd signal = residuals.standardised[b].row(lane).head(length).transpose().matrix();
-      signal.array() -= signal.mean();
-      for (Index t = 0; t < length; ++t)
-        signal[t] *= 0.5 - 0.5 * std::cos(2 * M_PI * (static_cast<double>(t) + 0.5) /
-                                          static_cast<double>(length));
-      mean.head(length) += signal;
-      if (spectra++ < kMostSpectra) own += spectrum(signal);
-    }
-  }
-  common = spectrum(mean);
-  Index at = 0;
-  constexpr int kLowest = 2 * kRefinement;
-  if (points <= kLowest) return;
-  common.tail(points - kLowest).maxCoeff(&at);
-  summary->common_peak = M_PI * static_cast<double>(at + kLowest) / points;
-  own.tail(points - kLowest).maxCoeff(&at);
-  summary->own_peak = M_PI * static_cast<double>(at + kLowest) / points;
-}
-
-/// Standard errors and intervals of an effect's parameters in the final fit.
-std::vector<CauseParameter> parametersOf(const Fit& fit, const FitData& data,
-                                         const std::shared_ptr<const Effect>& effect) {
-  constexpr double kNinety = 1.6449, kDrop = 1.3528;  // normal and likelihood intervals
-  const auto& effects = fit.model->effects();
-  const auto found = std::find(effects.begin(), effects.end(), effect);
-  if (found == effects.end()) return {};
-  const auto k = static_cast<std::size_t>(found - effects.begin());
-  const Likelihood likelihood(*fit.model, data.blocks(), data.count(), 1);
-  const Expectation expectation =
-      likelihood.expect(likelihood.statistics(fit.at.parameters, false), fit.at);
-  MatrixXd information = likelihood.information(fit.at, latentMoments(expectation)).observed;
-  information.diagonal() *= 1 + 1e-12;
-  const MatrixXd covariance = information.completeOrthogonalDecomposition().pseudoInverse();
-  std::vector<CauseParameter> all;
-  for (int i = 0; i < effect->parameterCount(); ++i) {
-    const EffectParameter& parameter =
-        effect->description().parameters[static_cast<std::size_t>(i)];
-    const int at = fit.model->offsetOf(k) + i;
-    CauseParameter out{parameter.name, parameter.unit, fit.at.parameters[at], 0, 0, 0};
-    if (parameter.log_variance) {
-      out.value = std::sqrt(fit.at.noise_variance) * std::exp(0.5 * fit.at.parameters[at]);
-      const double relative = 1 / std::sqrt(2.0 * data.count());  // of a deviation from M draws
-      out.standard_error = out.value * relative;
-      out.lower_90 = out.value * std::exp(-kNinety * relative);
-      out.upper_90 = out.value * std::exp(kNinety * relative);
-    } else if (parameter.smooth && covariance(at, at) > 0) {
-      out.standard_error = std::sqrt(covariance(at, at));
-      out.lower_90 = out.value - kNinety * out.standard_error;
-      out.upper_90 = out.value + kNinety * out.standard_error;
-    } else {
-      const auto reach = [&](double direction) {
-        double inside = 0, outside = direction * 0.2 * parameter.scale;
-        const auto drop = [&](double distance) {
-          ModelParameters moved = fit.at;
-          moved.parameters[at] += distance;
-          return fit.log_likelihood - evaluated(fit.model, moved, data).log_likelihood;
-        };
-        for (int step = 0; step < 18; ++step) {
-          const double middle = 0.5 * (inside + outside);
-          (drop(middle) < kDrop ? inside : outside) = middle;
-        }
-        return inside;
-      };
-      out.lower_90 = out.value + reach(-1);
-      out.upper_90 = out.value + reach(1);
-      out.standard_error = (out.upper_90 - out.lower_90) / (2 * kNinety);
-    }
-    all.push_back(out);
-  }
-  return all;
 }
 
 std::string messageOf(const Explanation& explanation) {
@@ -235,7 +106,7 @@ FitContext Explaining::context(const Estimate& estimate) {
   context.seed = configuration_.estimation.seed;
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
   const int asked = configuration_.estimation.threads;
-  pool_ = std::make_unique<WorkerPool>(asked == kAutomatic ? std::max(1, cores - 1) : asked);
+  pool_ = std::make_unique<WorkerPool>(asked == kAutomatic ? std::max(1, cores) : asked);
   context.pool = pool_.get();
   context.going_on = [this] { return !cancelled_; };
   return context;
@@ -274,7 +145,7 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   SearchState base{{}, FitData(std::move(used)), FitData(std::move(data.held)), {}, {}, false, 0};
   DataSummary summary = summarise(base.train.experiments());
   const FitContext context = this->context(explanation_.before);
-  base.fit = settled(baseFit(explanation_.before, base.train, summary), base.train, context);
+  base.fit = settled(fitOf(explanation_.before, base.train, summary), base.train, context);
   summary.regressors = base.fit.model->regressors();
   summary.plant_parameters =
       plantParameters(base.fit.model->nominal(),
@@ -346,7 +217,15 @@ void Explaining::describe(const SearchState& base, SearchState state) {
                              ? (passed ? Verdict::none : Verdict::unknown)
                              : (passed ? Verdict::explained : Verdict::partly_explained);
   explanation_.message = messageOf(explanation_);
-  explanation_.after = explanation_.before;
+  const bool extended = !state.fit.model->effects().empty() ||
+                        state.fit.at.mixture.components() != base.fit.at.mixture.components();
+  explanation_.after =
+      extended ? estimateOf(state.fit, state.train, explanation_.before) : explanation_.before;
+  if (extended && explanation_.after.log_likelihood < state.fit.log_likelihood - 1)
+    explanation_.warnings.push_back(
+        "the model that is saved was estimated anew and ends " +
+        std::to_string(state.fit.log_likelihood - explanation_.after.log_likelihood) +
+        " nats lower than the one that the causes were found with");
   explanation_.residual_before = residualPicture(base.fit, base.train);
   explanation_.residual_after = residualPicture(state.fit, state.train);
   explanation_.pictures = picturesOf(base.fit, state.fit, state.held);

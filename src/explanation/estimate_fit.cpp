@@ -1,0 +1,73 @@
+#include "estimate_fit.h"
+
+#include "uncertainty_identification/identifier.h"
+
+namespace uncertainty_identification {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+Fit fitOf(const Estimate& estimate, const FitData& data, const DataSummary& summary) {
+  NominalModelOptions options = estimate.configuration.nominal_model;
+  options.fit = PlantFit::likelihood;
+  const auto nominal = makeNominalModel(options, estimate.nominal_model.sample_time);
+  const ErrorBasis basis(estimate.configuration.error_model);
+  const auto model = std::make_shared<const ExtendedModel>(
+      nominal, basis, estimate.configuration.estimation, Effects(), summary, data.count());
+  ModelParameters at{VectorXd::Zero(model->LinearModel::parameterCount()),
+                     estimate.error_model.mixture, estimate.noise_variance.value};
+  Polynomials p;
+  p.delay = estimate.nominal_model.delay;
+  p.b = estimate.nominal_model.b;
+  p.a = estimate.nominal_model.a;
+  p.c = estimate.nominal_model.c;
+  p.d = estimate.nominal_model.d;
+  const Index own = nominal->parameterCount();
+  if (static_cast<Index>(estimate.nominal_model.parameters.size()) == own) {
+    for (Index k = 0; k < own; ++k)
+      at.parameters[k] = estimate.nominal_model.parameters[static_cast<std::size_t>(k)].value;
+  } else {
+    at.parameters.head(own) = nominal->fromPolynomials(p);
+  }
+  if (at.parameters.size() > own)
+    at.parameters[own] = options.structure == Structure::continuous || estimate.offset_u == 0
+                             ? estimate.offset_y
+                             : estimate.offset_u;
+  return evaluated(model, at, data);
+}
+
+Estimate estimateOf(const Fit& fit, const FitData& data, const Estimate& base) {
+  Estimate start = base;
+  start.configuration.nominal_model.fit = PlantFit::likelihood;
+  start.configuration.error_model.components = fit.at.mixture.components();
+  start.error_model.mixture = fit.at.mixture;
+  start.noise_variance.value = fit.at.noise_variance;
+  const NominalModel& nominal = fit.model->nominal();
+  const std::vector<std::string> names = nominal.names();
+  start.nominal_model.parameters.clear();
+  for (std::size_t k = 0; k < names.size(); ++k)
+    start.nominal_model.parameters.push_back(
+        {names[k], "", fit.at.parameters[static_cast<Index>(k)], 0, 0});
+  const auto own = static_cast<Index>(names.size());
+  const Index offsets = fit.at.parameters.size() - fit.model->effectParameterCount() - own;
+  if (offsets > 0) start.offset_u = start.offset_y = fit.at.parameters[own];
+  start.configuration.effects.clear();
+  start.effects.clear();
+  for (std::size_t k = 0; k < fit.model->effects().size(); ++k) {
+    const EffectDescription& description = fit.model->effects()[k]->description();
+    const VectorXd psi = fit.model->psi(fit.at.parameters, k);
+    EffectOptions options{description.name, description.variant, {}};
+    EffectEstimate estimate{description.name, description.variant, {}};
+    for (std::size_t i = 0; i < description.parameters.size(); ++i) {
+      const EffectParameter& parameter = description.parameters[i];
+      options.parameters[parameter.name] = psi[static_cast<Index>(i)];
+      estimate.parameters.push_back(
+          {parameter.name, parameter.unit, psi[static_cast<Index>(i)], 0, 0});
+    }
+    start.configuration.effects.push_back(std::move(options));
+    start.effects.push_back(std::move(estimate));
+  }
+  return Identifier(start.configuration).reidentify(start, data.experiments());
+}
+
+}  // namespace uncertainty_identification

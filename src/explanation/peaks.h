@@ -1,0 +1,10 @@
+#pragma once
+
+#include "fit.h"
+
+namespace uncertainty_identification {
+
+/// Largest peaks of the residual's spectrum, where a hum would start, to `summary`.
+void findPeaks(const Residuals& residuals, const FitData& data, DataSummary* summary);
+
+}  // namespace uncertainty_identification
