@@ -68,11 +68,6 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                      [this](const messages::IdentifyBagsGoal& goal, const ProgressCallback& go_on) {
                        return answerIdentifyBags(goal, reconfiguration_.current(), go_on);
                      }) {
-  if (store_) {
-    diagnostics_.add("store", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
-      diagnoseStore(store_->status(), status);
-    });
-  }
   diagnostics_.add("explanation", [this](auto& status) {
     diagnoseExplanation(explanations_.last().get(), status);
   });

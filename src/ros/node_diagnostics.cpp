@@ -89,20 +89,6 @@ void diagnoseIdentification(const WorkerStatus& worker, Status& status) {
   status.add("last experiment", worker.last_id);
 }
 
-void diagnoseStore(const StoreStatus& store, Status& status) {
-  if (store.failing || store.lost > 0) {
-    status.summary(Level::ERROR, store.message);
-  } else if (store.pending > kLongQueue) {
-    status.summaryf(Level::WARN, "%d things wait to be written; the disk is slow", store.pending);
-  } else {
-    status.summary(Level::OK, "all is on the disk");
-  }
-  status.add("stored", store.stored);
-  status.add("pending", store.pending);
-  status.add("given up", store.lost);
-  status.add("last stored", store.last_id);
-}
-
 NodeDiagnostics::NodeDiagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                                  Sources sources)
     : sources_(std::move(sources)), updater_(node, private_node) {

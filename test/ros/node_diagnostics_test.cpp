@@ -101,23 +101,6 @@ TEST(DiagnoseIdentification, EachLevel) {
   EXPECT_EQ(level(worker), Level::ERROR);
 }
 
-TEST(DiagnoseStore, EachLevel) {
-  const auto level = [](const StoreStatus& store) {
-    Status status;
-    diagnoseStore(store, status);
-    return static_cast<int>(status.level);
-  };
-  StoreStatus store;
-  EXPECT_EQ(level(store), Level::OK);
-  store.pending = 11;
-  EXPECT_EQ(level(store), Level::WARN);
-  store.failing = true;
-  EXPECT_EQ(level(store), Level::ERROR);
-  store = {};
-  store.lost = 1;
-  EXPECT_EQ(level(store), Level::ERROR);
-}
-
 TEST(ArrivalCounter, GivesRatesSinceTheLastCallAndSmoothedIntervals) {
   using std::chrono::milliseconds;
   ArrivalCounter counter;

@@ -9,7 +9,6 @@
 
 #include "uncertainty_identification/ros/experiment_recorder.h"
 #include "uncertainty_identification/ros/identification_worker.h"
-#include "uncertainty_identification/ros/store_writer.h"
 
 namespace uncertainty_identification {
 
@@ -24,10 +23,6 @@ void diagnoseSignals(const std::vector<TopicActivity>& topics, bool experiment_r
 /// WARN: its result did not converge, or more than ten experiments wait.
 void diagnoseIdentification(const WorkerStatus& worker,
                             diagnostic_updater::DiagnosticStatusWrapper& status);
-
-/// How the store on the disk is. ERROR: the disk refuses, or something was given up; WARN: more
-/// than ten things wait to be written.
-void diagnoseStore(const StoreStatus& store, diagnostic_updater::DiagnosticStatusWrapper& status);
 
 /// Publishes /diagnostics from the thread that spins, every ~diagnostic_period seconds of wall
 /// time: a clock that stands still or goes back keeps none away.
