@@ -2,7 +2,6 @@
 
 #include "uncertainty_identification/io/configuration_yaml.h"
 #include "uncertainty_identification/ros/identification_server.h"
-#include "uncertainty_identification/ros/store_diagnostics.h"
 
 /// What the server keeps over its end, and the services about it.
 namespace uncertainty_identification {
@@ -56,11 +55,6 @@ void IdentificationServer::restore() {
 }
 
 void IdentificationServer::advertiseKeeping() {
-  if (store_) {
-    diagnostics_.add("store", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
-      diagnoseStore(store_->status(), status);
-    });
-  }
   using messages::Configure;
   using messages::Load;
   using messages::RejectExperiment;

@@ -74,11 +74,13 @@ StoreStatus StoreWriter::status() const {
   status.pending = queue.waiting;
   status.lost = queue.lost;
   status.failing = queue.failing;
-  if (!queue.message.empty())
-    status.message = "the store: " + queue.message +
-                     (queue.failing ? "; " + std::to_string(queue.waiting) +
-                                          " files wait in memory and are written once it can be"
-                                    : "");
+  if (queue.failing) {
+    status.message = "the store: " + queue.message + "; " + std::to_string(queue.waiting) +
+                     " files wait in memory and are written once it can be";
+  } else if (queue.lost > 0) {
+    status.message = "the store: " + std::to_string(queue.lost) + " files were given up" +
+                     (queue.message.empty() ? "" : "; " + queue.message);
+  }
   return status;
 }
 

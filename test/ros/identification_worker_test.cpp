@@ -112,6 +112,38 @@ TEST(IdentificationWorker, ANewExperimentOutOfAHundredCostsFewPasses) {
   EXPECT_FALSE(results.back().preliminary) << "more than a tenth of the experiments are new";
 }
 
+/// Gives a worker 12 experiments of the time before, and a result whose log-likelihood is off by
+/// `error`; then the last result, once it was identified in full.
+WorkerResult afterRestart(double error, Fixture& fixture) {
+  const auto experiments = example1Experiments(12);
+  Estimate estimate = Identifier(example1Configuration()).identify(experiments);
+  estimate.log_likelihood += error;
+  std::vector<KeptExperiment> kept;
+  for (const auto& experiment : experiments)
+    kept.push_back({kept.size() + 1, std::make_shared<const Experiment>(experiment)});
+  fixture.worker.restore(std::move(kept), {}, experiments.size(),
+                         WorkerResult{std::make_shared<const Estimate>(estimate), true,
+                                      windowOf(experiments), example1Configuration()});
+  EXPECT_TRUE(waitFor([&] { return !fixture.results().empty(); }));
+  EXPECT_TRUE(fixture.waitUntilIdle());
+  EXPECT_EQ(fixture.results().size(), 1U) << "nothing is new: no quick update";
+  return fixture.results().back();
+}
+
+TEST(IdentificationWorker, TheBetterOfTwoOptimaStaysAndIsTold) {
+  const double right =
+      Identifier(example1Configuration()).identify(example1Experiments(12)).log_likelihood;
+  Fixture worse, same, better;
+  const WorkerResult found = afterRestart(-5, worse);
+  EXPECT_FALSE(found.preliminary);
+  EXPECT_EQ(found.estimate->log_likelihood, right);
+  ASSERT_FALSE(found.estimate->warnings.empty());
+  EXPECT_NE(found.estimate->warnings.back().find("better optimum"), std::string::npos);
+  EXPECT_EQ(worse.warnings().back(), found.estimate->warnings.back());
+  EXPECT_EQ(afterRestart(0, same).estimate->warnings.size() + 1, found.estimate->warnings.size());
+  EXPECT_EQ(afterRestart(5, better).estimate->log_likelihood, right + 5);
+}
+
 TEST(IdentificationWorker, StatusTellsWhatIsStored) {
   Fixture fixture;
   EXPECT_EQ(fixture.worker.status().message, "no experiment has finished yet");
