@@ -104,12 +104,10 @@ MatrixXd precisionInformation(const Response& response, const MatrixXd& inverse_
   return 0.5 * dp.transpose() * M.cwiseAbs2() * dp;
 }
 
-ScoringInformation informationOf(const Model& model, const Block& block, const ModelParameters& at,
-                                 const LatentMoments& moments) {
-  Response response;
-  model.evaluate(block, at.parameters, true, &response);
+ScoringInformation informationOf(const Response& response, const Block& block, Index n,
+                                 const ModelParameters& at, const LatentMoments& moments) {
   const std::vector<Signals> d = sensitivities(response, block, moments);
-  const Index columns = response.column_precision.size(), n = model.regressors();
+  const Index columns = response.column_precision.size();
   const Index p = static_cast<Index>(d.size());
   std::vector<const Signals*> list;
   for (const auto& column : response.value.columns) list.push_back(column.get());
@@ -157,19 +155,41 @@ Statistics Likelihood::statistics(const VectorXd& parameters, bool derivatives) 
   ++passes_;
   Statistics statistics(experiments_, model_.regressors(),
                         derivatives ? model_.parameterCount() : 0);
+  const bool keep = derivatives && keepsResponses();
+  if (keep) {
+    responses_.resize(blocks_.size());
+    responses_at_ = parameters;
+  }
   pool_->forEach(static_cast<int>(blocks_.size()), [&](int i) {
-    computeStatistics(model_, blocks_[static_cast<std::size_t>(i)], parameters, &statistics);
+    const auto block = static_cast<std::size_t>(i);
+    Response passing;
+    computeStatistics(model_, blocks_[block], parameters, &statistics,
+                      keep ? &responses_[block] : &passing);
   });
   return statistics;
 }
 
+/// Whether the responses of all blocks are few enough numbers to be kept from statistics() to
+/// information(), which follows it at the same parameters.
+bool Likelihood::keepsResponses() const {
+  constexpr double kMost = 4e6;
+  double samples = 0;
+  for (const Block& block : blocks_) samples += static_cast<double>(block.samples) * kLanes;
+  return samples * model_.parameterCount() * (model_.regressors() + 1) < kMost;
+}
+
 ScoringInformation Likelihood::information(const ModelParameters& at,
                                            const LatentMoments& moments) const {
-  ++passes_;
+  const bool kept = responses_.size() == blocks_.size() && responses_at_ == at.parameters;
+  if (!kept) ++passes_;
   std::vector<ScoringInformation> parts(blocks_.size());
   pool_->forEach(static_cast<int>(blocks_.size()), [&](int i) {
     const auto block = static_cast<std::size_t>(i);
-    parts[block] = informationOf(model_, blocks_[block], at, moments);
+    Response fresh;
+    const bool evaluated = kept && !responses_[block].derivatives.empty();
+    if (!evaluated) model_.evaluate(blocks_[block], at.parameters, true, &fresh);
+    parts[block] = informationOf(evaluated ? responses_[block] : fresh, blocks_[block],
+                                 model_.regressors(), at, moments);
   });
   ScoringInformation sum = parts.front();
   for (std::size_t i = 1; i < parts.size(); ++i) {

@@ -163,12 +163,12 @@ void write(const Response& response, const Block& block, Statistics* statistics)
 }  // namespace
 
 void computeStatistics(const Model& model, const Block& block, const VectorXd& parameters,
-                       Statistics* statistics) {
+                       Statistics* statistics, Response* response) {
   const bool derivatives = statistics->parameters() > 0;
+  *response = Response();
   if (model.fusedStatistics(block, parameters, derivatives, statistics)) return;
-  Response response;
-  model.evaluate(block, parameters, derivatives, &response);
-  write(response, block, statistics);
+  model.evaluate(block, parameters, derivatives, response);
+  write(*response, block, statistics);
 }
 
 }  // namespace uncertainty_identification

@@ -45,7 +45,11 @@ class Likelihood {
   const std::vector<Block>& blocks_;
   int experiments_;
   std::unique_ptr<WorkerPool> pool_;
+  bool keepsResponses() const;
+
   mutable int passes_ = 0;
+  mutable std::vector<Response> responses_;  ///< of the last statistics() with derivatives
+  mutable Eigen::VectorXd responses_at_;     ///< and the parameters they are at
 };
 
 }  // namespace uncertainty_identification

@@ -71,8 +71,9 @@ class Model {
 };
 
 /// Writes the statistics of the block's experiments to their places in `statistics` (whose
-/// parameters() says whether derivatives are wanted).
+/// parameters() says whether derivatives are wanted); leaves the model's response in `response`,
+/// empty where the statistics came by a faster way.
 void computeStatistics(const Model& model, const Block& block, const Eigen::VectorXd& parameters,
-                       Statistics* statistics);
+                       Statistics* statistics, Response* response);
 
 }  // namespace uncertainty_identification

@@ -41,7 +41,9 @@ class Generic : public Model {
 Statistics statisticsOf(const Model& model, const std::vector<Block>& blocks, int experiments,
                         const VectorXd& parameters, bool derivatives) {
   Statistics statistics(experiments, model.regressors(), derivatives ? model.parameterCount() : 0);
-  for (const Block& block : blocks) computeStatistics(model, block, parameters, &statistics);
+  Response response;
+  for (const Block& block : blocks)
+    computeStatistics(model, block, parameters, &statistics, &response);
   return statistics;
 }
 
