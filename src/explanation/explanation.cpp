@@ -170,6 +170,8 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   explanation_.checks_before = checksOf(base.fit, base.train, base.heavy_tails);
   Search search(configuration_.explanation, context, effects);
   report("searching causes", 0.4, base.fit.log_likelihood);
+  // the error of a coarse lattice is neither Gaussian nor white: what else is wrong would drown in
+  // it
   SearchState found = quantised ? base : search.run(base);
   explanation_.candidates = search.tried();
   const auto excluded = [&](const char* name) {

@@ -22,6 +22,10 @@ const std::vector<std::pair<std::string, std::string>>& exclusions() {
   return all;
 }
 
+bool isOfNoise(const Effect& effect) {
+  return effect.name().rfind("noise_", 0) == 0 || effect.name() == "sens_outliers";
+}
+
 bool contains(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
@@ -89,6 +93,7 @@ Effects Search::considered(const SearchState& state) const {
 }
 
 std::vector<FittedEffect> Search::rank(const SearchState& state) {
+  ++rankings_;
   std::vector<FittedEffect> ranked =
       fittedEffects(state.fit, state.train, considered(state), context_);
   const auto outside = [&](const std::string& name) -> std::shared_ptr<const Effect> {
@@ -113,17 +118,10 @@ std::vector<FittedEffect> Search::rank(const SearchState& state) {
   return ranked;
 }
 
-bool Search::extend(SearchState* state, std::size_t skip) {
+/// Takes in the best of `ranked` that is good enough, if any.
+bool Search::extend(SearchState* state, const std::vector<FittedEffect>& ranked) {
   constexpr std::size_t kMostTried = 5;
-  const std::vector<FittedEffect> ranked = rank(*state);
-  if (first_scores_.empty())
-    for (const FittedEffect& candidate : ranked) first_scores_.push_back(candidate.score);
-  for (const FittedEffect& candidate : ranked) {
-    if (tried_.size() < 40 && std::isfinite(candidate.score) && state->causes.empty())
-      tried_.push_back({candidate.effect->name(), candidate.effect->description().variant,
-                        candidate.score, std::nan(""), std::nan("")});
-  }
-  for (std::size_t k = skip; k < std::min(ranked.size(), skip + kMostTried); ++k) {
+  for (std::size_t k = 0; k < std::min(ranked.size(), kMostTried); ++k) {
     if (!context_.going_on()) return false;
     if (ranked[k].score < threshold(*ranked[k].effect)) continue;
     if (accept(state, ranked[k], ranked)) return true;
@@ -238,33 +236,45 @@ bool Search::beatsSimulation(const SearchState& state, const FittedEffect& candi
   return exceedsSimulatedRatios(state.fit, state.train, context_, ratio);
 }
 
-SearchState Search::greedy(SearchState state, std::size_t first) {
-  const auto most = static_cast<std::size_t>(options_.max_causes);
-  if (state.causes.size() >= most || !extend(&state, first)) return state;
-  int attempts = 2 * options_.max_causes;
-  while (state.causes.size() < most && attempts-- > 0 && context_.going_on()) {
-    const std::size_t banned = state.banned.size();
-    if (!extend(&state, 0) && state.banned.size() == banned) break;
+/// Goes on until nothing more is taken in, or `most` causes are.
+void Search::goOn(SearchState* state, std::size_t most) {
+  constexpr int kMostRankings = 10;        // what needs more is not in the catalogue
+  int attempts = options_.max_causes + 2;  // what is taken in and thrown out again counts too
+  while (state->causes.size() < most && attempts-- > 0 && rankings_ < kMostRankings &&
+         context_.going_on()) {
+    const std::size_t banned = state->banned.size();
+    if (!extend(state, rank(*state)) && state->banned.size() == banned) return;
   }
-  return state;
 }
 
 SearchState Search::run(const SearchState& base) {
-  constexpr std::size_t kFirst = 3;
-  constexpr double kWorthwhile = 0.3;  // of the best first cause's score
-  SearchState best = greedy(base, 0);
-  const std::size_t signatures = base.causes.size();
-  const auto settled = [&](const SearchState& state) {
-    return state.causes.size() <= signatures + 1 &&
-           allPassed(checksOf(state.fit, state.train, state.heavy_tails));
-  };
-  if (best.causes.size() == signatures || settled(best)) return best;
-  for (std::size_t first = 1; first < kFirst && context_.going_on(); ++first) {
-    if (first >= first_scores_.size() || first_scores_[first] < kWorthwhile * first_scores_[0])
-      break;
-    SearchState other = greedy(base, first);
+  constexpr std::size_t kAlternatives = 3;
+  const auto most = base.causes.size() + static_cast<std::size_t>(options_.max_causes);
+  const std::vector<FittedEffect> ranked = rank(base);
+  for (const FittedEffect& candidate : ranked)
+    tried_.push_back({candidate.effect->name(), candidate.effect->description().variant,
+                      candidate.score, std::nan(""), std::nan("")});
+  SearchState best = base;
+  if (most == base.causes.size() || !(extend(&best, ranked) || best.banned != base.banned))
+    return best;
+  goOn(&best, most);
+  const bool settled = best.causes.size() <= base.causes.size() + 1 &&
+                       allPassed(checksOf(best.fit, best.train, best.heavy_tails));
+  if (settled) return best;
+  std::size_t alternatives = 0;
+  for (const FittedEffect& first : ranked) {
+    if (alternatives == kAlternatives || !context_.going_on()) break;
+    const bool structural = !isOfNoise(*first.effect) && !isOfMixture(*first.effect);
+    if (!structural || first.score < threshold(*first.effect) ||
+        (!best.causes.empty() && first.effect == best.causes.front().effect))
+      continue;
+    ++alternatives;
+    SearchState other = base;
+    if (!accept(&other, first, ranked)) continue;
+    goOn(&other, std::min(most, base.causes.size() + 2));
     if (other.total > best.total) best = std::move(other);
   }
+  if (best.causes.size() < most) goOn(&best, most);
   return best;
 }
 

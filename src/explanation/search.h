@@ -41,14 +41,14 @@ class Search {
   Search(const ExplanationOptions& options, FitContext context, Effects catalogue);
 
   /// The best set of causes: greedily, and where one cause does not settle the matter, from the
-  /// next best first causes too.
+  /// next best first causes too that are none of the noise: what absorbs much must not win by that.
   SearchState run(const SearchState& base);
 
   const std::vector<TriedEffect>& tried() const { return tried_; }
 
  private:
-  SearchState greedy(SearchState state, std::size_t first);
-  bool extend(SearchState* state, std::size_t skip);
+  void goOn(SearchState* state, std::size_t most);
+  bool extend(SearchState* state, const std::vector<FittedEffect>& ranked);
   std::vector<FittedEffect> rank(const SearchState& state);
   bool accept(SearchState* state, const FittedEffect& candidate,
               const std::vector<FittedEffect>& ranked);
@@ -62,7 +62,7 @@ class Search {
   FitContext context_;
   Effects catalogue_;
   std::vector<TriedEffect> tried_;
-  std::vector<double> first_scores_;  ///< of the first ranking, best first
+  int rankings_ = 0;
 };
 
 }  // namespace uncertainty_identification
