@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "uncertainty_identification/model/evaluation.h"
 #include "fused_statistics.h"
+#include "uncertainty_identification/model/evaluation.h"
 #include "uncertainty_identification/model/filter.h"
 #include "uncertainty_identification/model/polynomial.h"
 

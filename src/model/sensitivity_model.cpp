@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "uncertainty_identification/model/evaluation.h"
 #include "plant_derivatives.h"
+#include "uncertainty_identification/model/evaluation.h"
 #include "uncertainty_identification/model/filter.h"
 
 namespace uncertainty_identification {

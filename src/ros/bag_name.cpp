@@ -37,7 +37,8 @@ std::string resolveBagName(const std::string& directory, const std::string& name
   if (!fs::is_regular_file(bag) || bag.extension() != ".bag")
     throw FileError("bag '" + name + "' in " + what + " is no .bag file");
   if (fs::file_size(bag, error) > kLargest)  // also where it cannot be told
-    throw RefusedError("bag '" + name + "' is larger than 4 GiB; split it, or read it with identify");
+    throw RefusedError("bag '" + name +
+                       "' is larger than 4 GiB; split it, or read it with identify");
   return bag.string();
 }
 

@@ -17,10 +17,10 @@
 // Experiment and NominalModel. A translation unit that uses both includes the messages through this
 // header and finds them in uncertainty_identification::messages.
 #define uncertainty_identification uncertainty_identification_messages
-#include <uncertainty_identification/Configure.h>
 #include <uncertainty_identification/Cause.h>
 #include <uncertainty_identification/CauseParameter.h>
 #include <uncertainty_identification/Check.h>
+#include <uncertainty_identification/Configure.h>
 #include <uncertainty_identification/Covariate.h>
 #include <uncertainty_identification/ErrorModel.h>
 #include <uncertainty_identification/Experiment.h>
