@@ -22,7 +22,8 @@ struct FitContext {
   ClimbOptions options;
   std::uint64_t seed = 1;
   WorkerPool* pool = nullptr;
-  std::function<bool()> going_on;
+  std::function<bool()> going_on;        ///< may be called from any thread
+  std::function<void(double)> searched;  ///< told the share of the search that is done, 0 to 1
 };
 
 /// To convergence from where it is.

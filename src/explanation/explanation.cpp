@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <mutex>
 #include <random>
 #include <set>
 #include <thread>
@@ -89,6 +90,8 @@ class Explaining {
   ProgressCallback progress_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   bool cancelled_ = false;
+  std::mutex reporting_;
+  double searched_ = 0;  ///< share of the search done
   std::unique_ptr<WorkerPool> pool_;
   Explanation explanation_;
 };
@@ -108,7 +111,14 @@ FitContext Explaining::context(const Estimate& estimate) {
   const int asked = configuration_.estimation.threads;
   pool_ = std::make_unique<WorkerPool>(asked == kAutomatic ? std::max(1, cores) : asked);
   context.pool = pool_.get();
-  context.going_on = [this] { return !cancelled_; };
+  context.going_on = [this] {  // asked by all threads: the callback is called by one at a time
+    const std::lock_guard<std::mutex> lock(reporting_);
+    return report("searching causes", 0.3 + 0.6 * searched_, explanation_.before.log_likelihood);
+  };
+  context.searched = [this](double share) {
+    const std::lock_guard<std::mutex> lock(reporting_);
+    searched_ = std::max(searched_, share);
+  };
   return context;
 }
 
@@ -169,7 +179,6 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   base.heavy_tails = quantised;
   explanation_.checks_before = checksOf(base.fit, base.train, base.heavy_tails);
   Search search(configuration_.explanation, context, effects);
-  report("searching causes", 0.4, base.fit.log_likelihood);
   // the error of a coarse lattice is neither Gaussian nor white: what else is wrong would drown in
   // it
   SearchState found = quantised ? base : search.run(base);

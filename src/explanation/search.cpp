@@ -93,6 +93,8 @@ Effects Search::considered(const SearchState& state) const {
 }
 
 std::vector<FittedEffect> Search::rank(const SearchState& state) {
+  constexpr double kUsual = 3;  // rankings
+  context_.searched(rankings_ / (rankings_ + kUsual));
   ++rankings_;
   std::vector<FittedEffect> ranked =
       fittedEffects(state.fit, state.train, considered(state), context_);
