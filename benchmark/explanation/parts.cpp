@@ -176,7 +176,7 @@ void judgeTimes(const std::vector<Outcome>& outcomes, const std::string& name, d
                 Targets* targets) {
   std::vector<double> seconds;
   for (const Outcome& outcome : outcomes) seconds.push_back(outcome.seconds);
-  targets->atMost(name + ": median time [s]", median(seconds), most);
+  targets->time(name + ": median time [s]", median(seconds), most);
 }
 
 }  // namespace uncertainty_identification::suite

@@ -122,6 +122,10 @@ void Targets::atMost(const std::string& what, double value, double most) {
     add(what, numberText(value), "at most " + numberText(most), value <= most);
 }
 
+void Targets::time(const std::string& what, double seconds, double most) {
+  atMost(what, seconds, short_form_ ? 10 * most : most);
+}
+
 int Targets::report() const {
   std::printf("\n%s%s\n", lines_.c_str(), missed_ == 0 ? "passed" : "FAILED");
   return missed_ == 0 ? 0 : 1;

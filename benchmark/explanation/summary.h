@@ -19,6 +19,9 @@ class Targets {
   void share(const std::string& what, int good, int all, double least);
   void atMost(const std::string& what, double value, double most);
 
+  /// Wall time, which on a machine with other work says little: the short form allows ten times it.
+  void time(const std::string& what, double seconds, double most);
+
   /// One line each; exit status 0 when none is missed.
   int report() const;
 
