@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <mutex>
 #include <random>
 #include <set>
@@ -54,6 +55,17 @@ Split split(const Configuration& configuration, const std::vector<Experiment>& e
   return parts;
 }
 
+std::string groupOf(const std::string& name) {
+  static const std::map<std::string, std::string> kGroups{{"act", "actuator"},
+                                                          {"plant", "plant"},
+                                                          {"sens", "sensor"},
+                                                          {"noise", "noise"},
+                                                          {"exp", "experiment"}};
+  const std::string prefix = name.substr(0, name.find('_'));
+  const auto group = kGroups.find(prefix);
+  return group == kGroups.end() ? prefix : group->second;
+}
+
 std::string messageOf(const Explanation& explanation) {
   std::string names, failed;
   for (const Cause& cause : explanation.causes) names += (names.empty() ? "" : ", ") + cause.name;
@@ -63,7 +75,7 @@ std::string messageOf(const Explanation& explanation) {
     case Verdict::none:
       return "the simulation agrees with the data: nothing is wrong that these experiments show";
     case Verdict::explained:
-      return "explained by " + names + "; with it nothing is left that the checks see";
+      return names + ": with it in the model nothing is left that the checks see";
     case Verdict::partly_explained:
       return names + " explains part; what remains is not explained (" + failed + ")";
     case Verdict::unknown:
@@ -213,7 +225,7 @@ void Explaining::describe(const SearchState& base, SearchState state) {
     Cause cause;
     cause.name = description.name;
     cause.variant = description.variant;
-    cause.group = description.name.substr(0, description.name.find('_'));
+    cause.group = groupOf(description.name);
     cause.description = description.meaning;
     cause.advice = description.advice;
     cause.confidence = found.confidence;
