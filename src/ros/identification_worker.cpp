@@ -65,11 +65,8 @@ bool IdentificationWorker::fullFollows() const {
 bool IdentificationWorker::takeWork(Work& work) {
   std::unique_lock<std::mutex> lock(mutex_);
   const auto changed = [this] { return stopping_ || version_ != seen_; };
-  bool quiet = false;
-  if (fullFollows())
-    quiet = !wake_.wait_for(lock, std::chrono::duration<double>(full_.quiet), changed);
-  else
-    wake_.wait(lock, changed);
+  wake_.wait(lock, [&] { return changed() || fullFollows(); });  // which restore() may bring about
+  const bool quiet = !wake_.wait_for(lock, std::chrono::duration<double>(full_.quiet), changed);
   if (stopping_) return false;
   seen_ = version_;
   waiting_ = 0;
