@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "chain_evaluation.h"
+#include "uncertainty_identification/model/filter.h"
 #include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
@@ -161,6 +162,27 @@ Chain ExtendedModel::simulated(const Block& block, const VectorXd& parameters,
     for (Signals& regressor : chain.X) of.effect->sense(of.psi, &regressor);
   }
   return chain;
+}
+
+MatrixXd ExtendedModel::unknownSignals(const VectorXd& parameters, int samples) const {
+  const Polynomials p = nominal().polynomials(theta(parameters.head(own())));
+  std::vector<Signals> signals;
+  if (options().initial_state == InitialState::estimate) {
+    Signals impulse = Signals::Zero(kLanes, samples), free, shifted;
+    impulse.col(0).setOnes();
+    filter(VectorXd::Ones(1), multiply(p.a, basis().denominator()), 0, impulse, &free);
+    for (const SetEffect& of : setEffects(parameters)) of.effect->sense(of.psi, &free);
+    for (int k = 0; k < freeResponseDirections(p, basis(), samples); ++k) {
+      shift(k, free, &shifted);
+      signals.push_back(shifted);
+    }
+  }
+  if (options().offsets == Offsets::per_experiment)
+    signals.push_back(Signals::Ones(kLanes, samples));
+  MatrixXd all(samples, static_cast<Index>(signals.size()));
+  for (Index k = 0; k < all.cols(); ++k)
+    all.col(k) = signals[static_cast<std::size_t>(k)].row(0).transpose().matrix();
+  return all;
 }
 
 void ExtendedModel::value(const Block& block, const VectorXd& parameters,

@@ -1,5 +1,6 @@
 #include "measure.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -56,6 +57,22 @@ Prediction predicted(const Fit& fit, const Chain& chain, int lane, const MatrixX
   return all;
 }
 
+/// Adds the initial state and offset that the first samples show, as the simulation fit does.
+void startFromMeasured(const MatrixXd& unknown, const Block& block, int lane,
+                       Prediction* prediction) {
+  const Index first = std::min<Index>(unknown.rows(), 20 + 3 * unknown.cols());
+  if (unknown.cols() == 0) return;
+  ArrayXd mean = ArrayXd::Zero(unknown.rows());
+  for (std::size_t i = 0; i < prediction->weights.size(); ++i)
+    mean += prediction->weights[i] * prediction->means[i];
+  const auto head = [&](const Signals& of) -> VectorXd { return of.row(lane).head(first); };
+  const VectorXd measured = head(block.weight);
+  const VectorXd missing = head(block.y) - mean.head(first).matrix();
+  const MatrixXd known = measured.asDiagonal() * unknown.topRows(first);
+  const ArrayXd added = unknown * known.colPivHouseholderQr().solve(measured.cwiseProduct(missing));
+  for (ArrayXd& of_component : prediction->means) of_component += added;
+}
+
 double normal(double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); }
 
 MatrixXd meanErrors(const Fit& fit, int count) {
@@ -78,9 +95,11 @@ HeldOut heldOut(const Fit& fit, const FitData& data) {
   for (const Block& block : data.blocks()) {
     const Chain chain = model->simulated(block, fit.at.parameters, about);
     const ArrayXd noise = noisePower(fit, block.samples);
+    const MatrixXd unknown = model->unknownSignals(fit.at.parameters, block.samples);
     for (int lane = 0; lane < block.lanes; ++lane) {
       const int length = block.lengths[static_cast<std::size_t>(lane)];
-      const Prediction prediction = predicted(fit, chain, lane, about, noise.head(length));
+      Prediction prediction = predicted(fit, chain, lane, about, noise.head(length));
+      startFromMeasured(unknown.topRows(length), block, lane, &prediction);
       for (int t = 0; t < length; ++t) {
         if (block.weight(lane, t) == 0) continue;
         const double y = block.y(lane, t);

@@ -66,6 +66,10 @@ class ExtendedModel : public LinearModel {
   Chain simulated(const Block& block, const Eigen::VectorXd& parameters,
                   const Eigen::MatrixXd& xi) const;
 
+  /// What is added to that from an initial state (InitialState::estimate) and an offset of the
+  /// experiment's own (Offsets::per_experiment), of sizes unknown: samples x their number.
+  Eigen::MatrixXd unknownSignals(const Eigen::VectorXd& parameters, int samples) const;
+
   /// Value and the derivatives to the parameters listed only; the other derivatives stay empty.
   void evaluate(const Block& block, const Eigen::VectorXd& parameters,
                 const std::vector<int>& derivatives, Response* response) const;
