@@ -141,6 +141,8 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
           nameOf(configuration_.error_model.basis),
           "fir, laguerre or kautz: explain looks for parameters that vary by itself");
   Split data = split(configuration_, experiments, validation);
+  data.train = withoutRest(std::move(data.train));
+  data.held = withoutRest(std::move(data.held));
   const std::vector<Signature> signatures = signaturesOf(data.train);
   for (const Signature& signature : signatures) {
     if (std::find(configuration_.explanation.exclude.begin(),

@@ -49,7 +49,26 @@ bool isHeld(const Experiment& experiment, int t, double low, double high) {
          experiment.y[t] == experiment.y[t - 1] && experiment.y[t] > low && experiment.y[t] < high;
 }
 
+/// How often a value within the extremes occurs again: of a sensor that resolves finely, when held.
+long repeats(const std::vector<double>& sorted) {
+  long count = 0;
+  for (std::size_t k = 1; k < sorted.size(); ++k)
+    count += sorted[k] == sorted[k - 1] && sorted[k] > sorted.front() && sorted[k] < sorted.back();
+  return count;
+}
+
 }  // namespace
+
+std::vector<Experiment> withoutRest(std::vector<Experiment> experiments) {
+  for (Experiment& experiment : experiments) {
+    int moves = 1;
+    while (moves < experiment.samples() && experiment.y[moves] == experiment.y[0]) ++moves;
+    if (moves < kFewest || moves == experiment.samples()) continue;
+    experiment.valid.resize(static_cast<std::size_t>(experiment.samples()), 1);
+    std::fill_n(experiment.valid.begin(), moves, 0);
+  }
+  return experiments;
+}
 
 std::vector<Signature> signaturesOf(const std::vector<Experiment>& experiments) {
   const std::vector<double> values = measured(experiments);
@@ -71,7 +90,7 @@ std::vector<Signature> signaturesOf(const std::vector<Experiment>& experiments) 
   for (const Experiment& experiment : experiments) {
     for (int t = 1; t < experiment.samples(); ++t) held += isHeld(experiment, t, low, high);
   }
-  if (held >= kFewest)
+  if (held >= kFewest && 2 * held > repeats(values))
     found.push_back(
         {"sens_dropout",
          {exact("share", "1", static_cast<double>(held) / static_cast<double>(values.size()))}});

@@ -15,6 +15,10 @@ struct Signature {
   std::vector<CauseParameter> parameters;
 };
 
+/// The experiments without the outputs before each first moves: a system at rest has no noise, and
+/// its sensor neither hangs nor is at its limit.
+std::vector<Experiment> withoutRest(std::vector<Experiment> experiments);
+
 /// At most one lattice, or clipping and held samples.
 std::vector<Signature> signaturesOf(const std::vector<Experiment>& experiments);
 
