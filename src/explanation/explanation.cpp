@@ -96,7 +96,7 @@ class Explaining {
  private:
   bool report(const std::string& phase, double fraction, double log_likelihood);
   FitContext context(const Estimate& estimate);
-  void describe(const SearchState& base, SearchState state);
+  void describe(const SearchState& base, const SearchState& state);
 
   Configuration configuration_;
   ProgressCallback progress_;
@@ -209,15 +209,15 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
         "the input depends on the output (closed loop): the estimates are consistent only if the "
         "noise model is right");
   }
-  describe(base, std::move(found));
+  describe(base, found);
   return std::move(explanation_);
 }
 
-void Explaining::describe(const SearchState& base, SearchState state) {
+void Explaining::describe(const SearchState& base, const SearchState& state) {
   report("describing", 0.9, state.fit.log_likelihood);
   explanation_.checks_after = checksOf(state.fit, state.train, state.heavy_tails);
   const bool passed = allPassed(explanation_.checks_after);
-  for (FoundCause& found : state.causes) {
+  for (const FoundCause& found : state.causes) {
     if (!passed && noiseClass().count(found.effect->name()) > 0) {
       explanation_.warnings.push_back(found.effect->name() +
                                       " is a symptom as long as what remains is not explained");
