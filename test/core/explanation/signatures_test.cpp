@@ -1,8 +1,11 @@
 // What is said of samples that repeat each other exactly.
+#include "explanation/signatures.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "support/example1.h"
 #include "uncertainty_identification/explanation/explanation.h"
@@ -45,6 +48,79 @@ TEST(Signatures, ASensorThatHangsIsNamed) {
     for (int t = 30; t < 34; ++t) experiment.y[t] = experiment.y[29];
   }
   EXPECT_TRUE(names(explain(example1Configuration(), all), "sens_dropout"));
+}
+
+/// White noise of variance 4, as two experiments.
+std::vector<Experiment> noise() {
+  std::mt19937_64 engine(1);
+  std::normal_distribution<double> normal(0, 2);
+  std::vector<Experiment> all(2);
+  for (Experiment& experiment : all) {
+    experiment.u = experiment.y = Eigen::VectorXd::NullaryExpr(500, [&] { return normal(engine); });
+  }
+  return all;
+}
+
+TEST(Signatures, ContinuousNoiseHasNone) { EXPECT_TRUE(signaturesOf(noise()).empty()); }
+
+TEST(Signatures, ALatticeIsASensorThatReadsInSteps) {
+  std::vector<Experiment> experiments = noise();
+  for (Experiment& experiment : experiments)
+    experiment.y = (0.3 * (experiment.y.array() / 0.3).round() + 0.07).matrix();
+  const auto found = signaturesOf(experiments);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].name, "sens_quant");
+  EXPECT_NEAR(found[0].parameters.at(0).value, 0.3, 1e-9);
+  const auto kept = withoutSpoiled(experiments, found[0]);
+  EXPECT_EQ(kept[0].validSamples(), 500) << "steps spoil no sample";
+}
+
+TEST(Signatures, RepeatedExtremesAreALimit) {
+  std::vector<Experiment> experiments = noise();
+  int clipped = 0;
+  for (Experiment& experiment : experiments) {
+    clipped += static_cast<int>((experiment.y.array() > 3).count());
+    experiment.y = experiment.y.cwiseMin(3);
+  }
+  const auto found = signaturesOf(experiments);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].name, "sens_clip");
+  EXPECT_EQ(found[0].parameters.at(0).value, -HUGE_VAL) << "nothing is clipped below";
+  EXPECT_EQ(found[0].parameters.at(1).value, 3);
+  int valid = 0;
+  for (const Experiment& experiment : withoutSpoiled(experiments, found[0]))
+    valid += experiment.validSamples();
+  EXPECT_EQ(valid, 1000 - clipped);
+}
+
+TEST(Signatures, RepeatedValuesAreASensorThatHolds) {
+  std::vector<Experiment> experiments = noise();
+  for (int t = 10; t < 500; t += 100) experiments[1].y[t] = experiments[1].y[t - 1];
+  const auto found = signaturesOf(experiments);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].name, "sens_dropout");
+  EXPECT_DOUBLE_EQ(found[0].parameters.at(0).value, 5.0 / 1000);
+  const auto kept = withoutSpoiled(experiments, found[0]);
+  EXPECT_EQ(kept[0].validSamples(), 500);
+  EXPECT_EQ(kept[1].validSamples(), 495);
+  EXPECT_FALSE(kept[1].isValid(110));
+}
+
+TEST(Signatures, ThreeRepeatsAreChance) {
+  std::vector<Experiment> experiments = noise();
+  for (int t : {10, 20, 30}) experiments[0].y[t] = experiments[0].y[t - 1];
+  EXPECT_TRUE(signaturesOf(experiments).empty());
+}
+
+TEST(Signatures, MissingSamplesCountForNothing) {
+  std::vector<Experiment> experiments = noise();
+  experiments[0].valid.assign(500, 1);
+  for (int t = 100; t < 110; ++t) {
+    experiments[0].y[t] = 99;
+    experiments[0].valid[static_cast<std::size_t>(t)] = 0;
+  }
+  EXPECT_TRUE(signaturesOf(experiments).empty());
+  EXPECT_TRUE(signaturesOf({}).empty());
 }
 
 }  // namespace

@@ -1,0 +1,59 @@
+// The table of effects in docs/explanation.md against the catalogue.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "uncertainty_identification/effects/catalogue.h"
+
+namespace uncertainty_identification {
+namespace {
+
+/// Data with a covariate and a parameter called as in the table, and one error parameter.
+Effects documented() {
+  DataSummary data;
+  data.experiments = 10;
+  data.samples = 100;
+  data.regressors = 1;
+  data.covariates = {{"COVARIATE", 0}};
+  data.stamps = true;
+  data.plant_parameters = {"PARAMETER"};
+  return catalogue(data);
+}
+
+/// Name, variant, meaning and parameters of an effect as the table's first columns have them.
+std::string rowOf(const EffectDescription& of) {
+  std::string row = "| `" + of.name + "` | " + of.variant + " | " + of.meaning + " | ";
+  std::string parameters;
+  for (const EffectParameter& parameter : of.parameters)
+    parameters += (parameters.empty() ? "" : ", ") + parameter.name + " [" + parameter.unit + "]";
+  return row + parameters + " |";
+}
+
+/// What precedes the definition in each row of the table.
+std::set<std::string> rowsOfTheTable() {
+  std::ifstream in(std::string(PROJECT_FOLDER) + "/docs/explanation.md");
+  std::set<std::string> rows;
+  bool inside = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line.rfind("## ", 0) == 0) inside = line == "## The effects";
+    if (!inside || line.rfind("| `", 0) != 0) continue;
+    const std::size_t definition = line.rfind(" | ");
+    EXPECT_GT(line.size(), definition + 5) << "no definition: " << line;
+    rows.insert(line.substr(0, definition + 2));
+  }
+  return rows;
+}
+
+TEST(DocumentedEffects, AreThoseOfTheCatalogue) {
+  const std::set<std::string> found = rowsOfTheTable();
+  std::set<std::string> expected;
+  for (const auto& effect : documented()) expected.insert(rowOf(effect->description()));
+  for (const std::string& row : expected) EXPECT_TRUE(found.count(row)) << "missing: " << row;
+  for (const std::string& row : found) EXPECT_TRUE(expected.count(row)) << "not so: " << row;
+}
+
+}  // namespace
+}  // namespace uncertainty_identification

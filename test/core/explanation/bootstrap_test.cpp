@@ -1,0 +1,68 @@
+#include "explanation/bootstrap.h"
+
+#include <gtest/gtest.h>
+
+#include "support/fit_setup.h"
+#include "uncertainty_identification/estimation/initial_guess.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::MatrixXd;
+
+/// Example 1 under a mixture of one component, and what two gain.
+struct OneOfTwo {
+  Fit one;
+  FitData data;
+  double ratio;
+};
+
+OneOfTwo judged(double distance, const FitContext& context) {
+  test::RandomSystem system = test::example1(1, 40);
+  system.truth.mixture.means = {test::vectorOf({-distance}), test::vectorOf({distance})};
+  system.truth.mixture.covariances = {MatrixXd::Constant(1, 1, 0.04),
+                                      MatrixXd::Constant(1, 1, 0.04)};
+  test::RandomSystemOptions options;
+  options.experiments = 40;
+  options.min_samples = options.max_samples = 100;
+  system = test::simulateSystem(system.truth, options, 6);
+  const FitData data = test::example1Data(system.experiments);
+  dense::Model truth = system.truth;
+  truth.mixture = {{1.0}, {system.truth.mixture.mean()}, {system.truth.mixture.covariance()}};
+  const Fit start = test::fitOfTruth(truth, test::example1Configuration(), data);
+  const Fit one = mixtureFitted(start.model, start.at, data, context.options, 50);
+  const Likelihood likelihood(*one.model, data.blocks(), data.count(), 1);
+  double reached = 0;
+  ClimbOptions climb = context.options;
+  climb.floor = covarianceFloor(one.at.mixture);
+  spreadComponents(likelihood, likelihood.statistics(one.at.parameters, false), one.at, 2, 4, 1,
+                   climb, &reached);
+  return {one, data, reached - one.log_likelihood};
+}
+
+FitContext contextOn(WorkerPool* pool) {
+  FitContext context;
+  context.pool = pool;
+  context.going_on = [] { return true; };
+  return context;
+}
+
+TEST(Bootstrap, TellsTwoComponentsFromOne) {
+  WorkerPool pool(1);
+  const FitContext context = contextOn(&pool);
+  const OneOfTwo apart = judged(1, context), together = judged(0, context);
+  EXPECT_GT(apart.ratio, 10);
+  EXPECT_TRUE(exceedsSimulatedRatios(apart.one, apart.data, context, apart.ratio));
+  EXPECT_FALSE(exceedsSimulatedRatios(together.one, together.data, context, together.ratio));
+}
+
+TEST(Bootstrap, DoesNotDependOnThreads) {
+  WorkerPool one(1), two(2);
+  const OneOfTwo together = judged(0, contextOn(&one));
+  for (const double ratio : {0.5, 1.0, 2.0, 3.0, 4.0, 5.0})
+    EXPECT_EQ(exceedsSimulatedRatios(together.one, together.data, contextOn(&one), ratio),
+              exceedsSimulatedRatios(together.one, together.data, contextOn(&two), ratio));
+}
+
+}  // namespace
+}  // namespace uncertainty_identification

@@ -1,0 +1,112 @@
+// Tests of residuals: Example 1 at its own parameters passes all; spoilt in one way, it fails the
+// test that is made for that.
+#include "explanation/checks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "support/fit_setup.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Spoil = std::function<void(Experiment*)>;
+
+struct Judged {
+  Fit fit;
+  FitData data;
+};
+
+Judged judgedWith(const Spoil& spoil) {
+  test::RandomSystem system = test::example1(2, 30);
+  for (Experiment& experiment : system.experiments) spoil(&experiment);
+  FitData data = test::example1Data(system.experiments);
+  Fit fit = test::fitOfTruth(system.truth, test::example1Configuration(), data);
+  return {fit, data};
+}
+
+Check checkNamed(const std::string& name, const Spoil& spoil) {
+  const Judged judged = judgedWith(spoil);
+  for (const Check& check : checksOf(judged.fit, judged.data, false))
+    if (check.name == name) return check;
+  ADD_FAILURE() << "no check " << name;
+  return {};
+}
+
+/// The check of this name fails, and says where.
+void expectFails(const std::string& name, const std::string& where, const Spoil& spoil) {
+  const Check check = checkNamed(name, spoil);
+  EXPECT_FALSE(check.passed) << name;
+  EXPECT_LT(check.p_value, kCheckThreshold);
+  EXPECT_NE(check.where.find(where), std::string::npos) << check.where;
+}
+
+TEST(Checks, PassAtTheTruth) {
+  const Judged judged = judgedWith([](Experiment*) {});
+  const auto checks = checksOf(judged.fit, judged.data, false);
+  EXPECT_EQ(checks.size(), 7u);
+  for (const Check& check : checks) {
+    EXPECT_TRUE(check.passed) << check.name;
+    EXPECT_GT(check.p_value, 1e-3) << check.name;  // seven tests
+    EXPECT_TRUE(check.where.empty());
+  }
+  EXPECT_TRUE(allPassed(checks));
+  EXPECT_EQ(checksOf(judged.fit, judged.data, true).size(), 3u) << "without those of the shape";
+}
+
+TEST(Checks, SeeWhatIsWrongAndWhere) {
+  expectFails("whiteness", "rad/s", [](Experiment* e) {
+    for (int t = 0; t < e->samples(); ++t) e->y[t] += 0.3 * std::sin(1.5 * t);
+  });
+  expectFails("dependence on the input", " of the input 3 samples before", [](Experiment* e) {
+    for (int t = 3; t < e->samples(); ++t) e->y[t] += 0.01 * std::pow(e->u[t - 3], 2);
+  });
+  std::mt19937_64 engine(1);
+  std::normal_distribution<double> normal;
+  expectFails("variance over time", "from 70 s to 80 s", [&](Experiment* e) {
+    for (int t = 70; t < 80; ++t) e->y[t] += 0.6 * normal(engine);
+  });
+  expectFails("volatility", "cluster", [&](Experiment* e) {
+    for (int t = 0; t < e->samples(); t += 20)
+      for (int k = t; k < t + 5; ++k) e->y[k] += 0.6 * normal(engine);
+  });
+  expectFails("tails", "too many", [&](Experiment* e) { e->y[40] += 3 * normal(engine); });
+  expectFails("symmetry", "positive", [&](Experiment* e) { e->y[30] += 2; });
+}
+
+TEST(Checks, NameTheExperimentThatDiffers) {
+  std::mt19937_64 engine(1);
+  std::normal_distribution<double> normal;
+  const std::string loud = test::example1(2, 30).experiments[11].id;
+  const Check check = checkNamed("variance over experiments", [&](Experiment* e) {
+    for (int t = 0; e->id == loud && t < e->samples(); ++t) e->y[t] += 0.5 * normal(engine);
+  });
+  EXPECT_FALSE(check.passed);
+  EXPECT_EQ(check.where, "strongest in " + loud);
+}
+
+TEST(Feedback, IsSeenInTheInputThatAnswersTheOutput) {
+  const Judged open = judgedWith([](Experiment*) {});
+  EXPECT_GT(feedbackProbability(residualsOf(open.fit, open.data), open.data), 1e-3);
+  // u = r - 0.8 y(t-1), Example 1's plant and noise anew
+  std::mt19937_64 engine(2);
+  std::normal_distribution<double> normal;
+  const Judged closed = judgedWith([&](Experiment* e) {
+    double x = 0, v = 0, w_before = 0;
+    for (int t = 0; t < e->samples(); ++t) {
+      if (t > 0) x = -0.5 * x + e->u[t - 1];
+      const double w = std::sqrt(0.1) * normal(engine);
+      v = -0.8 * v + w + 0.1 * w_before;
+      w_before = w;
+      e->u[t] -= t > 0 ? 0.8 * e->y[t - 1] : 0;
+      e->y[t] = x + v;
+    }
+  });
+  EXPECT_LT(feedbackProbability(residualsOf(closed.fit, closed.data), closed.data), 1e-4);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification

@@ -1,0 +1,170 @@
+// explain() from end to end on the paper's Example 1, and on the same behind a dead zone.
+#include "uncertainty_identification/explanation/explanation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "support/core_setup.h"
+#include "support/error_message.h"
+#include "uncertainty_identification/errors.h"
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr double kWidth = 0.8;
+
+std::vector<Experiment> clean(int count = 20) { return test::example1(2, count).experiments; }
+
+/// Commands are larger by the width than what acts.
+std::vector<Experiment> behindDeadZone() {
+  std::vector<Experiment> all = clean();
+  for (Experiment& experiment : all) experiment.u += kWidth * experiment.u.cwiseSign();
+  return all;
+}
+
+Configuration configuration() {
+  Configuration of = test::example1Configuration();
+  of.bounds.frequencies = 0;
+  return of;
+}
+
+const Explanation& explained() {
+  static const Explanation kExplanation = explain(configuration(), behindDeadZone());
+  return kExplanation;
+}
+
+TEST(Explain, FindsNothingWhereNothingIsWrong) {
+  const Explanation found = explain(configuration(), clean());
+  EXPECT_EQ(found.verdict, Verdict::none) << found.message;
+  EXPECT_TRUE(found.causes.empty());
+  EXPECT_EQ(found.termination, Termination::converged);
+  for (const Check& check : found.checks_after) EXPECT_TRUE(check.passed) << check.name;
+  EXPECT_EQ(found.after.log_likelihood, found.before.log_likelihood);
+}
+
+TEST(Explain, NamesTheCauseWithItsParameterAndGain) {
+  const Explanation& found = explained();
+  EXPECT_EQ(found.verdict, Verdict::explained) << found.message;
+  ASSERT_EQ(found.causes.size(), 1u) << found.message;
+  const Cause& cause = found.causes[0];
+  EXPECT_EQ(cause.name, "act_deadzone");
+  ASSERT_EQ(cause.parameters.size(), 1u);
+  EXPECT_EQ(cause.parameters[0].name, "width");
+  EXPECT_LT(cause.parameters[0].standard_error, 0.05);
+  EXPECT_NEAR(cause.parameters[0].value, kWidth, 4 * cause.parameters[0].standard_error);
+  EXPECT_GT(cause.confidence, 0.99);
+  ASSERT_TRUE(cause.gain);
+  EXPECT_GT(cause.gain->log_density, 2 * cause.gain->standard_error);
+  EXPECT_GT(cause.gain->nrmse_fit_percent.after, cause.gain->nrmse_fit_percent.before);
+  EXPECT_NEAR(cause.gain->noise_variance.after, 0.1, 4 * 0.1 * std::sqrt(2.0 / 1400));
+  EXPECT_TRUE(std::any_of(found.checks_before.begin(), found.checks_before.end(),
+                          [](const Check& check) { return !check.passed; }));
+}
+
+/// The extended model is a full citizen.
+TEST(Explain, GivesTheExtendedModelAsAnEstimate) {
+  const Explanation& found = explained();
+  ASSERT_EQ(found.after.effects.size(), 1u);
+  EXPECT_EQ(found.after.effects[0].name, "act_deadzone");
+  EXPECT_EQ(found.after.configuration.effects.size(), 1u);
+  EXPECT_GT(found.after.log_likelihood, found.before.log_likelihood + 50);
+  EXPECT_NEAR(found.after.effects[0].parameters.at(0).value,
+              found.causes.at(0).parameters.at(0).value, 0.02);
+}
+
+TEST(Explain, GivesTheSameOnAnyNumberOfThreadsAndEveryTime) {
+  for (const int threads : {1, 2}) {
+    Configuration with = configuration();
+    with.estimation.threads = threads;
+    const Explanation again = explain(with, behindDeadZone());
+    EXPECT_EQ(again.before.log_likelihood, explained().before.log_likelihood);
+    EXPECT_EQ(again.after.log_likelihood, explained().after.log_likelihood);
+    ASSERT_EQ(again.causes.size(), explained().causes.size());
+    EXPECT_EQ(again.causes[0].parameters[0].value, explained().causes[0].parameters[0].value);
+    EXPECT_EQ(again.causes[0].gain->log_density, explained().causes[0].gain->log_density);
+    ASSERT_EQ(again.candidates.size(), explained().candidates.size());
+    for (std::size_t k = 0; k < again.candidates.size(); ++k)
+      EXPECT_EQ(again.candidates[k].score, explained().candidates[k].score);
+  }
+}
+
+TEST(Explain, KeepsASeededShareOutOfTheFit) {
+  const std::vector<Experiment> all = clean();
+  EXPECT_EQ(explained().held_out.size(), 6u);  // 0.3 of 20
+  EXPECT_EQ(explained().before.experiment_count, 14);
+  std::set<std::string> fitted;
+  for (const ExperimentEstimate& of : explained().before.experiments) fitted.insert(of.id);
+  for (const std::string& id : explained().held_out) EXPECT_FALSE(fitted.count(id)) << id;
+  Configuration other = configuration();
+  other.estimation.seed = 2;
+  other.explanation.max_causes = 0;
+  EXPECT_NE(explain(other, behindDeadZone()).held_out, explained().held_out);
+}
+
+TEST(Explain, MeasuresOnTheExperimentsGiven) {
+  std::vector<Experiment> all = behindDeadZone();
+  const std::vector<Experiment> validation(all.end() - 5, all.end());
+  all.resize(15);
+  const Explanation found = explain(configuration(), all, validation);
+  ASSERT_EQ(found.held_out.size(), 5u);
+  EXPECT_EQ(found.held_out[0], validation[0].id);
+  EXPECT_EQ(found.before.experiment_count, 15);
+  EXPECT_EQ(found.causes.at(0).name, "act_deadzone");
+}
+
+TEST(Explain, DoesNotNameWhatIsExcluded) {
+  Configuration without = configuration();
+  without.explanation.exclude = {"act_deadzone"};
+  const Explanation found = explain(without, behindDeadZone());
+  for (const Cause& cause : found.causes) EXPECT_NE(cause.name, "act_deadzone");
+  for (const TriedEffect& tried : found.candidates) EXPECT_NE(tried.name, "act_deadzone");
+  EXPECT_NE(found.verdict, Verdict::none) << "something is wrong all the same";
+}
+
+TEST(Explain, SaysUnknownWhereItMayNameNothing) {
+  Configuration none = configuration();
+  none.explanation.max_causes = 0;
+  const Explanation found = explain(none, behindDeadZone());
+  EXPECT_EQ(found.verdict, Verdict::unknown);
+  EXPECT_TRUE(found.causes.empty());
+}
+
+TEST(Explain, CanBeCancelled) {
+  int calls = 0;
+  const Explanation found =
+      explain(configuration(), behindDeadZone(), {}, [&](const Progress&) { return ++calls < 3; });
+  EXPECT_EQ(found.termination, Termination::cancelled);
+  EXPECT_EQ(found.before.termination, Termination::cancelled);
+  EXPECT_TRUE(found.causes.empty());
+  EXPECT_LE(calls, 5) << "no work is begun after it";
+}
+
+TEST(Explain, TellsHowFarItIs) {
+  std::vector<double> fractions;
+  explain(configuration(), clean(), {}, [&](const Progress& at) {
+    fractions.push_back(at.fraction);
+    return true;
+  });
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_GT(fractions.size(), 5u);
+  EXPECT_LE(fractions.back(), 1);
+}
+
+TEST(Explain, RefusesBadInput) {
+  EXPECT_THROW(explain(configuration(), {}), DataError);
+  Configuration varying = configuration();
+  varying.error_model.basis = BasisKind::sensitivity;
+  varying.error_model.constraint = Constraint::zero_mean;
+  EXPECT_NE(
+      messageOf<ConfigurationError>([&] { explain(varying, clean()); }).find("error_model.basis"),
+      std::string::npos);
+  Configuration negative = configuration();
+  negative.explanation.acceptance = -1;
+  EXPECT_THROW(explain(negative, clean()), ConfigurationError);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
