@@ -1,5 +1,6 @@
 #include "uncertainty_identification/ros/identification_worker.h"
 
+#include <algorithm>
 #include <chrono>
 #include <sstream>
 #include <utility>
@@ -11,6 +12,7 @@ namespace uncertainty_identification {
 namespace {
 
 constexpr double kSameOptimum = 0.01;  // [nat] what tolerances leave open
+constexpr double kLongestQuiet = 3e7;  // [s] clocks count no further than some 9e9
 
 /// Whether the log-likelihoods of two estimates can be compared: same data, same parameters.
 bool comparable(const Estimate& one, const Estimate& other) {
@@ -66,7 +68,8 @@ bool IdentificationWorker::takeWork(Work& work) {
   std::unique_lock<std::mutex> lock(mutex_);
   const auto changed = [this] { return stopping_ || version_ != seen_; };
   wake_.wait(lock, [&] { return changed() || fullFollows(); });  // which restore() may bring about
-  const bool quiet = !wake_.wait_for(lock, std::chrono::duration<double>(full_.quiet), changed);
+  const std::chrono::duration<double> silence(std::min(full_.quiet, kLongestQuiet));
+  const bool quiet = !wake_.wait_for(lock, silence, changed);
   if (stopping_) return false;
   seen_ = version_;
   waiting_ = 0;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <condition_variable>
+#include <stdexcept>
 
 #include "support/example1.h"
 #include "support/wait_for.h"
@@ -124,7 +125,8 @@ WorkerResult afterRestart(double error, Fixture& fixture) {
   fixture.worker.restore(std::move(kept), {}, experiments.size(),
                          WorkerResult{std::make_shared<const Estimate>(estimate), true,
                                       windowOf(experiments), example1Configuration()});
-  EXPECT_TRUE(waitFor([&] { return !fixture.results().empty(); }));
+  if (!waitFor([&] { return !fixture.results().empty(); }))
+    throw std::runtime_error("not identified in full");
   EXPECT_TRUE(fixture.waitUntilIdle());
   EXPECT_EQ(fixture.results().size(), 1U) << "nothing is new: no quick update";
   return fixture.results().back();
