@@ -4,8 +4,10 @@
 
 namespace uncertainty_identification {
 
-ExperimentIntake::ExperimentIntake(const Configuration& configuration, Receiver receive)
+ExperimentIntake::ExperimentIntake(const Configuration& configuration, Receiver receive,
+                                   std::function<void()> received)
     : receive_(std::move(receive)),
+      received_(std::move(received)),
       sample_time_(configuration.sample_time),
       resampling_(configuration.resampling),
       thread_([this] { run(); }) {}
@@ -40,9 +42,12 @@ void ExperimentIntake::setCommonSampleTime(double sample_time) {
 void ExperimentIntake::run() {
   for (auto items = queue_.takeAll(); !items.empty(); items = queue_.takeAll()) {
     for (auto& item : items) {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      if (item.clearings == clearings_) receive_(load(std::move(item.experiment)));
-      --waiting_;
+      {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (item.clearings == clearings_) receive_(load(std::move(item.experiment)));
+        --waiting_;
+      }
+      received_();
     }
   }
 }

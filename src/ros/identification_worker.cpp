@@ -39,7 +39,9 @@ IdentificationWorker::IdentificationWorker(const Configuration& configuration, L
       full_(configuration.full_identification),
       identifier_(std::make_shared<const Identifier>(configuration)),
       set_(configuration.limits),
-      intake_(configuration, [this](LoadedData data) { receive(std::move(data)); }),
+      intake_(
+          configuration, [this](LoadedData data) { receive(std::move(data)); },
+          [this] { listener_.changed(); }),
       thread_([this] { run(); }) {}
 
 bool IdentificationWorker::wanted(const WorkerSnapshot& at, bool interruptible) const {

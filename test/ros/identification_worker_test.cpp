@@ -24,7 +24,11 @@ class Fixture {
                                  const std::lock_guard<std::mutex> lock(mutex_);
                                  kept_.push_back(experiment);
                                },
-                               [](const RejectedExperiment&) {}, [this] { ++changes; },
+                               [](const RejectedExperiment&) {},
+                               [this] {
+                                 ++changes;
+                                 told_busy = worker.status().busy;
+                               },
                                [this](const std::string& warning) {
                                  const std::lock_guard<std::mutex> lock(mutex_);
                                  warnings_.push_back(warning);
@@ -57,6 +61,7 @@ class Fixture {
 
  public:
   std::atomic<int> changes{0};
+  std::atomic<bool> told_busy{false};  // by the status after the last change
   IdentificationWorker worker;
 };
 
@@ -183,6 +188,17 @@ TEST(IdentificationWorker, BadExperimentsAreToldAndTheLastResultStays) {
   EXPECT_EQ(fixture.warnings().size(), 2U);
   for (std::size_t i = good; i < fixture.results().size(); ++i)
     EXPECT_EQ(fixture.results()[i].estimate->experiment_count, 6);
+}
+
+// Who goes by what is told must not wait for a change that does not come.
+TEST(IdentificationWorker, TheLastStatusToldIsThatOfAnIdleWorker) {
+  Fixture fixture;
+  fixture.worker.add(RejectedExperiment{"cut", "the clock went back"});
+  EXPECT_TRUE(
+      waitFor([&] { return fixture.changes > 1 && !fixture.told_busy; }, std::chrono::seconds(10)));
+  for (const auto& experiment : example1Experiments(5)) fixture.worker.add(experiment);
+  ASSERT_TRUE(fixture.waitUntilIdle());
+  EXPECT_TRUE(waitFor([&] { return !fixture.told_busy; }, std::chrono::seconds(10)));
 }
 
 TEST(IdentificationWorker, DataThatCannotBeIdentifiedAreAnErrorNotAResult) {

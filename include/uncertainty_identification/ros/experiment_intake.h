@@ -22,8 +22,10 @@ class ExperimentIntake {
  public:
   using Receiver = std::function<void(LoadedData)>;
 
-  /// `receive` is called from the intake's thread, for one finished experiment at a time.
-  ExperimentIntake(const Configuration& configuration, Receiver receive);
+  /// `receive` is called from the intake's thread, for one finished experiment at a time, and then
+  /// `received`, once that is no longer counted by waiting().
+  ExperimentIntake(const Configuration& configuration, Receiver receive,
+                   std::function<void()> received);
 
   /// Hands on what waits.
   ~ExperimentIntake();
@@ -55,6 +57,7 @@ class ExperimentIntake {
   LoadedData load(FinishedExperiment experiment);
 
   const Receiver receive_;
+  const std::function<void()> received_;
   WorkQueue<Item> queue_;
   std::atomic<unsigned> clearings_{0};
   std::atomic<int> waiting_{0};
