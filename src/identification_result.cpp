@@ -123,8 +123,14 @@ void Identification::describeEffect(ParameterEstimate parameter, std::size_t dot
       const EffectOptions& next = options[estimate_.effects.size()];
       estimate_.effects.push_back({next.name, next.variant, {}});
     }
-    for (const EffectParameter& of : effects[k]->description().parameters)
-      if (of.name == parameter.name) parameter.unit = of.unit;
+    for (const EffectParameter& of : effects[k]->description().parameters) {
+      if (of.name != parameter.name) continue;
+      parameter.unit = of.unit;
+      if (!of.log_variance) continue;
+      parameter.value = told(of, parameter.value, at_.noise_variance);
+      parameter.standard_error *= parameter.value / 2;
+      parameter.robust_standard_error *= parameter.value / 2;
+    }
     estimate_.effects[k].parameters.push_back(std::move(parameter));
     return;
   }

@@ -12,6 +12,30 @@ namespace uncertainty_identification {
 
 using Eigen::VectorXd;
 
+namespace {
+
+/// What an earlier estimate tells of the effects' parameters, as the model keeps them.
+void addEffects(const Estimate& previous, const Effects& effects,
+                std::map<std::string, double>* values) {
+  const auto of = [&](const EffectParameter& parameter, const EffectEstimate& estimate) {
+    for (const ParameterEstimate& each : estimate.parameters) {
+      if (each.name == parameter.name)
+        (*values)[estimate.name + "." + each.name] =
+            kept(parameter, each.value, previous.noise_variance.value);
+    }
+  };
+  for (const auto& effect : effects) {
+    for (const EffectEstimate& estimate : previous.effects) {
+      if (estimate.name != effect->name() || estimate.variant != effect->description().variant)
+        continue;
+      for (const EffectParameter& parameter : effect->description().parameters)
+        of(parameter, estimate);
+    }
+  }
+}
+
+}  // namespace
+
 std::vector<VectorXd> Identification::starts() const {
   const Configuration& configuration = estimate_.configuration;
   const LinearModel plain(nominal_, model_->basis(), configuration.estimation);
@@ -46,10 +70,8 @@ VectorXd Identification::given(const LinearModel& model, const Estimate* previou
       values[parameter.name] = parameter.value;
     values["offset_u"] = previous->offset_u;
     values["offset_y"] = previous->offset_y;
-    for (const EffectEstimate& effect : previous->effects) {
-      for (const ParameterEstimate& parameter : effect.parameters)
-        values[effect.name + "." + parameter.name] = parameter.value;
-    }
+    if (const auto* extended = dynamic_cast<const ExtendedModel*>(&model))
+      addEffects(*previous, extended->effects(), &values);
   } else {
     const std::vector<std::string> names = nominalModel()->names();
     const VectorXd& theta = configuration.initial.theta;

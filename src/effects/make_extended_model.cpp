@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "uncertainty_identification/effects/catalogue.h"
 #include "uncertainty_identification/effects/extended_model.h"
 #include "uncertainty_identification/enum_names.h"
@@ -42,6 +45,15 @@ std::unique_ptr<ExtendedModel> makeExtendedModel(std::shared_ptr<const NominalMo
   return std::make_unique<ExtendedModel>(std::move(nominal), basis, configuration.estimation,
                                          std::move(effects), summary,
                                          static_cast<int>(experiments.size()));
+}
+
+double told(const EffectParameter& parameter, double kept, double noise_variance) {
+  return parameter.log_variance ? std::sqrt(noise_variance) * std::exp(0.5 * kept) : kept;
+}
+
+double kept(const EffectParameter& parameter, double told, double noise_variance) {
+  if (!parameter.log_variance) return told;
+  return std::clamp(std::log(told * told / noise_variance), parameter.lower, parameter.upper);
 }
 
 VectorXd startingValues(const Effects& effects, const std::vector<EffectOptions>& options) {

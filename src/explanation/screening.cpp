@@ -141,7 +141,14 @@ Screening::Start Screening::best(const std::shared_ptr<const Effect>& effect) co
   std::shared_ptr<const ExtendedModel> model = base_.model->with(effects);
   if (model->isLocallyLinear() && base_.model->currentPoints().size() == 0)
     model = model->about(base_.xi);
-  Start best{{}, -std::numeric_limits<double>::infinity()};
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  Start best{{}, kNone};
+  if (!effect->description().starts.empty()) {  // where no start has a likelihood
+    const VectorXd& psi = effect->description().starts.front();
+    best.fit = {model, base_.at, kNone, {}, base_.xi};
+    best.fit.at.parameters.conservativeResize(base_.at.parameters.size() + psi.size());
+    best.fit.at.parameters.tail(psi.size()) = psi;
+  }
   for (const VectorXd& psi : effect->description().starts) {
     std::shared_ptr<const ExtendedModel> at = model;
     if (effect->name() == "exp_clock") {

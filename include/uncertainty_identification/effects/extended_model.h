@@ -95,11 +95,17 @@ std::unique_ptr<ExtendedModel> makeExtendedModel(std::shared_ptr<const NominalMo
                                                  const Configuration& configuration,
                                                  const std::vector<Experiment>& experiments);
 
+/// A parameter as results tell it, of the value that the model keeps, and back: the standard
+/// deviation in place of a logarithm of a variance relative to sigma^2. All others are told as
+/// kept.
+double told(const EffectParameter& parameter, double kept, double noise_variance);
+double kept(const EffectParameter& parameter, double told, double noise_variance);
+
 /// Names of the parameters of nominal model `nominal` that move Go, the first of theta.
 std::vector<std::string> plantParameters(const NominalModel& nominal, const Eigen::VectorXd& theta);
 
-/// Starting values of the effects' parameters: those that the options give, else the first of the
-/// catalogue.
+/// Starting values of the effects' parameters as the model keeps them: those that the options give,
+/// else the first of the catalogue.
 Eigen::VectorXd startingValues(const Effects& effects, const std::vector<EffectOptions>& options);
 
 }  // namespace uncertainty_identification

@@ -1,0 +1,89 @@
+// The Identifier with effects that a configuration names.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "support/core_setup.h"
+#include "support/error_message.h"
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/identifier.h"
+#include "uncertainty_identification/io/result_json.h"
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr double kWidth = 0.8, kBias = 0.7;
+constexpr int kExperiments = 60;
+
+/// The paper's Example 1 behind a dead zone (commands are larger by its width than what acts), its
+/// sensor with a bias drawn for each experiment.
+std::vector<Experiment> experiments() {
+  std::vector<Experiment> all = test::example1(3, kExperiments).experiments;
+  std::mt19937_64 engine(4);
+  std::normal_distribution<double> normal;
+  for (Experiment& experiment : all) {
+    experiment.u += kWidth * experiment.u.cwiseSign();
+    experiment.y.array() += kBias * normal(engine);
+  }
+  return all;
+}
+
+Configuration configuration() {
+  Configuration of = test::example1Configuration();
+  of.bounds.frequencies = 0;
+  of.effects = {{"act_deadzone", "", {}}, {"sens_bias", "per_experiment", {}}};
+  return of;
+}
+
+const Estimate& estimate() {
+  static const Estimate kEstimate = Identifier(configuration()).identify(experiments());
+  return kEstimate;
+}
+
+TEST(IdentifiedEffects, AreEstimatedWithTheRest) {
+  ASSERT_TRUE(estimate().usable()) << estimate().message;
+  ASSERT_EQ(estimate().effects.size(), 2u);
+  const ParameterEstimate& width = estimate().effects[0].parameters.at(0);
+  EXPECT_EQ(estimate().effects[0].name, "act_deadzone");
+  EXPECT_EQ(width.name, "width");
+  EXPECT_EQ(width.unit, "unit of u");
+  EXPECT_GT(width.standard_error, 0);
+  EXPECT_LT(width.standard_error, 0.05);
+  EXPECT_NEAR(width.value, kWidth, 4 * width.standard_error);
+  // of a standard deviation from 60 draws: relative standard error 1/sqrt(120)
+  const ParameterEstimate& bias = estimate().effects[1].parameters.at(0);
+  EXPECT_EQ(estimate().effects[1].variant, "per_experiment");
+  EXPECT_NEAR(bias.value, kBias, 4 * kBias / std::sqrt(120.0));
+  EXPECT_NEAR(estimate().noise_variance.value, 0.1, 4 * estimate().noise_variance.standard_error);
+  EXPECT_NEAR(estimate().nominal_model.b[0], 1, 0.1);
+}
+
+TEST(IdentifiedEffects, AreStartedFromAnEarlierEstimate) {
+  const Estimate again = Identifier(configuration()).reidentify(estimate(), experiments());
+  EXPECT_NEAR(again.log_likelihood, estimate().log_likelihood, 0.01);
+  EXPECT_LE(again.iterations, estimate().iterations);
+}
+
+TEST(IdentifiedEffects, AreKeptByResultJson) {
+  const Estimate loaded = estimateFromJson(toJson(estimate()));
+  EXPECT_EQ(toJson(loaded), toJson(estimate()));
+  ASSERT_EQ(loaded.effects.size(), 2u);
+  EXPECT_EQ(loaded.effects[1].parameters[0].value, estimate().effects[1].parameters[0].value);
+  EXPECT_EQ(loaded.configuration.effects.size(), 2u);
+}
+
+TEST(IdentifiedEffects, StartFromTheValuesGiven) {
+  Configuration given = configuration();
+  given.effects[0].parameters = {{"width", 0.75}};
+  const Estimate from_there = Identifier(given).identify(experiments());
+  EXPECT_NEAR(from_there.log_likelihood, estimate().log_likelihood, 0.01);
+  given.effects[0].parameters = {{"with", 0.75}};
+  EXPECT_NE(messageOf<ConfigurationError>([&] {
+              Identifier(given).identify(experiments());
+            }).find("it has width"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
