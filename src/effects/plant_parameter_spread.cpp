@@ -27,19 +27,23 @@ class PlantParameterSpread : public Effect {
         index_(index) {}
 
   void apply(const VectorXd& psi, Chain* chain) const override {
+    // central: of second order in the step
     constexpr double kStep = 1e-5;
-    VectorXd theta = chain->theta;
-    const double change = kStep * std::max(std::abs(theta[index_]), 1e-300);
-    theta[index_] += change;
-    const Polynomials at = chain->nominal.polynomials(chain->theta);
-    const Polynomials moved = chain->nominal.polynomials(theta);
-    Signals before, after;
-    filter(at.b, at.a, at.delay, chain->u, &before);
-    filter(moved.b, moved.a, moved.delay, chain->u, &after);
-    chain->random.push_back({(after - before) / kStep, std::exp(psi[0])});
+    const double change = kStep * std::max(std::abs(chain->theta[index_]), 1e-300);
+    const Signals difference = output(*chain, change) - output(*chain, -change);
+    chain->random.push_back({difference / (2 * kStep), std::exp(psi[0])});
   }
 
  private:
+  Signals output(const Chain& chain, double change) const {
+    VectorXd theta = chain.theta;
+    theta[index_] += change;
+    const Polynomials moved = chain.nominal.polynomials(theta);
+    Signals y;
+    filter(moved.b, moved.a, moved.delay, chain.u, &y);
+    return y;
+  }
+
   int index_;
 };
 
