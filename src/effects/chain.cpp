@@ -98,4 +98,21 @@ Signals interpolated(const Signals& x, const Signals& shift) {
   return out;
 }
 
+Signals interpolated(const Signals& x, const Lanes& shift) {
+  const Index samples = x.cols();
+  Signals out(kLanes, samples);
+  Eigen::Array<double, 1, Eigen::Dynamic> from(samples + 3);
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const double whole = std::floor(shift[lane]), f = shift[lane] - whole;
+    for (Index k = 0; k < from.size(); ++k)
+      from[k] = x(lane, static_cast<Index>(std::clamp(static_cast<double>(k - 1) + whole, 0.0,
+                                                      static_cast<double>(samples - 1))));
+    out.row(lane) = -f * (f - 1) * (f - 2) / 6 * from.segment(0, samples) +
+                    (f + 1) * (f - 1) * (f - 2) / 2 * from.segment(1, samples) -
+                    (f + 1) * f * (f - 2) / 2 * from.segment(2, samples) +
+                    (f + 1) * f * (f - 1) / 6 * from.segment(3, samples);
+  }
+  return out;
+}
+
 }  // namespace uncertainty_identification

@@ -20,8 +20,9 @@ class ChainEvaluation : public Evaluation {
   /// All must outlive this object; `polynomials` and `block` after the measurement stage.
   ChainEvaluation(const Polynomials& polynomials, const ErrorBasis& basis,
                   const EstimationOptions& options, const Block& block,
+                  std::shared_ptr<const NoiseWhitening> whitening,
                   const std::vector<SetEffect>& effects, Chain* chain)
-      : Evaluation(polynomials, 0, options, block, false),
+      : Evaluation(polynomials, options, block, std::move(whitening)),
         basis_(basis),
         effects_(effects),
         chain_(*chain) {}

@@ -26,12 +26,11 @@ class ClockOffset : public Effect {
   void apply(const VectorXd& psi, Chain* chain) const override {
     constexpr double kStep = 0.05;
     const Signals expected = chain->expected();
-    Signals shift = Signals::Zero(kLanes, chain->x.cols());
-    shift.colwise() += chain->points.row(chain->regressors).transpose().array();
-    const Signals slope =
-        (interpolated(expected, shift + kStep) - interpolated(expected, shift - kStep)) /
-        (2 * kStep);
-    chain->x = interpolated(chain->x, shift) - slope * shift;
+    const Lanes shift = chain->points.row(chain->regressors).transpose().array();
+    const Signals slope = (interpolated(expected, Lanes(shift + kStep)) -
+                           interpolated(expected, Lanes(shift - kStep))) /
+                          (2 * kStep);
+    chain->x = interpolated(chain->x, shift) - slope.colwise() * shift;
     for (Signals& regressor : chain->X) regressor = interpolated(regressor, shift);
     chain->random.push_back({slope, std::exp(psi[0])});
   }

@@ -185,16 +185,18 @@ MatrixXd ExtendedModel::unknownSignals(const VectorXd& parameters, int samples) 
   return all;
 }
 
-void ExtendedModel::value(const Block& block, const VectorXd& parameters,
+void ExtendedModel::value(const Block& block, const VectorXd& parameters, KeptWhitening* kept,
                           Response* response) const {
   const std::vector<SetEffect> set = setEffects(parameters);
   Chain chain = this->chain(block, parameters);
   applyStage(Stage::measurement, set, &chain);
   Polynomials p = nominal().polynomials(chain.theta);
   p.d = multiply(p.d, chain.noise_d);
+  if (kept->filter == nullptr || kept->c != p.c || kept->d != p.d)
+    *kept = {p.c, p.d, whiteningOf(p, options(), block, false)};
   *response = Response();
   const auto run = [&](const Block& measured) {
-    ChainEvaluation evaluation(p, basis(), options(), measured, set, &chain);
+    ChainEvaluation evaluation(p, basis(), options(), measured, kept->filter, set, &chain);
     evaluation.run(commonOffset(parameters.head(own())), response);
     evaluation.complete(response);
   };
@@ -225,7 +227,8 @@ double ExtendedModel::step(const VectorXd& parameters, int j) const {
 
 void ExtendedModel::evaluate(const Block& block, const VectorXd& parameters,
                              const std::vector<int>& derivatives, Response* response) const {
-  value(block, parameters, response);
+  KeptWhitening whitening;  // most parameters leave it as it is
+  value(block, parameters, &whitening, response);
   if (derivatives.empty()) return;
   response->derivatives.resize(static_cast<std::size_t>(count_));
   response->column_precision_derivatives.assign(static_cast<std::size_t>(count_),
@@ -235,7 +238,7 @@ void ExtendedModel::evaluate(const Block& block, const VectorXd& parameters,
     VectorXd moved = parameters;
     moved[j] += size;
     Response there;
-    value(block, moved, &there);
+    value(block, moved, &whitening, &there);
     const auto at = static_cast<std::size_t>(j);
     response->derivatives[at] = difference(response->value, there.value, size);
     response->column_precision_derivatives[at] =

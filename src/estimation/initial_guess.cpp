@@ -88,31 +88,40 @@ std::vector<VectorXd> noiseResiduals(const std::vector<Experiment>& experiments,
   return residuals;
 }
 
-void addStarts(const LinearModel& model, LeastSquaresModel go,
+/// Parameters of a model at a start for Go with a noise model (its polynomials' c and d).
+VectorXd parametersOf(const LinearModel& model, const LeastSquaresModel& start) {
+  const Polynomials& p = start.polynomials;
+  VectorXd parameters = VectorXd::Zero(model.parameterCount());
+  const VectorXd theta = model.nominal().fromPolynomials(p);
+  parameters.head(theta.size()) = theta;
+  if (parameters.size() > theta.size()) {
+    const double gain = p.b.sum() / (1 + p.a.sum());
+    const bool at_input = model.names().back() == "offset_u";
+    parameters[theta.size()] =
+        at_input ? (std::abs(gain) > 1e-9 ? start.offset / gain : 0.0) : start.offset;
+  }
+  return parameters;
+}
+
+void addStart(const LinearModel& model, LeastSquaresModel go, const VectorXd& c, const VectorXd& d,
+              std::vector<VectorXd>* starts) {
+  go.polynomials.c = c;
+  go.polynomials.d = d;
+  const VectorXd start = parametersOf(model, go);
+  if (model.admissible(start)) starts->push_back(start);
+}
+
+/// `go` with noise models fitted to what it leaves, and with fixed guesses.
+void addStarts(const LinearModel& model, const LeastSquaresModel& go,
                const std::vector<Experiment>& experiments, std::vector<VectorXd>* starts) {
-  const NominalModel& nominal = model.nominal();
-  const Polynomials sizes = sizesOf(nominal);
+  const Polynomials sizes = sizesOf(model.nominal());
   const int nc = static_cast<int>(sizes.c.size()), nd = static_cast<int>(sizes.d.size());
-  const auto add = [&](const VectorXd& c, const VectorXd& d) {
-    Polynomials p = go.polynomials;
-    p.c = c;
-    p.d = d;
-    VectorXd start = VectorXd::Zero(model.parameterCount());
-    const VectorXd theta = nominal.fromPolynomials(p);
-    start.head(theta.size()) = theta;
-    if (start.size() > theta.size()) {
-      const double gain = p.b.sum() / (1 + p.a.sum());
-      const bool at_input = model.names().back() == "offset_u";
-      start[theta.size()] = at_input ? (std::abs(gain) > 1e-9 ? go.offset / gain : 0.0) : go.offset;
-    }
-    if (model.admissible(start)) starts->push_back(start);
-  };
   VectorXd c, d;
   if (nc + nd > 0) {
     const std::vector<VectorXd> residuals = noiseResiduals(experiments, go);
     if (!residuals.empty()) {
       hannanRissanen(residuals, nc, nd, &c, &d);
-      add(c, d);
+      addStart(model, go, c, d, starts);
     }
   }
   for (double first : {0.0, -0.7, 0.5}) {
@@ -120,9 +129,32 @@ void addStarts(const LinearModel& model, LeastSquaresModel go,
     d = VectorXd::Zero(nd);
     if (nd > 0) d[0] = first;
     if (nd == 0 && nc > 0) c[0] = first;
-    add(c, d);
+    addStart(model, go, c, d, starts);
     if (nc + nd == 0) break;
   }
+}
+
+constexpr std::size_t kArx = 1;  // its place among the following
+
+/// Least-squares models of Go: pooled, as ARX, of single experiments, with errors of each
+/// experiment.
+std::vector<LeastSquaresModel> leastSquaresModels(const LinearModel& model,
+                                                  const std::vector<Experiment>& experiments) {
+  const Polynomials sizes = sizesOf(model.nominal());
+  const int nb = static_cast<int>(sizes.b.size()), na = static_cast<int>(sizes.a.size());
+  const bool with_constant = model.parameterCount() > model.nominal().parameterCount();
+  std::vector<const Experiment*> all;
+  for (const Experiment& experiment : experiments) all.push_back(&experiment);
+  const LeastSquaresStart pooled(all, with_constant);
+  std::vector<LeastSquaresModel> models{pooled.steiglitzMcBride(nb, na, sizes.delay, sizes.delay),
+                                        pooled.arx(nb, na, sizes.delay)};
+  models[kArx].polynomials.a = stabilised(models[kArx].polynomials.a, 0.9995);
+  LeastSquaresModel median;
+  if (medianOfExperiments(experiments, sizes, with_constant, &median)) models.push_back(median);
+  for (const LeastSquaresModel& embedded :
+       embeddedStarts(model.basis(), sizes, experiments, with_constant))
+    models.push_back(embedded);
+  return models;
 }
 
 /// A mixture of one component; the spread of a relative error of a few tenths in each free
@@ -166,26 +198,22 @@ MatrixXd drawn(const MatrixXd& points, int components, std::mt19937_64* engine) 
 
 std::vector<VectorXd> nominalStarts(const LinearModel& model, const NominalModelOptions& options,
                                     const std::vector<Experiment>& experiments) {
-  const Polynomials sizes = sizesOf(model.nominal());
-  const int nb = static_cast<int>(sizes.b.size()), na = static_cast<int>(sizes.a.size());
-  const bool with_constant = model.parameterCount() > model.nominal().parameterCount();
-  std::vector<const Experiment*> all;
-  for (const Experiment& experiment : experiments) all.push_back(&experiment);
-  const LeastSquaresStart pooled(all, with_constant);
+  const bool of_equation =
+      options.structure == Structure::arx || options.structure == Structure::armax;
+  const std::vector<LeastSquaresModel> models = leastSquaresModels(model, experiments);
   std::vector<VectorXd> starts;
-  addStarts(model, pooled.steiglitzMcBride(nb, na, sizes.delay, sizes.delay), experiments, &starts);
-  LeastSquaresModel arx = pooled.arx(nb, na, sizes.delay);
-  arx.polynomials.a = stabilised(arx.polynomials.a, 0.9995);
-  if (options.structure == Structure::arx || options.structure == Structure::armax ||
-      starts.empty()) {
-    addStarts(model, arx, experiments, &starts);
+  for (std::size_t k = 0; k < models.size(); ++k) {
+    if (k != kArx || of_equation || starts.empty())
+      addStarts(model, models[k], experiments, &starts);
   }
-  LeastSquaresModel median;
-  if (medianOfExperiments(experiments, sizes, with_constant, &median))
-    addStarts(model, median, experiments, &starts);
-  for (const LeastSquaresModel& start :
-       embeddedStarts(model.basis(), sizes, experiments, with_constant))
-    addStarts(model, start, experiments, &starts);
+  return starts;
+}
+
+std::vector<VectorXd> plantStarts(const LinearModel& model, const Polynomials& noise,
+                                  const std::vector<Experiment>& experiments) {
+  std::vector<VectorXd> starts;
+  for (const LeastSquaresModel& go : leastSquaresModels(model, experiments))
+    addStart(model, go, noise.c, noise.d, &starts);
   return starts;
 }
 
@@ -199,12 +227,11 @@ std::vector<VectorXd> noiseStarts(const LinearModel& model, const Polynomials& p
   return starts;
 }
 
-ModelParameters bestSingleComponent(const Likelihood& likelihood,
-                                    const std::vector<VectorXd>& starts, ClimbOptions options) {
-  constexpr std::size_t kFinalists = 3;
-  constexpr int kRankingSteps = 20, kFirstSteps = 3, kLastSteps = 20;
-  using Ranked = std::pair<double, ModelParameters>;
-  std::vector<Ranked> ranked;
+std::vector<SingleComponent> rankedSingleComponents(const Likelihood& likelihood,
+                                                    const std::vector<VectorXd>& starts,
+                                                    std::size_t wanted, ClimbOptions options) {
+  constexpr int kRankingSteps = 20, kFirstSteps = 3;
+  std::vector<SingleComponent> ranked;
   for (const VectorXd& start : starts) {  // one sweep each
     ModelParameters at{start, singleComponent(likelihood.model().regressors()), 1.0};
     const Statistics statistics = likelihood.statistics(start, false);
@@ -214,28 +241,41 @@ ModelParameters bestSingleComponent(const Likelihood& likelihood,
     at.noise_variance = std::max(sum / statistics.samples().sum(), 1e-300);
     options.floor = covarianceFloor(at.mixture);
     const double reached = fitMixture(likelihood, statistics, options, kRankingSteps, 1e-2, &at);
-    if (std::isfinite(reached)) ranked.emplace_back(reached, at);
+    if (std::isfinite(reached)) ranked.push_back({at, reached});
   }
-  std::stable_sort(ranked.begin(), ranked.end(),
-                   [](const Ranked& l, const Ranked& r) { return l.first > r.first; });
-  ranked.resize(std::min(ranked.size(), kFinalists));
-  ModelParameters best;
-  double highest = -std::numeric_limits<double>::infinity();
-  for (Ranked& finalist : ranked) {
-    options.floor = covarianceFloor(finalist.second.mixture);
-    const ModelParameters at =
-        ranked.size() > 1 ? scoringSteps(likelihood, finalist.second, options, kFirstSteps, 1e-2)
-                          : finalist.second;
+  const auto sort = [&ranked] {
+    std::stable_sort(ranked.begin(), ranked.end(),
+                     [](const SingleComponent& left, const SingleComponent& right) {
+                       return left.log_likelihood > right.log_likelihood;
+                     });
+  };
+  sort();
+  ranked.resize(std::min(ranked.size(), wanted));
+  if (ranked.size() < 2) return ranked;
+  for (SingleComponent& finalist : ranked) {
+    options.floor = covarianceFloor(finalist.at.mixture);
+    finalist.at = scoringSteps(likelihood, finalist.at, options, kFirstSteps, 1e-2);
     const double reached =
-        likelihood.expect(likelihood.statistics(at.parameters, false), at).total();
-    if (reached > highest) {
-      highest = reached;
-      best = at;
-    }
+        likelihood.expect(likelihood.statistics(finalist.at.parameters, false), finalist.at)
+            .total();
+    finalist.log_likelihood =
+        std::isfinite(reached) ? reached : -std::numeric_limits<double>::infinity();
   }
-  if (!std::isfinite(highest)) return best;
-  options.floor = covarianceFloor(best.mixture);
-  return scoringSteps(likelihood, best, options, kLastSteps, 1e-3);
+  sort();
+  return ranked;
+}
+
+ModelParameters bestSingleComponent(const Likelihood& likelihood,
+                                    const std::vector<VectorXd>& starts, ClimbOptions options) {
+  constexpr std::size_t kFinalists = 3;
+  constexpr int kLastSteps = 20;
+  const std::vector<SingleComponent> ranked =
+      rankedSingleComponents(likelihood, starts, kFinalists, options);
+  if (ranked.empty()) return {};
+  const SingleComponent& best = ranked.front();
+  if (!std::isfinite(best.log_likelihood)) return best.at;
+  options.floor = covarianceFloor(best.at.mixture);
+  return scoringSteps(likelihood, best.at, options, kLastSteps, 1e-3);
 }
 
 ModelParameters spreadComponents(const Likelihood& likelihood, const Statistics& statistics,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "screening.h"
 #include "uncertainty_identification/errors.h"
@@ -71,22 +72,71 @@ std::shared_ptr<const ExtendedModel> aboutZero(const std::shared_ptr<const Exten
   return model->about(model->points(VectorXd(), MatrixXd::Zero(model->regressors(), experiments)));
 }
 
-/// Theta, noise model and mixture started anew, given the effects; kept if that leads higher.
+/// Highest likelihood at the fit's theta and psi with a single component.
+double withSingleComponent(const Fit& fit, const FitData& data, const FitContext& context) {
+  constexpr int kSteps = 20;
+  ModelParameters single = fit.at;
+  if (single.mixture.components() > 0)
+    single.mixture = {{1.0}, {fit.at.mixture.mean()}, {fit.at.mixture.covariance()}};
+  return mixtureFitted(fit.model, single, data, context.options, kSteps).log_likelihood;
+}
+
+/// Starts of theta with the fit's psi.
+std::vector<VectorXd> withPsi(const Fit& fit, std::vector<VectorXd> starts) {
+  const VectorXd psi = fit.at.parameters.tail(fit.model->effectParameterCount());
+  for (VectorXd& start : starts) {
+    start.conservativeResize(start.size() + psi.size());
+    start.tail(psi.size()) = psi;
+  }
+  return starts;
+}
+
+/// Whether theta may lie far from where it was without the effect.
+bool movesPlant(const Effect& effect) {
+  return effect.name() == "act_delay" || effect.name() == "plant_pole" ||
+         effect.name() == "sens_lag";
+}
+
+/// Where new starts of Go, noise model and mixture lead with a single component, given psi.
+std::optional<ModelParameters> singleFromAnywhere(const Fit& fit, const Likelihood& likelihood,
+                                                  const FitData& data, const FitContext& context) {
+  const auto plain = fit.model->with({});
+  return bestSingleComponent(
+      likelihood,
+      withPsi(fit, nominalStarts(*plain, NominalModelOptions(), linearPartOf(fit, data))),
+      context.options);
+}
+
+/// The same around the fit's noise model; none where the starts lead no higher than where the fit
+/// is.
+std::optional<ModelParameters> singleFromNear(const Fit& fit, const Likelihood& likelihood,
+                                              const FitData& data, const FitContext& context) {
+  constexpr std::size_t kFinalists = 2;
+  const NominalModel& nominal = fit.model->nominal();
+  const Polynomials noise = nominal.polynomials(fit.at.parameters.head(nominal.parameterCount()));
+  const std::vector<VectorXd> starts =
+      withPsi(fit, plantStarts(*fit.model->with({}), noise, linearPartOf(fit, data)));
+  const std::vector<SingleComponent> ranked =
+      rankedSingleComponents(likelihood, starts, kFinalists, context.options);
+  if (ranked.empty() || ranked.front().log_likelihood < withSingleComponent(fit, data, context))
+    return {};
+  return ranked.front().at;
+}
+
+/// Theta and mixture started anew, given psi; kept if that leads higher.
 Fit withNewStart(const Fit& fit, const FitData& data, const FitContext& context, int steps) {
   constexpr int kRestarts = 4;
   constexpr double kHopeless = 100;  // [nats]
-  const auto plain = fit.model->with({});
-  const VectorXd psi = fit.at.parameters.tail(fit.model->effectParameterCount());
+  const auto& effects = fit.model->effects();
+  const bool far = std::any_of(effects.begin(), effects.end(),
+                               [](const auto& effect) { return movesPlant(*effect); });
   try {
-    std::vector<VectorXd> starts =
-        nominalStarts(*plain, NominalModelOptions(), linearPartOf(fit, data));
-    for (VectorXd& start : starts) {
-      start.conservativeResize(start.size() + psi.size());
-      start.tail(psi.size()) = psi;
-    }
     const std::shared_ptr<const ExtendedModel> model = aboutZero(fit.model, data.count());
     const Likelihood likelihood(*model, data.blocks(), data.count(), 1);
-    Fit fresh = evaluated(model, bestSingleComponent(likelihood, starts, context.options), data);
+    const std::optional<ModelParameters> single =
+        (far ? singleFromAnywhere : singleFromNear)(fit, likelihood, data, context);
+    if (!single) return fit;
+    Fit fresh = evaluated(model, *single, data);
     const int components = fit.at.mixture.components();
     if (components > 1 && std::isfinite(fresh.log_likelihood))
       fresh = withNewMixture(fresh, data, context, components, kRestarts);
@@ -99,16 +149,10 @@ Fit withNewStart(const Fit& fit, const FitData& data, const FitContext& context,
   }
 }
 
-/// Whether theta may lie far from where it was without the effect.
-bool movesPlant(const Effect& effect) {
-  return effect.name() == "act_delay" || effect.name() == "plant_pole" ||
-         effect.name() == "sens_lag";
-}
-
 FittedEffect screened(const Screening& screening, const std::shared_ptr<const Effect>& effect,
                       const Fit& base, const FitData& data) {
   Screening::Start start = screening.best(effect);
-  FittedEffect candidate{effect, std::move(start.fit), penaltyOf(*effect, data), 0};
+  FittedEffect candidate{effect, std::move(start.fit), penaltyOf(*effect, data)};
   candidate.score = start.gain - candidate.penalty;
   (void)base;
   return candidate;
@@ -118,6 +162,7 @@ void converge(FittedEffect* candidate, const Fit& base, const FitData& data,
               const FitContext& context, int steps, bool anew) {
   Fit fit = improved(std::move(candidate->fit), data, context.options, steps, 0.05);
   if (anew) fit = withNewStart(fit, data, context, steps);
+  candidate->started_anew = candidate->started_anew || anew;
   if (steps > 5) fit = searched(std::move(fit), data, context);
   candidate->fit = std::move(fit);
   candidate->score = candidate->fit.log_likelihood - base.log_likelihood - candidate->penalty;
@@ -146,9 +191,10 @@ Fit settled(Fit fit, const FitData& data, const FitContext& context) {
   return fit;
 }
 
-Fit polished(Fit fit, const FitData& data, const FitContext& context) {
+Fit polished(Fit fit, const FitData& data, const FitContext& context, bool anew) {
   constexpr int kSteps = 12;
-  fit = withNewStart(settled(std::move(fit), data, context), data, context, kSteps);
+  fit = settled(std::move(fit), data, context);
+  if (anew) fit = withNewStart(fit, data, context, kSteps);
   const int components = fit.at.mixture.components();
   if (components < 2) return fit;
   const Fit other = improved(withNewMixture(fit, data, context, components, 8), data,
@@ -181,9 +227,10 @@ Fit searched(Fit fit, const FitData& data, const FitContext& context) {
 }
 
 std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
-                                        const Effects& effects, const FitContext& context) {
+                                        const Effects& effects, const FitContext& context,
+                                        bool nothing_shows) {
   constexpr std::size_t kFitted = 12, kConverged = 7, kAnew = 3;
-  constexpr double kHopeless = -6;  // [nats] of predicted score
+  const double hopeless = nothing_shows ? -2 : -6;  // [nats] of predicted score
   const Screening screening(base, data, context.options);
   std::vector<FittedEffect> candidates(effects.size());
   const auto inParallel = [&](std::size_t count, const std::function<void(std::size_t)>& task) {
@@ -196,13 +243,15 @@ std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
   sortByScore(&candidates);
   const bool wrong = !candidates.empty() && candidates.front().score > 0;
   std::size_t fitted = 0;
-  candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
-                                  [&](const FittedEffect& candidate) {
-                                    if (candidate.effect == nullptr) return true;
-                                    if (wrong && movesPlant(*candidate.effect)) return false;
-                                    return candidate.score < kHopeless || ++fitted > kFitted;
-                                  }),
-                   candidates.end());
+  candidates.erase(
+      std::remove_if(candidates.begin(), candidates.end(),
+                     [&](const FittedEffect& candidate) {
+                       if (candidate.effect == nullptr) return true;
+                       if (wrong && movesPlant(*candidate.effect)) return false;
+                       return (candidate.score < hopeless && !isOfMixture(*candidate.effect)) ||
+                              ++fitted > kFitted;
+                     }),
+      candidates.end());
   inParallel(candidates.size(), [&](std::size_t k) {
     converge(&candidates[k], base, data, context, 4, movesPlant(*candidates[k].effect));
   });
@@ -219,7 +268,7 @@ FittedEffect oneMoreComponent(const Fit& base, const FitData& data,
                               const FitContext& context) {
   constexpr double kSelection = 1.5;  // [nats] for the choice among many splits
   const int components = base.at.mixture.components(), n = base.at.mixture.dimension();
-  FittedEffect candidate{effect, base, 0, kNone};
+  FittedEffect candidate{effect, base, 0, kNone, false};
   if (n == 0 || data.count() < 4 * (components + 1)) return candidate;
   candidate.fit = improved(withNewMixture(base, data, context, components + 1, 8), data,
                            context.options, 4, 0.05);

@@ -12,8 +12,9 @@ namespace uncertainty_identification {
 struct FittedEffect {
   std::shared_ptr<const Effect> effect;
   Fit fit;
-  double penalty = 0;  ///< [nats]: BIC's, and the logarithm of the number of starts
-  double score = 0;    ///< [nats] gain of likelihood less the penalty
+  double penalty = 0;         ///< [nats]: BIC's, and the logarithm of the number of starts
+  double score = 0;           ///< [nats] gain of likelihood less the penalty
+  bool started_anew = false;  ///< theta and mixture were tried from new starts
 };
 
 /// What fits share: options of a climb, the seed of the mixture's restarts, threads, and whether to
@@ -29,17 +30,19 @@ struct FitContext {
 /// To convergence from where it is.
 Fit settled(Fit fit, const FitData& data, const FitContext& context);
 
-/// To convergence, from new starts of theta and of the mixture too: what further iterations gain
-/// must not count for a candidate.
-Fit polished(Fit fit, const FitData& data, const FitContext& context);
+/// To convergence, from new starts of theta (`anew`) and of the mixture too: what further
+/// iterations gain must not count for a candidate.
+Fit polished(Fit fit, const FitData& data, const FitContext& context, bool anew = true);
 
 /// Zooming search along the parameters that the likelihood has no useful derivative to.
 Fit searched(Fit fit, const FitData& data, const FitContext& context);
 
 /// All effects of `effects` on top of `base`, best score first: screened, the promising ones
-/// fitted, the best to convergence.
+/// fitted, the best to convergence. Where nothing shows that anything is wrong, an effect is
+/// promising only if its screening says so.
 std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
-                                        const Effects& effects, const FitContext& context);
+                                        const Effects& effects, const FitContext& context,
+                                        bool nothing_shows);
 
 /// One component more, if the mixture's likelihood ratio exceeds all of those simulated without it.
 FittedEffect oneMoreComponent(const Fit& base, const FitData& data,

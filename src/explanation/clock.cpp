@@ -17,8 +17,7 @@ class FixedShift : public Effect {
   FixedShift() : Effect(description()) {}
 
   void apply(const VectorXd& /*psi*/, Chain* chain) const override {
-    Signals shift = Signals::Zero(kLanes, chain->x.cols());
-    shift.colwise() += chain->points.row(chain->regressors).transpose().array();
+    const Lanes shift = chain->points.row(chain->regressors).transpose().array();
     chain->x = interpolated(chain->x, shift);
     for (Signals& regressor : chain->X) regressor = interpolated(regressor, shift);
   }

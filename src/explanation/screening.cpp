@@ -149,15 +149,14 @@ Screening::Start Screening::best(const std::shared_ptr<const Effect>& effect) co
     best.fit.at.parameters.conservativeResize(base_.at.parameters.size() + psi.size());
     best.fit.at.parameters.tail(psi.size()) = psi;
   }
+  if (effect->name() == "exp_clock") {  // whatever the variance of the shifts
+    ModelParameters with = base_.at;
+    with.parameters.conservativeResize(with.parameters.size() + 1);
+    with.parameters.tail(1).setZero();
+    model = model->about(clockStart(*model, with, data_));
+  }
   for (const VectorXd& psi : effect->description().starts) {
-    std::shared_ptr<const ExtendedModel> at = model;
-    if (effect->name() == "exp_clock") {
-      ModelParameters with = base_.at;
-      with.parameters.conservativeResize(with.parameters.size() + 1);
-      with.parameters[with.parameters.size() - 1] = psi[0];
-      at = model->about(clockStart(*model, with, data_));
-    }
-    Start start = startAt(at, psi);
+    Start start = startAt(model, psi);
     if (start.gain > best.gain) best = std::move(start);
   }
   return best;

@@ -96,8 +96,9 @@ std::vector<FittedEffect> Search::rank(const SearchState& state) {
   constexpr double kUsual = 3;  // rankings
   context_.searched(rankings_ / (rankings_ + kUsual));
   ++rankings_;
+  const bool nothing_shows = allPassed(checksOf(state.fit, state.train, state.heavy_tails));
   std::vector<FittedEffect> ranked =
-      fittedEffects(state.fit, state.train, considered(state), context_);
+      fittedEffects(state.fit, state.train, considered(state), context_, nothing_shows);
   const auto outside = [&](const std::string& name) -> std::shared_ptr<const Effect> {
     if (contains(options_.exclude, name) || contains(state.banned, name) || state.has(name))
       return nullptr;
@@ -176,7 +177,7 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
   if (name == "exp_mode" && !beatsSimulation(*state, candidate)) return false;
   const Fit fit = name == "exp_mode"
                       ? improved(candidate.fit, state->train, context_.options, 12, 0.01)
-                      : polished(candidate.fit, state->train, context_);
+                      : polished(candidate.fit, state->train, context_, !candidate.started_anew);
   const Gain gain = gainOf(heldOut(state->fit, state->held), heldOut(fit, state->held),
                            VectorXd::Zero(state->held.count()));
   for (TriedEffect& tried : tried_) {

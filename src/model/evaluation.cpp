@@ -29,6 +29,15 @@ void addScaled(double factor, const WhitenedSignals& from, WhitenedSignals* to) 
 
 }  // namespace
 
+std::shared_ptr<const NoiseWhitening> whiteningOf(const Polynomials& polynomials,
+                                                  const EstimationOptions& options,
+                                                  const Block& block, bool derivatives) {
+  const bool discard = options.initial_state == InitialState::discard;
+  return std::make_shared<NoiseWhitening>(polynomials.c, polynomials.d, options.noise_start,
+                                          discard ? options.discard_samples : 0, block,
+                                          derivatives);
+}
+
 Evaluation::Evaluation(const Polynomials& polynomials, int plant_coordinates,
                        const EstimationOptions& options, const Block& block, bool derivatives)
     : polynomials_(polynomials),
@@ -36,20 +45,28 @@ Evaluation::Evaluation(const Polynomials& polynomials, int plant_coordinates,
       options_(options),
       block_(block),
       derivatives_(derivatives),
-      whitening_(polynomials.c, polynomials.d, options.noise_start,
-                 options.initial_state == InitialState::discard ? options.discard_samples : 0,
-                 block, derivatives),
+      whitening_(whiteningOf(polynomials, options, block, derivatives)),
+      ones_(Signals::Ones(kLanes, block.samples)) {}
+
+Evaluation::Evaluation(const Polynomials& polynomials, const EstimationOptions& options,
+                       const Block& block, std::shared_ptr<const NoiseWhitening> whitening)
+    : polynomials_(polynomials),
+      plant_coordinates_(0),
+      options_(options),
+      block_(block),
+      derivatives_(false),
+      whitening_(std::move(whitening)),
       ones_(Signals::Ones(kLanes, block.samples)) {}
 
 void Evaluation::run(double offset, Response* response) {
-  response->effective_samples = whitening_.effectiveSamples();
-  response->value.log_jacobian = whitening_.logJacobian();
+  response->effective_samples = whitening_->effectiveSamples();
+  response->value.log_jacobian = whitening_->logJacobian();
   response->derivatives.assign(
-      derivatives_ ? static_cast<std::size_t>(plant_coordinates_ + whitening_.parameters()) : 0,
+      derivatives_ ? static_cast<std::size_t>(plant_coordinates_ + whitening_->parameters()) : 0,
       {});
-  for (int j = 0; derivatives_ && j < whitening_.parameters(); ++j) {
+  for (int j = 0; derivatives_ && j < whitening_->parameters(); ++j) {
     response->derivatives[static_cast<std::size_t>(plant_coordinates_ + j)].log_jacobian =
-        whitening_.logJacobianDerivatives()[static_cast<std::size_t>(j)];
+        whitening_->logJacobianDerivatives()[static_cast<std::size_t>(j)];
   }
   const bool at_input = options_.offset_side == OffsetSide::input;
   addOutput(at_input ? Signals(block_.u + offset) : block_.u, at_input ? 0.0 : offset, response);
@@ -75,10 +92,10 @@ Signals* Evaluation::at(std::vector<std::shared_ptr<const Signals>>* list, std::
 /// Residual and regressors of a change of the plant: -output and its regressors.
 void Evaluation::whitenTangent(const Signals& output, const std::vector<Signals>& regressors,
                                WhitenedSignals* out) const {
-  whitening_.apply(-output, &out->residual);
+  whitening_->apply(-output, &out->residual);
   out->regressors.resize(regressors.size());
   for (std::size_t i = 0; i < regressors.size(); ++i)
-    whitening_.apply(regressors[i], &out->regressors[i]);
+    whitening_->apply(regressors[i], &out->regressors[i]);
 }
 
 void Evaluation::addOutput(const Signals& input, double output_offset, Response* response) const {
@@ -105,15 +122,15 @@ void Evaluation::addOwnOffset(Response* response) const {
   const std::unique_ptr<PlantResponse> plant = respond(ones_);
   whiten(plant->expectedOutput(), response, slot);
   for (int k = 0; derivatives_ && k < plant_coordinates_; ++k) {
-    whitening_.apply(plant->expectedOutputDerivative(k),
-                     slot(&response->derivatives[static_cast<std::size_t>(k)]));
+    whitening_->apply(plant->expectedOutputDerivative(k),
+                      slot(&response->derivatives[static_cast<std::size_t>(k)]));
   }
 }
 
 void Evaluation::addCommonOffset(Response* response) const {
   response->derivatives.emplace_back();
   if (options_.offset_side == OffsetSide::output) {
-    whitening_.apply(-ones_, &response->derivatives.back().residual);
+    whitening_->apply(-ones_, &response->derivatives.back().residual);
   } else {
     const std::unique_ptr<PlantResponse> plant = respond(ones_);
     whitenTangent(plant->output(), plant->regressors(), &response->derivatives.back());

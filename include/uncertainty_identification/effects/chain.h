@@ -65,4 +65,7 @@ struct Chain {
 /// x at fractional sampling instants t + shift(t), by cubic Lagrange interpolation.
 Signals interpolated(const Signals& x, const Signals& shift);
 
+/// The same with one shift for each lane.
+Signals interpolated(const Signals& x, const Lanes& shift);
+
 }  // namespace uncertainty_identification

@@ -6,6 +6,7 @@
 
 #include "uncertainty_identification/effects/effect.h"
 #include "uncertainty_identification/model/linear_model.h"
+#include "uncertainty_identification/model/noise_whitening.h"
 
 namespace uncertainty_identification {
 
@@ -75,8 +76,15 @@ class ExtendedModel : public LinearModel {
                 const std::vector<int>& derivatives, Response* response) const;
 
  private:
+  /// The whitening filter of a block, for as long as C and D stay what they are.
+  struct KeptWhitening {
+    Eigen::VectorXd c, d;
+    std::shared_ptr<const NoiseWhitening> filter;
+  };
+
   std::vector<SetEffect> setEffects(const Eigen::VectorXd& parameters) const;
-  void value(const Block& block, const Eigen::VectorXd& parameters, Response* response) const;
+  void value(const Block& block, const Eigen::VectorXd& parameters, KeptWhitening* kept,
+             Response* response) const;
   Chain chain(const Block& block, const Eigen::VectorXd& parameters) const;
   double step(const Eigen::VectorXd& parameters, int j) const;
   Eigen::Index own() const;

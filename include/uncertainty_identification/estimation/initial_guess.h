@@ -21,6 +21,22 @@ std::vector<Eigen::VectorXd> nominalStarts(const LinearModel& model,
 std::vector<Eigen::VectorXd> noiseStarts(const LinearModel& model, const Polynomials& plant,
                                          double offset, const std::vector<Experiment>& experiments);
 
+/// Starts for a model around a given noise model (its c and d): Go by the same least squares as
+/// nominalStarts().
+std::vector<Eigen::VectorXd> plantStarts(const LinearModel& model, const Polynomials& noise,
+                                         const std::vector<Experiment>& experiments);
+
+/// Where a start leads with a single Gaussian component.
+struct SingleComponent {
+  ModelParameters at;
+  double log_likelihood = 0;
+};
+
+/// The best of `starts`, as many as wanted, each three scoring steps on, best first.
+std::vector<SingleComponent> rankedSingleComponents(const Likelihood& likelihood,
+                                                    const std::vector<Eigen::VectorXd>& starts,
+                                                    std::size_t wanted, ClimbOptions options);
+
 /// The start among `starts` that leads highest with a single Gaussian component, a few scoring
 /// steps on.
 ModelParameters bestSingleComponent(const Likelihood& likelihood,

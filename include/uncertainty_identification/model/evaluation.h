@@ -26,6 +26,11 @@ class PlantResponse {
   virtual Signals expectedOutputDerivative(int k) { return outputDerivative(k); }
 };
 
+/// H^-1 of a block as `options` have it start.
+std::shared_ptr<const NoiseWhitening> whiteningOf(const Polynomials& polynomials,
+                                                  const EstimationOptions& options,
+                                                  const Block& block, bool derivatives);
+
 /// Builds the whitened response of a block in the coordinates [those of the plant; c; d; common
 /// offset], with the nuisances of real records. What the plant is, and what its initial state does,
 /// is left to subclasses.
@@ -34,6 +39,9 @@ class Evaluation {
   /// `polynomials`, `options` and `block` must outlive this object.
   Evaluation(const Polynomials& polynomials, int plant_coordinates,
              const EstimationOptions& options, const Block& block, bool derivatives);
+  /// Value only, whitened by `whitening` of the same C, D, options and block.
+  Evaluation(const Polynomials& polynomials, const EstimationOptions& options, const Block& block,
+             std::shared_ptr<const NoiseWhitening> whitening);
   virtual ~Evaluation() = default;
   Evaluation(const Evaluation&) = delete;
   Evaluation& operator=(const Evaluation&) = delete;
@@ -51,11 +59,11 @@ class Evaluation {
   template <typename Slot>
   void whiten(const Signals& raw, Response* response, const Slot& slot) const {
     if (!derivatives_) {
-      whitening_.apply(raw, slot(&response->value));
+      whitening_->apply(raw, slot(&response->value));
       return;
     }
     std::vector<Signals> to_noise;
-    whitening_.apply(raw, slot(&response->value), &to_noise);
+    whitening_->apply(raw, slot(&response->value), &to_noise);
     for (std::size_t j = 0; j < to_noise.size(); ++j) {
       slot(&response->derivatives[static_cast<std::size_t>(plant_coordinates_) + j])
           ->swap(to_noise[j]);
@@ -69,7 +77,7 @@ class Evaluation {
   const Block& block() const { return block_; }
   bool derivatives() const { return derivatives_; }
   int plantCoordinates() const { return plant_coordinates_; }
-  const NoiseWhitening& whitening() const { return whitening_; }
+  const NoiseWhitening& whitening() const { return *whitening_; }
 
  private:
   void whitenTangent(const Signals& output, const std::vector<Signals>& regressors,
@@ -83,7 +91,7 @@ class Evaluation {
   const EstimationOptions& options_;
   const Block& block_;
   bool derivatives_;
-  NoiseWhitening whitening_;
+  std::shared_ptr<const NoiseWhitening> whitening_;
   Signals ones_;
 };
 
