@@ -22,6 +22,7 @@ VectorXd towards(const LinearModel& model, const VectorXd& parameters, const Vec
 
 double largestMove(const LinearModel& model, const ModelParameters& at, const MatrixXd& from,
                    const MatrixXd& to) {
+  if (to.size() == 0) return 0;  // without error parameters all experiments are alike
   const VectorXd deviation = at.mixture.covariance().diagonal().cwiseMax(0).cwiseSqrt();
   const VectorXd unit = (model.points(at.parameters, deviation) -
                          model.points(at.parameters, VectorXd::Zero(deviation.size())))

@@ -59,6 +59,49 @@ TEST(IdentifiedEffects, AreEstimatedWithTheRest) {
   EXPECT_NEAR(estimate().nominal_model.b[0], 1, 0.1);
 }
 
+/// Sensors curved alike, plants whose pole differs by experiment; white noise of variance 0.1.
+std::vector<Experiment> curvedAndSpread(double curvature, double spread) {
+  std::vector<Experiment> all = test::example1(3, kExperiments).experiments;
+  std::mt19937_64 engine(5);
+  std::normal_distribution<double> normal;
+  for (Experiment& experiment : all) {
+    const double pole = 0.5 * (1 + spread * normal(engine));
+    double x = 0;
+    for (int t = 0; t < experiment.samples(); ++t) {
+      experiment.y[t] = x + curvature * x * x + std::sqrt(0.1) * normal(engine);
+      x = pole * x + experiment.u[t];
+    }
+  }
+  return all;
+}
+
+Configuration withoutErrorModel(const std::string& effect, const std::string& variant) {
+  Configuration of = test::atRest(1, 1, 0, 0, 1);
+  of.error_model.taps = 0;
+  of.bounds.frequencies = 0;
+  of.effects = {{effect, variant, {}}};
+  return of;
+}
+
+TEST(IdentifiedEffects, NeedNoErrorModel) {
+  const Estimate found =
+      Identifier(withoutErrorModel("sens_wiener", "")).identify(curvedAndSpread(0.1, 0));
+  ASSERT_TRUE(found.usable()) << found.message;
+  const ParameterEstimate& c2 = found.effects.at(0).parameters.at(0);
+  EXPECT_NEAR(c2.value, 0.1, 4 * c2.standard_error);
+  EXPECT_NEAR(found.noise_variance.value, 0.1, 4 * found.noise_variance.standard_error);
+}
+
+/// Poles that differ by a third: to first order about the common one the noise comes out larger.
+TEST(IdentifiedEffects, AParameterMayVaryWidely) {
+  const Estimate found = Identifier(withoutErrorModel("plant_parameter_spread", "a1"))
+                             .identify(curvedAndSpread(0, 0.3));
+  ASSERT_TRUE(found.usable()) << found.message;
+  EXPECT_NEAR(found.effects.at(0).parameters.at(0).value, 0.3, 4 * 0.3 / std::sqrt(120.0));
+  EXPECT_NEAR(found.nominal_model.a[0], -0.5, 4 * 0.15 / std::sqrt(60.0));
+  EXPECT_NEAR(found.noise_variance.value, 0.1, 4 * found.noise_variance.standard_error);
+}
+
 TEST(IdentifiedEffects, AreStartedFromAnEarlierEstimate) {
   const Estimate again = Identifier(configuration()).reidentify(estimate(), experiments());
   EXPECT_NEAR(again.log_likelihood, estimate().log_likelihood, 0.01);
