@@ -15,11 +15,15 @@ Signals Chain::expected() const {
     for (int lane = 0; lane < block.lanes; ++lane)
       sum.row(lane) += points(i, lane) * X[static_cast<std::size_t>(i)].row(lane);
   }
+  for (const RandomSignal& signal : random) {
+    if ((signal.about != 0).any()) sum += signal.z.colwise() * signal.about;
+  }
   return sum;
 }
 
 void Chain::transform(const Signals& value, const Signals& slope) {
   for (Signals& regressor : X) regressor *= slope;
+  for (RandomSignal& signal : random) signal.z *= slope;
   x.setZero();
   x = value - expected();
 }
@@ -32,6 +36,7 @@ void Chain::filterOutput(const Eigen::VectorXd& numerator, const Eigen::VectorXd
   };
   put(&x);
   for (Signals& regressor : X) put(&regressor);
+  for (RandomSignal& signal : random) put(&signal.z);
 }
 
 void Chain::scaleDeviation(const Signals& factor) {

@@ -69,7 +69,9 @@ class RespondedChain : public PlantResponse {
 
 void applyStage(Stage stage, const std::vector<SetEffect>& effects, Chain* chain) {
   for (const SetEffect& set : effects) {
-    if (set.effect->stage() == stage) set.effect->apply(set.psi, chain);
+    if (set.effect->stage() != stage) continue;
+    chain->own_point = set.own_point;
+    set.effect->apply(set.psi, chain);
   }
 }
 

@@ -100,6 +100,11 @@ void Effect::apply(const VectorXd& /*psi*/, Chain* /*chain*/) const {
   throw std::logic_error(name() + " has no part in the chain");
 }
 
+double Effect::pointAt(double size, const NominalModel& /*nominal*/,
+                       const VectorXd& /*theta*/) const {
+  return size;
+}
+
 std::vector<VectorXd> values(const std::vector<double>& starts, double factor) {
   std::vector<VectorXd> all;
   for (const double start : starts) all.push_back(VectorXd::Constant(1, factor * start));

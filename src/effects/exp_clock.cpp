@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "uncertainty_identification/effects/catalogue.h"
@@ -21,18 +22,26 @@ class ClockOffset : public Effect {
                 ScreeningKind::likelihood,
                 {logVariance("deviation", "samples")},
                 values({0, 3, 6}),
+                true,
                 true}) {}
 
   void apply(const VectorXd& psi, Chain* chain) const override {
     constexpr double kStep = 0.05;
     const Signals expected = chain->expected();
-    const Lanes shift = chain->points.row(chain->regressors).transpose().array();
+    const Lanes shift = chain->ownPoint();
     const Signals slope = (interpolated(expected, Lanes(shift + kStep)) -
                            interpolated(expected, Lanes(shift - kStep))) /
                           (2 * kStep);
     chain->x = interpolated(chain->x, shift) - slope.colwise() * shift;
     for (Signals& regressor : chain->X) regressor = interpolated(regressor, shift);
-    chain->random.push_back({slope, std::exp(psi[0])});
+    for (RandomSignal& signal : chain->random) signal.z = interpolated(signal.z, shift);
+    chain->random.push_back({slope, std::exp(psi[0]), chain->ownPoint(), chain->own_point});
+  }
+
+  double pointAt(double size, const NominalModel& /*nominal*/,
+                 const VectorXd& /*theta*/) const override {
+    constexpr double kLargest = 8;  // [samples] that a linearisation can follow
+    return std::clamp(size, -kLargest, kLargest);
   }
 };
 

@@ -61,8 +61,10 @@ VectorXd ExtendedModel::psi(const VectorXd& parameters, std::size_t k) const {
 }
 
 std::unique_ptr<ExtendedModel> ExtendedModel::with(Effects effects) const {
-  return std::make_unique<ExtendedModel>(sharedNominal(), basis(), options(), std::move(effects),
-                                         scales_, experiments_, points_);
+  auto changed = std::make_unique<ExtendedModel>(sharedNominal(), basis(), options(),
+                                                 std::move(effects), scales_, experiments_);
+  if (points_.size() > 0) changed->points_ = pointsFor(*changed);
+  return changed;
 }
 
 std::unique_ptr<ExtendedModel> ExtendedModel::forExperiments(int experiments) const {
@@ -88,18 +90,6 @@ std::vector<std::string> ExtendedModel::names() const {
   return all;
 }
 
-bool ExtendedModel::isLocallyLinear() const {
-  return std::any_of(effects_.begin(), effects_.end(),
-                     [](const auto& effect) { return effect->description().nonlinear; });
-}
-
-MatrixXd ExtendedModel::points(const VectorXd& /*parameters*/, const MatrixXd& xi) const {
-  MatrixXd all = MatrixXd::Zero(std::max(points_.rows(), xi.rows()), xi.cols());
-  if (points_.cols() == xi.cols()) all.topRows(points_.rows()) = points_;
-  all.topRows(xi.rows()) = xi;
-  return all;
-}
-
 Chain ExtendedModel::chain(const Block& block, const VectorXd& parameters) const {
   Chain chain{block,
               nominal(),
@@ -107,6 +97,7 @@ Chain ExtendedModel::chain(const Block& block, const VectorXd& parameters) const
               experiments_,
               {},
               regressors(),
+              -1,
               {},
               {},
               {},
@@ -115,17 +106,27 @@ Chain ExtendedModel::chain(const Block& block, const VectorXd& parameters) const
               {},
               Lanes::Zero(),
               {}};
-  chain.points = MatrixXd::Zero(regressors() + 1, kLanes);
+  chain.points = MatrixXd::Zero(regressors(), kLanes);
   for (int lane = 0; lane < block.lanes && points_.size() > 0; ++lane)
-    chain.points.col(lane).head(points_.rows()) =
-        points_.col(block.index[static_cast<std::size_t>(lane)]);
+    chain.points.col(lane) =
+        points_.col(block.index[static_cast<std::size_t>(lane)]).head(regressors());
+  for (std::size_t k = 0; k < effects_.size(); ++k) {
+    const Index row = pointRow(k);
+    if (row < 0) continue;
+    chain.points.conservativeResize(row + 1, Eigen::NoChange);
+    chain.points.row(row).setConstant(pointAt(k, 0, parameters));
+    for (int lane = 0; lane < block.lanes && row < points_.rows(); ++lane) {
+      const double own = points_(row, block.index[static_cast<std::size_t>(lane)]);
+      if (!std::isnan(own)) chain.points(row, lane) = own;
+    }
+  }
   return chain;
 }
 
 std::vector<SetEffect> ExtendedModel::setEffects(const VectorXd& parameters) const {
   std::vector<SetEffect> set;
   for (std::size_t k = 0; k < effects_.size(); ++k)
-    set.push_back({effects_[k].get(), psi(parameters, k)});
+    set.push_back({effects_[k].get(), psi(parameters, k), pointRow(k)});
   std::stable_sort(set.begin(), set.end(), [](const SetEffect& left, const SetEffect& right) {
     return left.effect->position() < right.effect->position();
   });
@@ -185,8 +186,8 @@ MatrixXd ExtendedModel::unknownSignals(const VectorXd& parameters, int samples) 
   return all;
 }
 
-void ExtendedModel::value(const Block& block, const VectorXd& parameters, KeptWhitening* kept,
-                          Response* response) const {
+Chain ExtendedModel::value(const Block& block, const VectorXd& parameters, KeptWhitening* kept,
+                           Response* response) const {
   const std::vector<SetEffect> set = setEffects(parameters);
   Chain chain = this->chain(block, parameters);
   applyStage(Stage::measurement, set, &chain);
@@ -200,10 +201,14 @@ void ExtendedModel::value(const Block& block, const VectorXd& parameters, KeptWh
     evaluation.run(commonOffset(parameters.head(own())), response);
     evaluation.complete(response);
   };
-  if (chain.y.size() == 0) return run(block);
+  if (chain.y.size() == 0) {
+    run(block);
+    return chain;
+  }
   Block measured = block;
   measured.y = chain.y;
   run(measured);
+  return chain;
 }
 
 double ExtendedModel::step(const VectorXd& parameters, int j) const {

@@ -2,14 +2,14 @@
 
 #include "uncertainty_identification/effects/catalogue.h"
 #include "uncertainty_identification/model/filter.h"
+#include "uncertainty_identification/model/plant_derivatives.h"
 
 namespace uncertainty_identification {
 namespace {
 
 using Eigen::VectorXd;
 
-/// A parameter of Go varies from experiment to experiment: to first order dGo/dtheta_j u times a
-/// random relative deviation.
+/// A parameter of Go varies from experiment to experiment: theta_j (1 + c_r), c_r random.
 class PlantParameterSpread : public Effect {
  public:
   PlantParameterSpread(const std::string& parameter, int index)
@@ -23,27 +23,48 @@ class PlantParameterSpread : public Effect {
              Stage::output,
              ScreeningKind::likelihood,
              {logVariance("deviation", "relative")},
-             values({-6, -3, 0, 3, 6})}),
+             values({-6, -3, 0, 3, 6}),
+             true,
+             true}),
         index_(index) {}
 
+  /// Linearised about the parameter's own values t_r, as basis: parameter_spread does:
+  ///   x + (Go(t_r) - Go) u + (theta_j (1 + c_r) - t_r) dGo/dtheta_j(t_r) u.
   void apply(const VectorXd& psi, Chain* chain) const override {
-    // central: of second order in the step
-    constexpr double kStep = 1e-5;
-    const double change = kStep * std::max(std::abs(chain->theta[index_]), 1e-300);
-    const Signals difference = output(*chain, change) - output(*chain, -change);
-    chain->random.push_back({difference / (2 * kStep), std::exp(psi[0])});
+    const double common = chain->theta[index_];
+    const Lanes own = chain->ownPoint();
+    const bool apart = (own != common).any();
+    std::vector<PlantCoefficients> plants;
+    VectorXd theta = chain->theta;
+    for (int lane = 0; lane < (apart ? chain->block.lanes : 1); ++lane) {
+      theta[index_] = own[lane];
+      plants.emplace_back(chain->nominal, theta);
+    }
+    PlantDerivatives plant(&plants, chain->u);
+    RandomSignal spread{common * plant.signal({index_}), std::exp(psi[0]), Lanes::Zero(),
+                        chain->own_point};
+    if (apart) {
+      const Polynomials go = chain->nominal.polynomials(chain->theta);
+      Signals usual;
+      filter(go.b, go.a, go.delay, chain->u, &usual);
+      spread.about = own / common - 1;
+      chain->x += plant.signal({}) - usual - spread.z.colwise() * spread.about;
+    }
+    chain->random.push_back(std::move(spread));
+  }
+
+  /// The parameter's own value; less far off where the plant would not be admissible.
+  double pointAt(double size, const NominalModel& nominal, const VectorXd& theta) const override {
+    constexpr int kHalvings = 10;
+    VectorXd own = theta;
+    for (int k = 0; k < kHalvings; ++k, size /= 2) {
+      own[index_] = theta[index_] * (1 + size);
+      if (nominal.admissible(own)) return own[index_];
+    }
+    return theta[index_];
   }
 
  private:
-  Signals output(const Chain& chain, double change) const {
-    VectorXd theta = chain.theta;
-    theta[index_] += change;
-    const Polynomials moved = chain.nominal.polynomials(theta);
-    Signals y;
-    filter(moved.b, moved.a, moved.delay, chain.u, &y);
-    return y;
-  }
-
   int index_;
 };
 

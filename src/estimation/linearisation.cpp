@@ -24,10 +24,8 @@ double largestMove(const LinearModel& model, const ModelParameters& at, const Ma
                    const MatrixXd& to) {
   if (to.size() == 0) return 0;  // without error parameters all experiments are alike
   const VectorXd deviation = at.mixture.covariance().diagonal().cwiseMax(0).cwiseSqrt();
-  const VectorXd unit = (model.points(at.parameters, deviation) -
-                         model.points(at.parameters, VectorXd::Zero(deviation.size())))
-                            .cwiseAbs()
-                            .cwiseMax(1e-300);
+  const VectorXd unit =
+      model.pointDeviations(at.parameters, at.noise_variance, deviation).cwiseMax(1e-300);
   return (unit.cwiseInverse().asDiagonal() * (to - from)).cwiseAbs().maxCoeff();
 }
 
@@ -38,7 +36,7 @@ Linearisation nextLinearisation(const LinearModel& model, const Likelihood& like
   const Statistics statistics = likelihood.statistics(at.parameters, false);
   const MatrixXd means = latentMoments(likelihood.expect(statistics, at)).means;
   Linearisation next;
-  next.points = model.points(at.parameters, means);
+  next.points = model.pointsOf(likelihood.blocks(), at.parameters, means);
   next.model = model.linearisedAbout(next.points);
   if (!next.points.allFinite() || !next.model->admissible(at.parameters)) {
     for (Index r = 0; r < points.cols(); ++r)

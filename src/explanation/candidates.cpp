@@ -64,12 +64,12 @@ Fit withNewMixture(const Fit& fit, const FitData& data, const FitContext& contex
   return evaluated(fit.model, at, data);
 }
 
-/// The model about zero error parameters, its clock shifts kept: the points of one theta are none
-/// of another's.
-std::shared_ptr<const ExtendedModel> aboutZero(const std::shared_ptr<const ExtendedModel>& model,
-                                               int experiments) {
-  if (!model->isLocallyLinear()) return model;
-  return model->about(model->points(VectorXd(), MatrixXd::Zero(model->regressors(), experiments)));
+/// The fit's model about zero error parameters, the effects' own points kept: xi of one theta is
+/// none of another's.
+std::shared_ptr<const ExtendedModel> aboutZero(const Fit& fit, int experiments) {
+  if (!fit.model->isLocallyLinear()) return fit.model;
+  return fit.model->about(
+      fit.model->points(fit.at.parameters, MatrixXd::Zero(fit.model->regressors(), experiments)));
 }
 
 /// Highest likelihood at the fit's theta and psi with a single component.
@@ -131,7 +131,7 @@ Fit withNewStart(const Fit& fit, const FitData& data, const FitContext& context,
   const bool far = std::any_of(effects.begin(), effects.end(),
                                [](const auto& effect) { return movesPlant(*effect); });
   try {
-    const std::shared_ptr<const ExtendedModel> model = aboutZero(fit.model, data.count());
+    const std::shared_ptr<const ExtendedModel> model = aboutZero(fit, data.count());
     const Likelihood likelihood(*model, data.blocks(), data.count(), 1);
     const std::optional<ModelParameters> single =
         (far ? singleFromAnywhere : singleFromNear)(fit, likelihood, data, context);

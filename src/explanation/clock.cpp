@@ -17,9 +17,10 @@ class FixedShift : public Effect {
   FixedShift() : Effect(description()) {}
 
   void apply(const VectorXd& /*psi*/, Chain* chain) const override {
-    const Lanes shift = chain->points.row(chain->regressors).transpose().array();
+    const Lanes shift = chain->ownPoint();
     chain->x = interpolated(chain->x, shift);
     for (Signals& regressor : chain->X) regressor = interpolated(regressor, shift);
+    for (RandomSignal& signal : chain->random) signal.z = interpolated(signal.z, shift);
   }
 
  private:
@@ -27,6 +28,7 @@ class FixedShift : public Effect {
     EffectDescription description;
     description.name = "fixed_shift";
     description.stage = Stage::output;
+    description.own_point = true;
     return description;
   }
 };
@@ -40,44 +42,37 @@ bool hasClock(const ExtendedModel& model) {
   return false;
 }
 
-Index clockColumn(const ExtendedModel& model, Index columns) {
-  Index behind = 0;
-  bool found = false;
-  for (const auto& effect : model.effects()) {
-    found = found || effect->name() == kName;
-    for (const EffectParameter& parameter : effect->description().parameters)
-      behind += found && parameter.log_variance ? (effect->name() == "sens_hum" ? 2 : 1) : 0;
-  }
-  return columns - behind;
-}
-
 MatrixXd clockStart(const ExtendedModel& model, const ModelParameters& at, const FitData& data) {
   constexpr double kSpan = 4, kSpacing = 0.25;  // [samples]
   Effects effects;
   VectorXd parameters = at.parameters;
+  Index row = 0;
   for (std::size_t k = 0; k < model.effects().size(); ++k) {
     if (model.effects()[k]->name() != kName) {
       effects.push_back(model.effects()[k]);
       continue;
     }
     effects.push_back(std::make_shared<FixedShift>());
+    row = model.pointRow(k);
     const Index first = model.offsetOf(k), after = parameters.size() - first - 1;
     parameters.segment(first, after) = parameters.tail(after).eval();
     parameters.conservativeResize(parameters.size() - 1);
   }
   const auto shifted = model.with(effects);
-  MatrixXd points = MatrixXd::Zero(model.regressors() + 1, data.count()), best_points = points;
+  MatrixXd xi = MatrixXd::Zero(model.regressors(), data.count());
   if (model.currentPoints().cols() == data.count())
-    points.topRows(model.regressors()) = model.currentPoints().topRows(model.regressors());
+    xi = model.currentPoints().topRows(model.regressors());
+  MatrixXd points = model.points(at.parameters, xi), best_points = points;
   VectorXd best = VectorXd::Constant(data.count(), -std::numeric_limits<double>::infinity());
   for (double shift = -kSpan; shift <= kSpan; shift += kSpacing) {
-    points.bottomRows(1).setConstant(shift);
+    points.row(row).setConstant(shift);
     const Fit fit =
         evaluated(shifted->about(points), {parameters, at.mixture, at.noise_variance}, data);
     for (int r = 0; r < data.count() && fit.of_experiments.size() > 0; ++r) {
       if (fit.of_experiments[r] <= best[r]) continue;
       best[r] = fit.of_experiments[r];
-      best_points.col(r) << fit.xi.col(r), shift;
+      best_points.col(r).head(model.regressors()) = fit.xi.col(r);
+      best_points(row, r) = shift;
     }
   }
   return best_points;

@@ -2,13 +2,11 @@
 
 #include "fit.h"
 
-/// Clock shifts of experiments (exp_clock), which are points that a model is linearised about.
+/// Clock shifts of experiments (exp_clock), points that a model is linearised about: where they
+/// begin.
 namespace uncertainty_identification {
 
 bool hasClock(const ExtendedModel& model);
-
-/// Which of `columns` random signals the clock shift is the coefficient of.
-Eigen::Index clockColumn(const ExtendedModel& model, Eigen::Index columns);
 
 /// Points with the constant shift of each experiment that fits best on a grid: a linearisation
 /// about zero would not find shifts of more than half a sample.

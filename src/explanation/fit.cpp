@@ -6,7 +6,6 @@
 
 #include "clock.h"
 #include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/pseudo_inverse.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -25,29 +24,6 @@ Fit described(std::shared_ptr<const ExtendedModel> model, const ModelParameters&
   if (!std::isfinite(total)) return failed(std::move(model), at);
   return {std::move(model), at, total, expectation.log_likelihood,
           latentMoments(expectation).means};
-}
-
-/// Most likely coefficients of Z given what Phi xi leaves, of one lane.
-VectorXd coefficientsOf(const Response& response, const Signals& unexplained, int lane) {
-  const Index columns = response.column_precision.size(), samples = unexplained.cols();
-  MatrixXd Z(samples, columns);
-  for (Index k = 0; k < columns; ++k)
-    Z.col(k) = response.value.columns[static_cast<std::size_t>(k)]->row(lane).transpose();
-  MatrixXd inner = Z.transpose() * Z;
-  inner.diagonal() += response.column_precision;
-  return PseudoInverse(inner).inverse *
-         (Z.transpose() * unexplained.row(lane).transpose().matrix());
-}
-
-MatrixXd withClockShifts(const Fit& fit, const MatrixXd& coefficients) {
-  constexpr double kLargest = 8;  // [samples] that a linearisation can follow
-  MatrixXd points = fit.model->points(fit.at.parameters, fit.xi);
-  if (!hasClock(*fit.model)) return points.topRows(fit.xi.rows());
-  points.conservativeResize(fit.xi.rows() + 1, Eigen::NoChange);
-  points.bottomRows(1) = coefficients.row(clockColumn(*fit.model, coefficients.rows()))
-                             .cwiseMax(-kLargest)
-                             .cwiseMin(kLargest);
-  return points;
 }
 
 }  // namespace
@@ -96,7 +72,7 @@ Residuals residualsOf(const Fit& fit, const FitData& data) {
       for (Index i = 0; i < fit.xi.rows(); ++i)
         left.row(lane) -=
             fit.xi(i, r) * response.value.regressors[static_cast<std::size_t>(i)].row(lane);
-      const VectorXd zeta = coefficientsOf(response, left, lane);
+      const VectorXd zeta = ExtendedModel::columnCoefficients(response, left, lane);
       residuals.coefficients.col(r) = zeta;
       for (Index k = 0; k < zeta.size(); ++k)
         left.row(lane) -= zeta[k] * response.value.columns[static_cast<std::size_t>(k)]->row(lane);
@@ -109,9 +85,8 @@ Residuals residualsOf(const Fit& fit, const FitData& data) {
 
 Fit relinearised(const Fit& fit, const FitData& data) {
   if (!fit.model->isLocallyLinear()) return fit;
-  const MatrixXd coefficients =
-      hasClock(*fit.model) ? residualsOf(fit, data).coefficients : MatrixXd();
-  return evaluated(fit.model->about(withClockShifts(fit, coefficients)), fit.at, data);
+  return evaluated(fit.model->about(fit.model->pointsOf(data.blocks(), fit.at.parameters, fit.xi)),
+                   fit.at, data);
 }
 
 Fit improved(Fit fit, const FitData& data, const ClimbOptions& options, int steps,

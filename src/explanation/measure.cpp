@@ -160,7 +160,8 @@ void draw(const Fit& fit, const FitData& data, int r, VectorXd* simulated, Vecto
       *simulated = chain.expected().row(lane).head(length).transpose().matrix();
       const auto offset = residuals.coefficients.rows() - static_cast<Index>(chain.random.size());
       for (std::size_t k = 0; k < chain.random.size(); ++k)
-        *simulated += residuals.coefficients(offset + static_cast<Index>(k), r) *
+        *simulated += (residuals.coefficients(offset + static_cast<Index>(k), r) -
+                       chain.random[k].about[lane]) *
                       chain.random[k].z.row(lane).head(length).transpose().matrix();
       ArrayXd power = noisePower(fit, length) * fit.at.noise_variance;
       if (chain.deviation.size() > 0)

@@ -1,4 +1,4 @@
-#include "plant_derivatives.h"
+#include "uncertainty_identification/model/plant_derivatives.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <complex>
 #include <map>
 
-#include "plant_derivatives.h"
 #include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/model/plant_derivatives.h"
 #include "uncertainty_identification/model/polynomial.h"
 #include "uncertainty_identification/require.h"
 

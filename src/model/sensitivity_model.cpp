@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "plant_derivatives.h"
 #include "uncertainty_identification/model/evaluation.h"
 #include "uncertainty_identification/model/filter.h"
+#include "uncertainty_identification/model/plant_derivatives.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -77,6 +77,9 @@ struct EffectDescription {
   /// Whether the output is no longer linear in the error parameters, so that it is linearised about
   /// a point for each experiment.
   bool nonlinear = false;
+  /// Whether the output is not linear in the effect's own random size either: it is linearised
+  /// about a point of its own in each experiment. Its first parameter is the size's log-variance.
+  bool own_point = false;
 };
 
 /// A physical effect that may be missing from a model: a decorator of the linear model at its stage
@@ -103,6 +106,11 @@ class Effect {
 
   /// Takes part in the chain at the effect's stage (all but Stage::loop and Stage::data).
   virtual void apply(const Eigen::VectorXd& psi, Chain* chain) const;
+
+  /// The point of an experiment in which the random size is `size`, as near as the effect can
+  /// follow (own_point).
+  virtual double pointAt(double size, const NominalModel& nominal,
+                         const Eigen::VectorXd& theta) const;
 
   /// Stage::measurement: what the sensor makes of a simulated signal.
   virtual void sense(const Eigen::VectorXd& /*psi*/, Signals* /*signal*/) const {}

@@ -14,6 +14,7 @@ namespace uncertainty_identification {
 struct SetEffect {
   const Effect* effect;
   Eigen::VectorXd psi;
+  Eigen::Index own_point = -1;  ///< row of its point, where it has one
 };
 
 /// The linear model extended by effects, in the physical order actuator, plant, sensor, noise.
@@ -49,11 +50,22 @@ class ExtendedModel : public LinearModel {
   Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& unbounded) const override;
   Eigen::MatrixXd unboundedJacobian(const Eigen::VectorXd& unbounded) const override;
 
-  /// Points are xi (n rows), then the experiments' clock shifts [samples] where exp_clock is among
-  /// the effects.
+  /// Most likely coefficients of all columns (of one lane) where Phi xi leaves `unexplained`.
+  static Eigen::VectorXd columnCoefficients(const Response& response, const Signals& unexplained,
+                                            int lane);
+
+  /// Points are xi (n rows), then a row for each effect with a point of its own, in the order of
+  /// effects(). points() keeps those where they stand, pointsOf() takes them from the data.
   bool isLocallyLinear() const override;
   Eigen::MatrixXd points(const Eigen::VectorXd& parameters,
                          const Eigen::MatrixXd& xi) const override;
+  Eigen::MatrixXd pointsOf(const std::vector<Block>& blocks, const Eigen::VectorXd& parameters,
+                           const Eigen::MatrixXd& xi) const override;
+  Eigen::VectorXd pointDeviations(const Eigen::VectorXd& parameters, double noise_variance,
+                                  const Eigen::VectorXd& of_xi) const override;
+
+  /// The row of effect k's point; -1 where it has none.
+  Eigen::Index pointRow(std::size_t k) const;
   std::unique_ptr<LinearModel> linearisedAbout(const Eigen::MatrixXd& points) const override;
   std::unique_ptr<ExtendedModel> about(const Eigen::MatrixXd& points) const;
   const Eigen::MatrixXd& currentPoints() const { return points_; }
@@ -83,8 +95,10 @@ class ExtendedModel : public LinearModel {
   };
 
   std::vector<SetEffect> setEffects(const Eigen::VectorXd& parameters) const;
-  void value(const Block& block, const Eigen::VectorXd& parameters, KeptWhitening* kept,
-             Response* response) const;
+  Chain value(const Block& block, const Eigen::VectorXd& parameters, KeptWhitening* kept,
+              Response* response) const;
+  double pointAt(std::size_t k, double size, const Eigen::VectorXd& parameters) const;
+  Eigen::MatrixXd pointsFor(const ExtendedModel& other) const;
   Chain chain(const Block& block, const Eigen::VectorXd& parameters) const;
   double step(const Eigen::VectorXd& parameters, int j) const;
   Eigen::Index own() const;

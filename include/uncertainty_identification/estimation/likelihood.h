@@ -23,6 +23,7 @@ class Likelihood {
   Likelihood(const Model& model, const std::vector<Block>& blocks, int experiments, int threads);
 
   const Model& model() const { return model_; }
+  const std::vector<Block>& blocks() const { return blocks_; }
   int experiments() const { return experiments_; }
   WorkerPool* pool() const { return pool_.get(); }
 

@@ -47,6 +47,22 @@ class LinearModel : public Model {
                                  const Eigen::MatrixXd& /*xi*/) const {
     return {};
   }
+
+  /// The same for experiments whose measurements tell more of the point than xi, all else as here.
+  virtual Eigen::MatrixXd pointsOf(const std::vector<Block>& /*blocks*/,
+                                   const Eigen::VectorXd& parameters,
+                                   const Eigen::MatrixXd& xi) const {
+    return points(parameters, xi);
+  }
+
+  /// How far apart experiments lie: the standard deviation of each row of their points, given that
+  /// of xi (n).
+  virtual Eigen::VectorXd pointDeviations(const Eigen::VectorXd& parameters,
+                                          double /*noise_variance*/,
+                                          const Eigen::VectorXd& of_xi) const {
+    return (points(parameters, of_xi) - points(parameters, 0 * of_xi)).cwiseAbs();
+  }
+
   virtual std::unique_ptr<LinearModel> linearisedAbout(const Eigen::MatrixXd& /*points*/) const {
     return nullptr;
   }
