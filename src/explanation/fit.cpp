@@ -84,7 +84,7 @@ Residuals residualsOf(const Fit& fit, const FitData& data) {
 }
 
 Fit relinearised(const Fit& fit, const FitData& data) {
-  if (!fit.model->isLocallyLinear()) return fit;
+  if (!fit.model->isLocallyLinear() || !std::isfinite(fit.log_likelihood)) return fit;
   return evaluated(fit.model->about(fit.model->pointsOf(data.blocks(), fit.at.parameters, fit.xi)),
                    fit.at, data);
 }
