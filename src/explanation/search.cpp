@@ -30,6 +30,19 @@ bool contains(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
+/// Whether a lag of the sensor lies at the edge of its range: there it differences the data, and
+/// absorbs whatever drifts in them.
+bool isDifferencing(const Fit& fit) {
+  constexpr double kEdge = 0.02;
+  for (std::size_t k = 0; k < fit.model->effects().size(); ++k) {
+    const EffectDescription& of = fit.model->effects()[k]->description();
+    if (of.name == "sens_lag" &&
+        fit.model->psi(fit.at.parameters, k)[0] > of.parameters[0].upper - kEdge)
+      return true;
+  }
+  return false;
+}
+
 /// The fit without effect k of its model, before it is fitted again.
 Fit without(const Fit& fit, std::size_t k, const FitData& data) {
   Effects effects = fit.model->effects();
@@ -202,6 +215,7 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
   next.causes.push_back(std::move(cause));
   next.total += score;
   if (name != "exp_mode") eliminate(&next);
+  if (isDifferencing(next.fit)) return false;
   const bool kept = next.has(name);
   if (!kept) next.banned.push_back(name);
   *state = std::move(next);

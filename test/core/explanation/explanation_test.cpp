@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <set>
 
 #include "support/core_setup.h"
@@ -122,6 +123,22 @@ TEST(Explain, DoesNotNameWhatIsExcluded) {
   for (const Cause& cause : found.causes) EXPECT_NE(cause.name, "act_deadzone");
   for (const TriedEffect& tried : found.candidates) EXPECT_NE(tried.name, "act_deadzone");
   EXPECT_NE(found.verdict, Verdict::none) << "something is wrong all the same";
+}
+
+/// A sensor's lag at the edge of its range differences the data, whatever drifts in them.
+TEST(Explain, DoesNotNameALagWhereTheDataDrift) {
+  std::vector<Experiment> drifting = clean();
+  std::mt19937_64 engine(6);
+  std::normal_distribution<double> normal;
+  for (Experiment& experiment : drifting) {
+    double drift = 0;
+    for (int t = 0; t < experiment.samples(); ++t) experiment.y[t] += drift += 20 * normal(engine);
+  }
+  Configuration without = configuration();
+  without.nominal_model.nc = without.nominal_model.nd = 0;
+  without.explanation.exclude = {"noise_colour"};
+  const Explanation found = explain(without, drifting);
+  for (const Cause& cause : found.causes) EXPECT_NE(cause.name, "sens_lag");
 }
 
 TEST(Explain, SaysUnknownWhereItMayNameNothing) {
