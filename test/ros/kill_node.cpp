@@ -23,10 +23,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kSpacing = 100;  // [s] between the starts of experiments
 int kills = 8;
 std::uint64_t seed = 1;
 
-/// Publishes experiments, each under an id of its own, until it is stopped.
+/// Publishes experiments, each under an id and with a start of its own (the node counts none
+/// twice), until it is stopped.
 class Stream {
  public:
   Stream() {
@@ -40,6 +42,7 @@ class Stream {
     thread_ = std::thread([this] {
       while (!stopping_) {
         auto message = messages_[sent_ % messages_.size()];
+        message.header.stamp += ros::Duration(static_cast<double>(sent_) * kSpacing);
         message.id = "run_" + std::to_string(sent_++);
         publisher_.publish(message);
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
