@@ -12,7 +12,7 @@ std::vector<VectorXd> starts(const DataSummary& data) {
   std::vector<VectorXd> all;
   for (const double pole : {0.1, 0.6, 0.9}) {
     VectorXd start(2);
-    start << 0.02 * data.output_deviation, pole;
+    start << 0.2 * data.output_deviation, pole;
     all.push_back(start);
   }
   return all;

@@ -150,17 +150,37 @@ Fit withNewStart(const Fit& fit, const FitData& data, const FitContext& context,
 }
 
 FittedEffect screened(const Screening& screening, const std::shared_ptr<const Effect>& effect,
-                      const Fit& base, const FitData& data) {
+                      const FitData& data) {
   Screening::Start start = screening.best(effect);
-  FittedEffect candidate{effect, std::move(start.fit), penaltyOf(*effect, data)};
+  FittedEffect candidate{effect, std::move(start.fit), penaltyOf(*effect, data), 0, {}, false};
   candidate.score = start.gain - candidate.penalty;
-  (void)base;
+  candidate.step = std::move(start.step);
   return candidate;
 }
 
-void converge(FittedEffect* candidate, const Fit& base, const FitData& data,
+/// The candidate at its start, or moved by the predicted step or part of it, psi within its bounds:
+/// a gain of the wrong sign would not be climbed away from.
+Fit approached(const FittedEffect& candidate, const FitData& data, const FitContext& context) {
+  constexpr int kMixtureSteps = 5;
+  Fit best = evaluated(candidate.fit.model, candidate.fit.at, data);
+  const auto& parameters = candidate.effect->description().parameters;
+  for (const double share : {1.0, 0.4}) {
+    if (candidate.step.size() == 0) break;
+    ModelParameters at = candidate.fit.at;
+    at.parameters += share * candidate.step;
+    auto psi = at.parameters.tail(static_cast<Index>(parameters.size()));
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      psi[static_cast<Index>(i)] =
+          std::clamp(psi[static_cast<Index>(i)], parameters[i].lower, parameters[i].upper);
+    Fit there = mixtureFitted(candidate.fit.model, at, data, context.options, kMixtureSteps);
+    if (there.log_likelihood > best.log_likelihood) best = std::move(there);
+  }
+  return best;
+}
+
+void converge(FittedEffect* candidate, Fit fit, const Fit& base, const FitData& data,
               const FitContext& context, int steps, bool anew) {
-  Fit fit = improved(std::move(candidate->fit), data, context.options, steps, 0.05);
+  fit = improved(std::move(fit), data, context.options, steps, 0.05);
   if (anew) fit = withNewStart(fit, data, context, steps);
   candidate->started_anew = candidate->started_anew || anew;
   if (steps > 5) fit = searched(std::move(fit), data, context);
@@ -239,7 +259,7 @@ std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
     });
   };
   inParallel(effects.size(),
-             [&](std::size_t k) { candidates[k] = screened(screening, effects[k], base, data); });
+             [&](std::size_t k) { candidates[k] = screened(screening, effects[k], data); });
   sortByScore(&candidates);
   const bool wrong = !candidates.empty() && candidates.front().score > 0;
   std::size_t fitted = 0;
@@ -253,11 +273,12 @@ std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
                      }),
       candidates.end());
   inParallel(candidates.size(), [&](std::size_t k) {
-    converge(&candidates[k], base, data, context, 4, movesPlant(*candidates[k].effect));
+    converge(&candidates[k], approached(candidates[k], data, context), base, data, context, 4,
+             movesPlant(*candidates[k].effect));
   });
   sortByScore(&candidates);
   inParallel(std::min(kConverged, candidates.size()), [&](std::size_t k) {
-    converge(&candidates[k], base, data, context, 15, wrong && k < kAnew);
+    converge(&candidates[k], candidates[k].fit, base, data, context, 15, wrong && k < kAnew);
   });
   sortByScore(&candidates);
   return candidates;
@@ -268,7 +289,7 @@ FittedEffect oneMoreComponent(const Fit& base, const FitData& data,
                               const FitContext& context) {
   constexpr double kSelection = 1.5;  // [nats] for the choice among many splits
   const int components = base.at.mixture.components(), n = base.at.mixture.dimension();
-  FittedEffect candidate{effect, base, 0, kNone, false};
+  FittedEffect candidate{effect, base, 0, kNone, {}, false};
   if (n == 0 || data.count() < 4 * (components + 1)) return candidate;
   candidate.fit = improved(withNewMixture(base, data, context, components + 1, 8), data,
                            context.options, 4, 0.05);

@@ -66,6 +66,29 @@ std::string groupOf(const std::string& name) {
   return group == kGroups.end() ? prefix : group->second;
 }
 
+/// While some check fails, only what explains most is named, if it is no noise: what a search takes
+/// in beside that, or on top of a noise, stands in for what the catalogue lacks.
+bool isSymptom(const FoundCause& found, const SearchState& state) {
+  if (found.score == 0) return false;  // seen in the samples themselves
+  if (noiseClass().count(found.effect->name()) > 0) return true;
+  return std::any_of(state.causes.begin(), state.causes.end(),
+                     [&](const FoundCause& other) { return other.score > found.score; });
+}
+
+/// Each further cause beside the noise is one less likely to be true: three that happen to describe
+/// the data together are more often one that the catalogue lacks.
+Check parsimony(const SearchState& state) {
+  constexpr double kPrior = 0.005;  // of an effect to be there
+  const auto causes =
+      std::count_if(state.causes.begin(), state.causes.end(), [](const FoundCause& cause) {
+        return cause.score != 0 && noiseClass().count(cause.effect->name()) == 0;
+      });
+  const double p_value = std::pow(kPrior, static_cast<double>(causes));
+  const bool passed = !(p_value < kCheckThreshold);
+  return {"parsimony", static_cast<double>(causes), p_value, passed,
+          passed ? "" : "so many causes at once: more likely one that the catalogue lacks"};
+}
+
 std::string messageOf(const Explanation& explanation) {
   std::string names, failed;
   for (const Cause& cause : explanation.causes) names += (names.empty() ? "" : ", ") + cause.name;
@@ -218,9 +241,10 @@ void Explaining::describe(const SearchState& base, const SearchState& state) {
   explanation_.checks_after = checksOf(state.fit, state.train, state.heavy_tails);
   const bool passed = allPassed(explanation_.checks_after);
   for (const FoundCause& found : state.causes) {
-    if (!passed && noiseClass().count(found.effect->name()) > 0) {
+    if (!passed && isSymptom(found, state)) {
       explanation_.warnings.push_back(found.effect->name() +
-                                      " is a symptom as long as what remains is not explained");
+                                      " describes part of what is wrong, but may be a symptom as "
+                                      "long as the rest is not explained");
       continue;
     }
     const EffectDescription& description = found.effect->description();
@@ -238,9 +262,11 @@ void Explaining::describe(const SearchState& base, const SearchState& state) {
     if (!description.variant.empty()) cause.description = description.meaning;
     explanation_.causes.push_back(std::move(cause));
   }
-  explanation_.verdict = explanation_.causes.empty()
-                             ? (passed ? Verdict::none : Verdict::unknown)
-                             : (passed ? Verdict::explained : Verdict::partly_explained);
+  explanation_.checks_after.push_back(parsimony(state));
+  explanation_.verdict =
+      explanation_.causes.empty()
+          ? (passed ? Verdict::none : Verdict::unknown)
+          : (allPassed(explanation_.checks_after) ? Verdict::explained : Verdict::partly_explained);
   explanation_.message = messageOf(explanation_);
   const bool extended = !state.fit.model->effects().empty() ||
                         state.fit.at.mixture.components() != base.fit.at.mixture.components();

@@ -29,14 +29,15 @@ Signals atMeans(const WhitenedSignals& signals, const MatrixXd& xi, const Block&
   return left;
 }
 
-/// Least of |r + J p|^2 over p, given the Gram matrix of [J r].
-double leftover(const MatrixXd& gram) {
+/// Least of |r + J p|^2 over p, given the Gram matrix of [J r], and that p.
+double leftover(const MatrixXd& gram, VectorXd* least) {
   const Index p = gram.rows() - 1;
   MatrixXd information = gram.topLeftCorner(p, p);
   information.diagonal() *= 1 + 1e-9;
   information.diagonal().array() += 1e-12 * (1 + information.diagonal().maxCoeff() * 1e-6);
   const VectorXd b = gram.topRightCorner(p, 1);
-  return gram(p, p) - b.dot(information.ldlt().solve(b));
+  *least = -information.ldlt().solve(b);
+  return gram(p, p) + b.dot(*least);
 }
 
 }  // namespace
@@ -63,12 +64,15 @@ Screening::Screening(const Fit& base, const FitData& data, const ClimbOptions& o
       of.list.push_back(sensitivity.cols() == 0 ? nullptr : &sensitivity);
     of.products = innerProducts(of.list, of.list);
   }
-  base_gain_ = regressionGain(*base.model, base.at.parameters);
+  VectorXd none;
+  base_gain_ = regressionGain(*base.model, base.at.parameters, &none);
 }
 
 /// Half of N ln of what is left of the data when theta, psi and a common shift of the means follow
-/// by one linear step, with the log-Jacobian: comparable between candidates.
-double Screening::regressionGain(const ExtendedModel& model, const VectorXd& parameters) const {
+/// by one linear step, with the log-Jacobian: comparable between candidates. `step`: theta's and
+/// psi's.
+double Screening::regressionGain(const ExtendedModel& model, const VectorXd& parameters,
+                                 VectorXd* step) const {
   const Index own = base_.at.parameters.size(), extra = parameters.size() - own;
   std::vector<int> psi(static_cast<std::size_t>(extra));
   std::iota(psi.begin(), psi.end(), static_cast<int>(own));
@@ -112,7 +116,9 @@ double Screening::regressionGain(const ExtendedModel& model, const VectorXd& par
       sum += rest;  // of [Phi J psi r]
     }
   }
-  const double left = leftover(sum);
+  VectorXd least;
+  const double left = leftover(sum, &least);
+  *step = least.tail(own + extra);
   if (!(left > 0) || !std::isfinite(left)) return -std::numeric_limits<double>::infinity();
   return -0.5 * samples_ * std::log(left) + jacobian - base_jacobian_;
 }
@@ -123,11 +129,11 @@ Screening::Start Screening::startAt(const std::shared_ptr<const ExtendedModel>& 
   ModelParameters at = base_.at;
   at.parameters.conservativeResize(at.parameters.size() + psi.size());
   at.parameters.tail(psi.size()) = psi;
-  Start start{{model, at, base_.log_likelihood, {}, base_.xi}, 0};
+  Start start{{model, at, base_.log_likelihood, {}, base_.xi}, 0, {}};
   if (!model->admissible(at.parameters)) {
     start.gain = -std::numeric_limits<double>::infinity();
   } else if (model->effects().back()->description().screening == ScreeningKind::regression) {
-    start.gain = regressionGain(*model, at.parameters) - base_gain_;
+    start.gain = regressionGain(*model, at.parameters, &start.step) - base_gain_;
   } else {
     start.fit = mixtureFitted(model, at, data_, options_, kMixtureSteps);
     start.gain = start.fit.log_likelihood - base_.log_likelihood;
@@ -142,7 +148,7 @@ Screening::Start Screening::best(const std::shared_ptr<const Effect>& effect) co
   if (model->isLocallyLinear() && base_.model->currentPoints().size() == 0)
     model = model->about(base_.xi);
   constexpr double kNone = -std::numeric_limits<double>::infinity();
-  Start best{{}, kNone};
+  Start best{{}, kNone, {}};
   if (!effect->description().starts.empty()) {  // where no start has a likelihood
     const VectorXd& psi = effect->description().starts.front();
     best.fit = {model, base_.at, kNone, {}, base_.xi};

@@ -16,6 +16,7 @@ class Screening {
   struct Start {
     Fit fit;  ///< at the start: parameters of base, then psi
     double gain = 0;
+    Eigen::VectorXd step;  ///< of the parameters that should bring it; empty where not known
   };
 
   /// The most promising start of an effect; gain -infinity where there is none.
@@ -31,7 +32,8 @@ class Screening {
     std::vector<Lanes> products;       ///< of the list with itself
   };
 
-  double regressionGain(const ExtendedModel& model, const Eigen::VectorXd& parameters) const;
+  double regressionGain(const ExtendedModel& model, const Eigen::VectorXd& parameters,
+                        Eigen::VectorXd* step) const;
   Start startAt(const std::shared_ptr<const ExtendedModel>& model,
                 const Eigen::VectorXd& psi) const;
 

@@ -33,7 +33,7 @@ bool contains(const std::vector<std::string>& list, const std::string& name) {
 /// Whether a lag of the sensor lies at the edge of its range: there it differences the data, and
 /// absorbs whatever drifts in them.
 bool isDifferencing(const Fit& fit) {
-  constexpr double kEdge = 0.02;
+  constexpr double kEdge = 0.05;
   for (std::size_t k = 0; k < fit.model->effects().size(); ++k) {
     const EffectDescription& of = fit.model->effects()[k]->description();
     if (of.name == "sens_lag" &&
@@ -124,7 +124,7 @@ std::vector<FittedEffect> Search::rank(const SearchState& state) {
   const auto addTails = [&](const char* name, double gain, double parameters) {
     const auto effect = outside(name);
     const double penalty = parameters * each + 2;
-    if (effect) ranked.push_back({effect, state.fit, penalty, gain - penalty});
+    if (effect) ranked.push_back({effect, state.fit, penalty, gain - penalty, {}, false});
   };
   addTails("noise_tails", tails.student_gain, 1);
   addTails("sens_outliers", std::max(tails.mixture_gain, tails.additive_gain), 2);
