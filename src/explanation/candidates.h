@@ -14,7 +14,7 @@ struct FittedEffect {
   Fit fit;
   double penalty = 0;         ///< [nats]: BIC's, and the logarithm of the number of starts
   double score = 0;           ///< [nats] gain of likelihood less the penalty
-  Eigen::VectorXd step;  ///< of the parameters, that the screening predicts the gain from
+  Eigen::VectorXd step;       ///< of the parameters, that the screening predicts the gain from
   bool started_anew = false;  ///< theta and mixture were tried from new starts
 };
 

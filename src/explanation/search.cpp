@@ -43,6 +43,11 @@ bool isDifferencing(const Fit& fit) {
   return false;
 }
 
+/// Whether experiments held out confirm a gain; a lenient judge asks that they do not deny it.
+bool isConvincing(const Gain& gain, bool lenient) {
+  return gain.log_density > (lenient ? -2 : 1.645) * gain.standard_error;
+}
+
 /// The fit without effect k of its model, before it is fitted again.
 Fit without(const Fit& fit, std::size_t k, const FitData& data) {
   Effects effects = fit.model->effects();
@@ -161,6 +166,7 @@ bool Search::acceptTails(SearchState* state, const FittedEffect& best) {
     const Residuals left = residualsOf(there, state->held);
     const HeldOut before = heldOut(state->fit, state->held);
     cause.gain = gainOf(before, before, tailGain(tails, law, left, state->held));
+    if (!isConvincing(*cause.gain, best.score > kStrong)) return false;
     const Tails of_held = tailsOf(there, state->held, left);
     state->held = FitData(withoutOutliers(state->held, left, of_held));
   }
@@ -200,8 +206,7 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
   }
   const double score = fit.log_likelihood - state->fit.log_likelihood - candidate.penalty;
   const bool lenient = isOfMixture(*candidate.effect) || score > kStrong;
-  const double lowest = lenient ? -2 * gain.standard_error : 1.645 * gain.standard_error;
-  if (!(gain.log_density > lowest)) return false;
+  if (!isConvincing(gain, lenient)) return false;
   SearchState next = *state;
   FoundCause cause{candidate.effect,
                    score,
