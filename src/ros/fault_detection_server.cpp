@@ -12,8 +12,6 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kDiagnosticsPeriod = 0.5;  // [s] how often the updater looks whether it is due
-
 /// How the recorder cuts the signals into pieces for the detector.
 Configuration recording(const FaultDetectionConfiguration& configuration, double duration) {
   Configuration of_recorder;
@@ -69,8 +67,8 @@ FaultDetectionServer::FaultDetectionServer(const ros::NodeHandle& node,
     diagnose(status);
   });
   diagnostics_timer_ =
-      node_.createWallTimer(ros::WallDuration(kDiagnosticsPeriod),
-                            [this](const ros::WallTimerEvent&) { diagnostics_.update(); });
+      node_.createWallTimer(ros::WallDuration(diagnostics_.getPeriod()),
+                            [this](const ros::WallTimerEvent&) { diagnostics_.force_update(); });
   try {
     for (const SignalOptions* signal : {&configuration_.input, &configuration_.output})
       node_.resolveName(signal->topic);

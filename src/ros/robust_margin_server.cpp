@@ -8,8 +8,6 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kDiagnosticsPeriod = 0.5;  // [s] how often the updater looks whether it is due
-
 Eigen::VectorXd asVector(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
@@ -65,8 +63,8 @@ RobustMarginServer::RobustMarginServer(const ros::NodeHandle& node,
     diagnose(status);
   });
   diagnostics_timer_ =
-      node_.createWallTimer(ros::WallDuration(kDiagnosticsPeriod),
-                            [this](const ros::WallTimerEvent&) { diagnostics_.update(); });
+      node_.createWallTimer(ros::WallDuration(diagnostics_.getPeriod()),
+                            [this](const ros::WallTimerEvent&) { diagnostics_.force_update(); });
   result_subscriber_ = node_.subscribe<messages::IdentificationResult>(
       "identification/result", 1, [this](const messages::IdentificationResult::ConstPtr& result) {
         result_ = result;

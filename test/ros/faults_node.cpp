@@ -38,6 +38,7 @@ class FaultDetectionTest : public testing::Test {
     diagnostics_ = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
         "/diagnostics", 100, [this](const diagnostic_msgs::DiagnosticArray::ConstPtr& array) {
           const std::lock_guard<std::mutex> lock(mutex_);
+          ++diagnoses_;
           for (const auto& status : array->status) {
             level_ = status.level;
             for (const auto& value : status.values)
@@ -96,6 +97,11 @@ class FaultDetectionTest : public testing::Test {
     return markers_;
   }
 
+  int diagnoses() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return diagnoses_;
+  }
+
   int level() {
     const std::lock_guard<std::mutex> lock(mutex_);
     return level_;
@@ -109,7 +115,7 @@ class FaultDetectionTest : public testing::Test {
   ros::Publisher measurement_ = node_.advertise<messages::Sample>("/sensor/measurement", 2000);
   std::mutex mutex_;
   std::vector<messages::FaultStatus> windows_;
-  int level_ = -1, markers_ = 0;
+  int level_ = -1, markers_ = 0, diagnoses_ = 0;
   static int published_markers_;  // by all tests: the node counts on
   ros::Subscriber status_, diagnostics_;
   ros::AsyncSpinner spinner_;
@@ -169,6 +175,12 @@ TEST_F(FaultDetectionTest, AResultThatCannotBeReadIsToldAndTheOldOneStays) {
   ASSERT_TRUE(waitFor([this] { return windows().size() >= kSamples / kWindow; }));
   EXPECT_EQ(windows().back().sequence, 6u);
   EXPECT_TRUE(waitFor([this] { return level() == diagnostic_msgs::DiagnosticStatus::WARN; }));
+}
+
+TEST_F(FaultDetectionTest, DiagnosticsComeWhileTheClockStandsStill) {
+  ASSERT_EQ(ros::Time::now(), ros::Time(0)) << "nobody publishes /clock";
+  const int before = diagnoses();
+  EXPECT_TRUE(waitFor([&] { return diagnoses() >= before + 3; }));
 }
 
 TEST(FaultDetectionParameters, BadOnesEndTheNodeWithAMessage) {

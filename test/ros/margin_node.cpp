@@ -46,6 +46,7 @@ class MarginTest : public testing::Test {
         "/diagnostics", 100, [this](const diagnostic_msgs::DiagnosticArray::ConstPtr& array) {
           const std::lock_guard<std::mutex> lock(mutex_);
           for (const auto& status : array->status) diagnosis_ = status;
+          ++diagnoses_;
         });
     spinner_.start();
   }
@@ -79,6 +80,11 @@ class MarginTest : public testing::Test {
     return margin_;
   }
 
+  int diagnoses() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return diagnoses_;
+  }
+
   DiagnosticStatus diagnosis() {
     const std::lock_guard<std::mutex> lock(mutex_);
     return diagnosis_;
@@ -92,6 +98,7 @@ class MarginTest : public testing::Test {
   std::mutex mutex_;
   messages::RobustMargin margin_;
   DiagnosticStatus diagnosis_;
+  int diagnoses_ = 0;
   ros::Subscriber margin_subscriber_, diagnostics_;
   ros::AsyncSpinner spinner_;
 };
@@ -137,6 +144,12 @@ TEST_F(MarginTest, BoundsWithoutAWeightAreTold) {
     return diagnosis().message.find("the plants do not differ") != std::string::npos;
   })) << diagnosis().message;
   EXPECT_EQ(diagnosis().level, DiagnosticStatus::WARN);
+}
+
+TEST_F(MarginTest, DiagnosticsComeWhileTheClockStandsStill) {
+  ASSERT_EQ(ros::Time::now(), ros::Time(0)) << "nobody publishes /clock";
+  const int before = diagnoses();
+  EXPECT_TRUE(waitFor([&] { return diagnoses() >= before + 3; }));
 }
 
 TEST(MarginParameters, BadOnesEndTheNodeWithAMessage) {
