@@ -133,9 +133,9 @@ class Hostile(unittest.TestCase):
 
     def test_goals(self):
         server = actionlib.SimpleActionClient(f"{NODE}/identify_bags", IdentifyBagsAction)
-        self.assertTrue(server.wait_for_server(rospy.Duration(60)))
+        self.assertTrue(server.wait_for_server(rospy.Duration(240)))
         for goal in [IdentifyBagsGoal(bags=[name]) for name in NAMES] + [IdentifyBagsGoal([], text) for text in TEXTS]:
-            server.send_goal_and_wait(goal, rospy.Duration(60))
+            server.send_goal_and_wait(goal, rospy.Duration(240))
             self.assertTrue(server.get_result().message)
             self.assertNotEqual(server.get_result().code, 0)
         self.expect_correct_identification()
@@ -150,7 +150,7 @@ class Hostile(unittest.TestCase):
 
     def test_broken_requests(self):
         request = IdentifyRequest([client.first_order_experiment("a", POLE, 1, 1, 50)], ["a.bag"], "{}")
-        rospy.wait_for_service(f"{NODE}/identify", timeout=60)
+        rospy.wait_for_service(f"{NODE}/identify", timeout=240)
         for _ in range(250):
             class Broken(Identify):
                 _request_class = raw(IdentifyRequest, broken(request, self.draw))

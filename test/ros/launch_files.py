@@ -51,7 +51,7 @@ class LaunchFiles(unittest.TestCase):
     @staticmethod
     def stop(launched, node):
         launched.send_signal(signal.SIGINT)
-        launched.wait(60)
+        launched.wait(240)
         client.wait_for(lambda: node not in rosnode.get_node_names())
 
     def test_none_is_forgotten(self):
@@ -71,13 +71,13 @@ class LaunchFiles(unittest.TestCase):
         self.assertTrue(client.wait_for(lambda: published("/robust_margin/margin")))
 
     def test_replay(self):
+        self.addCleanup(rospy.delete_param, "/use_sim_time")
         with tempfile.TemporaryDirectory() as folder:
             bag = folder + "/drive.bag"
             write_drive(bag)
             self.start("replay.launch", f"bag:={bag}", "rate:=5")
             listed = lambda: client.call("/identification/list_experiments", ListExperiments).experiments
             self.assertTrue(client.wait_for(lambda: len(listed()) >= 2))
-        rospy.delete_param("/use_sim_time")
 
 
 def published(topic):

@@ -2,7 +2,6 @@
 """docs/node.md says what the running node, started with all of config/reference.yaml, advertises: no more, no less."""
 
 import pathlib
-import sys
 import unittest
 
 import rosgraph
@@ -10,9 +9,7 @@ import rospy
 import rosservice
 import rostest
 import yaml
-
-sys.path.append(str(pathlib.Path(__file__).parent.parent / "support"))
-import client
+from uncertainty_identification.msg import IdentificationStatus
 
 PROJECT = pathlib.Path(__file__).resolve().parent.parent.parent
 NODE = "/identification"
@@ -48,8 +45,7 @@ def leaves(tree, prefix=""):
 class NodePage(unittest.TestCase):
     def setUp(self):
         self.master = rosgraph.Master("node_page_test")
-        self.assertTrue(client.wait_for(lambda: full("~status") in self.of_node(0)))
-        self.assertTrue(client.wait_for(lambda: full("~load") in self.of_node(2)))
+        rospy.wait_for_message(full("~status"), IdentificationStatus, timeout=240)  # told once all is advertised
         self.types = dict(self.master.getTopicTypes())
 
     def of_node(self, kind):

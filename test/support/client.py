@@ -7,7 +7,7 @@ import rospy
 from uncertainty_identification.msg import Experiment
 
 
-def wait_for(condition, limit=120):
+def wait_for(condition, limit=240):
     """Waits until the condition holds; false when it does not within the limit, which is generous."""
     end = time.monotonic() + limit
     while not condition():
@@ -19,7 +19,7 @@ def wait_for(condition, limit=120):
 
 def call(name, service, /, **request):
     """The answer of a service, once it is there."""
-    rospy.wait_for_service(name, timeout=60)
+    rospy.wait_for_service(name, timeout=240)
     return rospy.ServiceProxy(name, service)(**request)
 
 

@@ -52,7 +52,7 @@ class NodeClient {
                                   const typename Service::Request& request = {}) {
     Service service;
     service.request = request;
-    if (!ros::service::waitForService(node_.resolveName(name), 30000) ||
+    if (!ros::service::waitForService(node_.resolveName(name), 240000) ||
         !ros::service::call(node_.resolveName(name), service))
       throw std::runtime_error("service '" + name + "' did not answer");
     return service.response;
