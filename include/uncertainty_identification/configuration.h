@@ -200,6 +200,9 @@ struct LimitOptions {
   int max_samples = 1000000;   ///< per experiment; an experiment is closed when it reaches them
   int min_samples = 20;        ///< shorter experiments are rejected
   double max_missing = 0.5;    ///< largest share of missing output samples accepted, in [0, 1)
+  int max_request_size = 256;  ///< [MiB] of a request with experiments
+  int max_bag_size = 4096;  ///< [MiB] of the bags that a request names, and of what they unpack to
+  int max_saved_files = 100;  ///< that requests may write
 
   void validate() const;
 };

@@ -156,4 +156,11 @@ std::vector<Finding> checkExperiment(const Experiment& experiment, const LimitOp
   return findings.take();
 }
 
+std::string defectOf(const Experiment& experiment, const LimitOptions& limits) {
+  std::string defect;
+  for (const Finding& finding : checkExperiment(experiment, limits, {}))
+    if (finding.rejects) defect += (defect.empty() ? "" : "; ") + finding.message;
+  return defect;
+}
+
 }  // namespace uncertainty_identification

@@ -31,12 +31,12 @@ bool ExperimentCutter::cutsByCall() const {
   return options_.mode == ExperimentMode::topic || options_.mode == ExperimentMode::service;
 }
 
-void ExperimentCutter::addInput(double stamp, double value) {
-  addSample("input", input_, stamp, value, Duplicates::keep_last);
+void ExperimentCutter::addInput(double stamp, double value, const Arrival& arrival) {
+  addSample("input", input_, stamp, value, Duplicates::keep_last, arrival);
 }
 
-void ExperimentCutter::addOutput(double stamp, double value) {
-  addSample("output", output_, stamp, value, Duplicates::keep_first);
+void ExperimentCutter::addOutput(double stamp, double value, const Arrival& arrival) {
+  addSample("output", output_, stamp, value, Duplicates::keep_first, arrival);
 }
 
 void ExperimentCutter::addCovariate(const std::string& name, double stamp, double value) {
@@ -44,9 +44,9 @@ void ExperimentCutter::addCovariate(const std::string& name, double stamp, doubl
 }
 
 void ExperimentCutter::addSample(const std::string& signal, StampedBuffer& buffer, double stamp,
-                                 double value, Duplicates keep) {
+                                 double value, Duplicates keep, const Arrival& arrival) {
   if (!acceptStamp(signal, buffer.newest(), stamp)) return;
-  if (!buffer.push(stamp, value, keep)) ++duplicates_;
+  if (!buffer.push(stamp, value, keep, arrival)) ++duplicates_;
   advance();
 }
 

@@ -1,5 +1,6 @@
 #include "uncertainty_identification/data/recorded_before.h"
 
+#include <algorithm>
 #include <functional>
 
 #include "uncertainty_identification/data/check.h"
@@ -21,13 +22,29 @@ bool RecordedBefore::add(const Experiment& experiment) {
   order_.push_back(key);
   if (order_.size() > kRemembered) {
     keys_.erase(order_.front());
+    taken_out_.erase(order_.front());
     order_.pop_front();
   }
   return true;
 }
 
+void RecordedBefore::takeOut(const Experiment& experiment) {
+  const std::uint64_t key = keyOf(experiment);
+  if (keys_.count(key) > 0) taken_out_.insert(key);
+}
+
+bool RecordedBefore::readmit(const Experiment& experiment) {
+  const std::uint64_t key = keyOf(experiment);
+  if (keys_.count(key) == 0) return true;
+  if (taken_out_.erase(key) == 0) return false;
+  keys_.erase(key);
+  order_.erase(std::find(order_.begin(), order_.end(), key));
+  return true;
+}
+
 void RecordedBefore::clear() {
   keys_.clear();
+  taken_out_.clear();
   order_.clear();
 }
 

@@ -157,6 +157,12 @@ Experiment assemble(const Recording& recording, const Rows& rows, double sample_
   return experiment;
 }
 
+SignalTiming timingOf(const StampedSignal& signal, const SampleGrid& grid) {
+  SignalTiming timing = timingOf(signal);
+  if (grid.one_to_one) timing.jitter = grid.max_departure;
+  return timing;
+}
+
 ResamplingReport makeReport(const Recording& recording, const CleanSignal& input,
                             const CleanSignal& output, const Rows& rows,
                             const Experiment& experiment) {
@@ -199,7 +205,9 @@ Experiment resample(const Recording& recording, double sample_time,
 
   const bool jitters = output.grid.max_departure > stampTolerance(last, sample_time);
   const bool with_offsets = options.output == OutputResampling::hold && jitters;
-  const Experiment experiment = assemble(recording, rows, sample_time, with_offsets);
+  Experiment experiment = assemble(recording, rows, sample_time, with_offsets);
+  experiment.timing = {timingOf(recording.input, input.grid),
+                       timingOf(recording.output, output.grid)};
   if (report != nullptr) *report = makeReport(recording, input, output, rows, experiment);
   return experiment;
 }

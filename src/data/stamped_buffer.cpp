@@ -9,14 +9,15 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-bool StampedBuffer::push(double stamp, double value, Duplicates keep) {
+bool StampedBuffer::push(double stamp, double value, Duplicates keep, const Arrival& arrival) {
   if (stamp == newest_) {
     if (samples_.empty()) return false;
     ++samples_.back().duplicates;
+    samples_.back().arrival.lost += arrival.lost;
     if (keep == Duplicates::keep_last) samples_.back().value = value;
     return false;
   }
-  samples_.push_back({stamp, value, 0});
+  samples_.push_back({stamp, value, arrival, 0});
   newest_ = stamp;
   return true;
 }
@@ -55,6 +56,8 @@ StampedSignal StampedBuffer::copy(double start, double end, bool held, int& dupl
   for (auto sample = first; sample != samples_.end() && sample->stamp < end; ++sample) {
     signal.stamps.push_back(sample->stamp);
     signal.values.push_back(sample->value);
+    signal.arrivals.push_back(sample->arrival.time);
+    if (sample->stamp >= start) signal.lost += sample->arrival.lost;
     duplicates += sample->duplicates;
   }
   return signal;

@@ -33,6 +33,15 @@ std::uint64_t nanoseconds(std::uint64_t stamp) {
 
 }  // namespace
 
+template <typename Action>
+auto BagFile::orDamaged(const Action& action) {
+  try {
+    return action();
+  } catch (const DataError& error) {
+    damaged(path_, error.what());
+  }
+}
+
 BagFile::BagFile(const std::string& path) : path_(path) {
   errno = 0;
   file_.open(path, std::ios::binary | std::ios::ate);
@@ -41,11 +50,7 @@ BagFile::BagFile(const std::string& path) : path_(path) {
   if (!file_ || end < 0 || (file_.peek() == std::ifstream::traits_type::eof() && errno != 0))
     throw FileError("cannot read bag '" + path + "': " + std::strerror(errno));
   size_ = static_cast<std::uint64_t>(end);
-  try {
-    readIndex(readFileHeader());
-  } catch (const DataError& error) {
-    damaged(path_, error.what());
-  }
+  orDamaged([this] { readIndex(readFileHeader()); });
 }
 
 std::vector<std::uint8_t> BagFile::bytesAt(std::uint64_t position, std::uint64_t count) {
@@ -59,10 +64,11 @@ std::vector<std::uint8_t> BagFile::bytesAt(std::uint64_t position, std::uint64_t
   return bytes;
 }
 
+std::uint32_t BagFile::lengthAt(std::uint64_t position) {
+  return ByteReader(view(bytesAt(position, 4))).read<std::uint32_t>();
+}
+
 std::vector<std::uint8_t> BagFile::recordAt(std::uint64_t position) {
-  const auto lengthAt = [this](std::uint64_t at) {
-    return ByteReader(view(bytesAt(at, 4))).read<std::uint32_t>();
-  };
   const std::uint64_t header = 4 + std::uint64_t{lengthAt(position)};
   return bytesAt(position, header + 4 + lengthAt(position + header));
 }
@@ -102,7 +108,8 @@ void BagFile::addConnection(const BagRecord& record) {
   const BagHeader fields(record.data);
   connections_[record.header.number<std::uint32_t>("conn")] = {
       inRootNamespace(record.header.text("topic")), std::string(fields.text("type")),
-      std::string(fields.text("md5sum")), std::string(fields.text("message_definition"))};
+      std::string(fields.text("md5sum")), std::string(fields.text("message_definition")),
+      std::string(fields.textOr("callerid", ""))};
 }
 
 std::vector<std::uint8_t> BagFile::chunkContent(std::size_t chunk) {
@@ -144,15 +151,19 @@ BagMessage BagFile::messageAt(const Entry& entry, const std::vector<std::uint8_t
           static_cast<double>(stamp & 0xffffffffU) + 1e-9 * static_cast<double>(stamp >> 32U)};
 }
 
+std::uint64_t BagFile::unpackedSize() {
+  return orDamaged([this] {
+    std::uint64_t size = 0;
+    for (const std::uint64_t position : chunks_) {
+      const auto bytes = bytesAt(position + 4, lengthAt(position));
+      size += BagHeader(view(bytes)).number<std::uint32_t>("size");
+    }
+    return size;
+  });
+}
+
 void BagFile::read(const std::function<bool(const BagConnection&)>& wanted,
                    const std::function<void(const BagMessage&)>& receive) {
-  const auto orDamaged = [this](const auto& action) {
-    try {
-      return action();
-    } catch (const DataError& error) {
-      damaged(path_, error.what());
-    }
-  };
   auto entries = orDamaged([&] { return listEntries(wanted); });
   std::stable_sort(entries.begin(), entries.end(),
                    [](const Entry& a, const Entry& b) { return a.time < b.time; });

@@ -15,6 +15,7 @@ namespace uncertainty_identification {
 struct BagConnection {
   std::string topic;  ///< in the root namespace
   std::string type, md5sum, definition;
+  std::string publisher;  ///< empty: not recorded
 };
 
 /// A message of a bag. The bytes are valid until the next one is handed out.
@@ -35,6 +36,10 @@ class BagFile {
   const std::string& path() const { return path_; }
   const std::map<std::uint32_t, BagConnection>& connections() const { return connections_; }
 
+  /// [bytes] that all chunks unpack to, as their headers say. Throws FileError where the bag is
+  /// damaged.
+  std::uint64_t unpackedSize();
+
   /// Hands out the messages of the wanted connections in order of recording. Throws FileError where
   /// the bag is damaged, and what `receive` throws.
   void read(const std::function<bool(const BagConnection&)>& wanted,
@@ -49,7 +54,10 @@ class BagFile {
   };
 
   std::vector<std::uint8_t> bytesAt(std::uint64_t position, std::uint64_t count);
+  std::uint32_t lengthAt(std::uint64_t position);
   std::vector<std::uint8_t> recordAt(std::uint64_t position);
+  template <typename Action>
+  auto orDamaged(const Action& action);
   std::uint64_t readFileHeader();
   void readIndex(std::uint64_t position);
   void addConnection(const BagRecord& record);

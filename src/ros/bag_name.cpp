@@ -1,15 +1,12 @@
 #include "uncertainty_identification/ros/bag_name.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <filesystem>
 
 namespace uncertainty_identification {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::uintmax_t kLargest = std::uintmax_t{4} << 30;  // [bytes]
 
 bool isBelow(const fs::path& path, const fs::path& folder) {
   const auto [end, unused] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
@@ -19,7 +16,7 @@ bool isBelow(const fs::path& path, const fs::path& folder) {
 }  // namespace
 
 std::string resolveBagName(const std::string& directory, const std::string& name,
-                           const std::string& what) {
+                           std::uintmax_t most, const std::string& what) {
   if (directory.empty())
     throw RefusedError("bag '" + name + "': bag names are refused until " + what +
                        " is configured");
@@ -36,9 +33,9 @@ std::string resolveBagName(const std::string& directory, const std::string& name
     throw RefusedError("bag '" + name + "' is a link that leads out of " + what);
   if (!fs::is_regular_file(bag) || bag.extension() != ".bag")
     throw FileError("bag '" + name + "' in " + what + " is no .bag file");
-  if (fs::file_size(bag, error) > kLargest)  // also where it cannot be told
-    throw RefusedError("bag '" + name +
-                       "' is larger than 4 GiB; split it, or read it with identify");
+  if (fs::file_size(bag, error) > most)  // also where it cannot be told
+    throw RefusedError("bag '" + name + "' has more than " + std::to_string(most) +
+                       " bytes (limits.max_bag_size); split it, or read it with identify");
   return bag.string();
 }
 

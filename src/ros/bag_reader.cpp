@@ -59,8 +59,8 @@ void readTopics(BagFile& bag, const std::set<std::string>& topics, const KeepGoi
       [&](const BagMessage& message) {
         requireGoingOn(keep_going);
         const BagConnection& from = message.connection;
-        receive(from.topic,
-                RawMessage{from.type, from.md5sum, from.definition, message.bytes, message.time});
+        receive(from.topic, RawMessage{from.type, from.md5sum, from.definition, message.bytes,
+                                       message.time, from.publisher});
       });
 }
 
@@ -118,6 +118,8 @@ LoadedData readFrom(BagFile& bag, const Configuration& configuration, const Keep
 }
 
 }  // namespace
+
+std::uint64_t unpackedSize(const std::string& path) { return BagFile(path).unpackedSize(); }
 
 LoadedData readExperimentBag(const std::string& path) {
   BagFile bag(path);

@@ -38,7 +38,7 @@ bool unpackLz4(SerialisedMessage data, std::vector<std::uint8_t>& content) {
 
 std::vector<std::uint8_t> decompress(std::string_view compression, SerialisedMessage data,
                                      std::uint32_t size) {
-  if (compression == "none") return {data.data, data.data + data.size};
+  if (compression == "none" && data.size == size) return {data.data, data.data + data.size};
   if (size > kLargest)
     throw DataError("a chunk of " + std::to_string(size) + " bytes is too large");
   std::vector<std::uint8_t> content(size);

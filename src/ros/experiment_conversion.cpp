@@ -62,6 +62,15 @@ void addCovariate(const messages::Experiment& message, const messages::Covariate
   }
 }
 
+messages::SignalTiming toMessage(const SignalTiming& timing) {
+  messages::SignalTiming message;
+  message.age = timing.age;
+  message.delay = timing.delay;
+  message.jitter = timing.jitter;
+  message.lost = static_cast<std::uint32_t>(timing.lost);
+  return message;
+}
+
 messages::Covariate covariateMessage(const std::string& name, std::uint8_t kind,
                                      std::vector<double> values) {
   messages::Covariate message;
@@ -121,6 +130,9 @@ messages::ExperimentSummary toMessage(const ExperimentDigest& digest) {
   message.samples = static_cast<std::uint32_t>(digest.samples);
   message.sample_time = digest.sample_time;
   message.rejected = digest.rejected;
+  message.input = toMessage(digest.timing.input);
+  message.output = toMessage(digest.timing.output);
+  message.clock_offset = digest.timing.clockOffset();
   return message;
 }
 

@@ -118,7 +118,8 @@ void ExperimentRecorder::receive(const std::string& topic, const Event& event) {
                    message.getMD5Sum(),
                    message.getMessageDefinition(),
                    {buffer_.data(), buffer_.size()},
-                   event.getReceiptTime().toSec()});
+                   event.getReceiptTime().toSec(),
+                   event.getPublisherName()});
   } catch (const Error& error) {
     report(error.what());
   }

@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "uncertainty_identification/data/check.h"
+
 namespace uncertainty_identification {
 namespace {
 
@@ -39,6 +41,7 @@ void ExperimentSet::restore(std::vector<KeptExperiment> kept,
       renamed.id = id;
       experiment.experiment = std::make_shared<const Experiment>(std::move(renamed));
     }
+    judge(experiment);
     kept_.push_back(std::move(experiment));
   }
   rejected_ = std::move(rejected);
@@ -52,6 +55,7 @@ std::vector<KeptExperiment> ExperimentSet::add(LoadedData data) {
     if (!recorded_before_.add(experiment)) continue;
     experiment.id = freeId(experiment.id);
     kept_.push_back({++last_number_, std::make_shared<const Experiment>(std::move(experiment))});
+    judge(kept_.back());
     added.push_back(kept_.back());
   }
   for (auto& rejected : data.rejected) rejected_.push_back(std::move(rejected));
@@ -65,6 +69,7 @@ std::optional<std::uint64_t> ExperimentSet::reject(const std::string& id,
     return kept.experiment->id == id;
   });
   if (found == kept_.end()) return std::nullopt;
+  recorded_before_.takeOut(*found->experiment);
   const std::uint64_t number = found->number;
   kept_.erase(found);
   rejected_.push_back({id, reason});
@@ -80,11 +85,23 @@ void ExperimentSet::clear() {
 
 void ExperimentSet::setLimits(const LimitOptions& limits) {
   limits_ = limits;
+  for (auto& kept : kept_) judge(kept);
   keepNewest();
 }
 
+void ExperimentSet::judge(KeptExperiment& kept) const {
+  kept.defect = defectOf(*kept.experiment, limits_);
+}
+
 void ExperimentSet::keepNewest() {
-  keepNewestOf(kept_, limits_.max_experiments);
+  int usable = 0, unusable = 0;
+  const auto isOld = [&](const KeptExperiment& kept) {
+    return ++(kept.defect.empty() ? usable : unusable) > std::max(1, limits_.max_experiments);
+  };
+  for (auto kept = kept_.end(); kept != kept_.begin();) {
+    --kept;
+    if (isOld(*kept)) kept = kept_.erase(kept);
+  }
   keepNewestOf(rejected_, limits_.max_experiments);
 }
 
@@ -104,7 +121,7 @@ std::vector<ExperimentDigest> ExperimentSet::digests() const {
   for (const auto& kept : kept_) {
     const Experiment& experiment = *kept.experiment;
     digests.push_back({experiment.id, experiment.start_time, experiment.sample_time,
-                       experiment.validSamples(), ""});
+                       experiment.validSamples(), kept.defect, experiment.timing});
   }
   for (const auto& rejected : rejected_) digests.push_back({rejected.id, 0, 0, 0, rejected.reason});
   return digests;

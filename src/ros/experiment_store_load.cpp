@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "uncertainty_identification/data/atomic_file.h"
+#include "uncertainty_identification/data/check.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
 #include "uncertainty_identification/io/read_file.h"
@@ -70,12 +71,12 @@ std::string freeName(const std::string& folder, const std::string& name) {
 
 }  // namespace
 
-StoredState ExperimentStore::load(int most) {
+StoredState ExperimentStore::load(const LimitOptions& limits) {
   for (const auto& folder : {directory_, current_, current_ + "/rejected"}) removeTemporary(folder);
   StoredState state;
   finishRejections();
-  loadExperiments(most, state);
-  loadRejected(most, state);
+  loadExperiments(limits, state);
+  loadRejected(limits.max_experiments, state);
   const auto attempt = [&](const std::string& path, const auto& read) {
     if (!fs::exists(path)) return;
     try {
@@ -91,17 +92,20 @@ StoredState ExperimentStore::load(int most) {
   return state;
 }
 
-void ExperimentStore::loadExperiments(int most, StoredState& state) {
+void ExperimentStore::loadExperiments(const LimitOptions& limits, StoredState& state) {
   const auto files = numbered(current_, "experiment_", ".bag");
   state.count = static_cast<int>(files.size());
   if (!files.empty()) state.last_number = files.rbegin()->first;
   const auto out = numbered(current_ + "/rejected", "experiment_", ".bag");
   if (!out.empty()) state.last_number = std::max(state.last_number, out.rbegin()->first);
+  const int most = std::max(1, limits.max_experiments);
+  int usable = 0, unusable = 0;
   for (auto file = files.rbegin(); file != files.rend(); ++file) {
-    if (static_cast<int>(state.kept.size()) >= std::max(1, most)) break;
+    if (usable >= most || unusable >= most) break;
     try {
-      state.kept.push_back(
-          {file->first, std::make_shared<const Experiment>(readOne(file->second))});
+      auto experiment = std::make_shared<const Experiment>(readOne(file->second));
+      ++(defectOf(*experiment, limits).empty() ? usable : unusable);
+      state.kept.push_back({file->first, std::move(experiment)});
     } catch (const std::exception& error) {
       moveDamaged(file->second, error.what(), state);
       --state.count;

@@ -5,6 +5,7 @@
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/ros/checked_service.h"
 #include "uncertainty_identification/ros/identify_request.h"
+#include "uncertainty_identification/ros/mebibytes.h"
 #include "uncertainty_identification/ros/message_conversions.h"
 
 namespace uncertainty_identification {
@@ -51,7 +52,7 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                        [this](const StoredConfiguration& configuration) {
                          if (store_) store_->keep(configuration);
                        }),
-      saved_(parameters.store_directory, worker_),
+      saved_(parameters.store_directory, parameters.limits, worker_),
       recorder_(node, private_node, configuration_,
                 {[this](FinishedExperiment experiment) { worker_.add(std::move(experiment)); },
                  [this](const std::string& problem) {
@@ -158,8 +159,9 @@ void IdentificationServer::advertiseRequests() {
         response = answerSampleModels(request, last.first.get(), last.second);
         return true;
       };
-  services_.push_back(advertiseChecked<Identify>(identify_thread_.node(), "identify", identify,
-                                                 Identify::Response::DATA_ERROR));
+  services_.push_back(advertiseChecked<Identify>(
+      identify_thread_.node(), "identify", identify, Identify::Response::DATA_ERROR,
+      mebibytes(configuration_.limits.max_request_size)));
   services_.push_back(query_thread_.node().advertiseService("get_result", get_result));
   services_.push_back(query_thread_.node().advertiseService("list_experiments", list));
   services_.push_back(query_thread_.node().advertiseService("sample_models", sample));

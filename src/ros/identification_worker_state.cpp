@@ -79,6 +79,11 @@ std::optional<std::uint64_t> IdentificationWorker::reject(const std::string& id,
   return number;
 }
 
+bool IdentificationWorker::readmit(const Experiment& experiment) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return set_.readmit(experiment);
+}
+
 void IdentificationWorker::reset() {
   intake_.clear();
   change([this] {
@@ -136,7 +141,9 @@ WorkerStatus IdentificationWorker::status() const {
   status.queue = coming + waiting_;
   status.busy = status.busy || status.queue > 0 || version_ != seen_ || fullFollows();
   status.stored = static_cast<int>(set_.kept().size());
-  if (!set_.kept().empty()) status.last_id = set_.kept().back().experiment->id;
+  if (set_.kept().empty()) return status;
+  status.last_id = set_.kept().back().experiment->id;
+  status.timing = set_.kept().back().experiment->timing;
   return status;
 }
 

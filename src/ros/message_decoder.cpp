@@ -110,6 +110,10 @@ double MessageDecoder::value(SerialisedMessage message) const {
   throw DataError("field '" + path_.text + "' is not a number");
 }
 
+std::uint32_t MessageDecoder::sequence(SerialisedMessage message) const {
+  return ByteReader(message).read<std::uint32_t>();
+}
+
 double MessageDecoder::stamp(SerialisedMessage message) const {
   ByteReader reader(message);
   reader.skip(4);  // seq

@@ -89,6 +89,28 @@ void diagnoseIdentification(const WorkerStatus& worker, Status& status) {
   status.add("last experiment", worker.last_id);
 }
 
+void diagnoseTiming(const WorkerStatus& worker, Status& status) {
+  if (worker.last_id.empty()) {
+    status.summary(Level::STALE, "no experiment has finished yet");
+    return;
+  }
+  status.summary(Level::OK, "experiment '" + worker.last_id + "'");
+  const auto add = [&](const std::string& name, const SignalTiming& timing) {
+    if (timing.lost > 0)
+      status.mergeSummaryf(Level::WARN,
+                           "%ld messages of the %s were lost; check the network, and the load and "
+                           "queue of who publishes",
+                           timing.lost, name.c_str());
+    status.addf(name + " age of the newest sample [s]", "%.3g", timing.age);
+    status.addf(name + " delay [s]", "%.3g", timing.delay);
+    status.addf(name + " jitter [s]", "%.3g", timing.jitter);
+    status.add(name + " lost", timing.lost);
+  };
+  add("input", worker.timing.input);
+  add("output", worker.timing.output);
+  status.addf("clock offset [s]", "%.3g", worker.timing.clockOffset());
+}
+
 NodeDiagnostics::NodeDiagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                                  Sources sources)
     : sources_(std::move(sources)), updater_(node, private_node) {
@@ -98,6 +120,7 @@ NodeDiagnostics::NodeDiagnostics(const ros::NodeHandle& node, const ros::NodeHan
   });
   updater_.add("identification",
                [this](Status& status) { diagnoseIdentification(sources_.worker(), status); });
+  updater_.add("timing", [this](Status& status) { diagnoseTiming(sources_.worker(), status); });
   timer_ = ros::NodeHandle(node).createWallTimer(
       ros::WallDuration(updater_.getPeriod()),
       [this](const ros::WallTimerEvent&) { updater_.force_update(); });

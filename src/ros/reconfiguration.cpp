@@ -26,11 +26,31 @@ YAML::Node parse(const std::string& text) {
       "configuration: found no keys; give e.g. {nominal_model: {orders: auto}}");
 }
 
-/// The configuration asked for; what is fixed and left out is as in `current`.
-Configuration wantedConfiguration(const std::string& text, const Configuration& current) {
+/// Limits that requests may lower only: they bound what the node takes of the machine.
+constexpr const char* kBounding[] = {"max_experiments", "max_samples", "max_request_size",
+                                     "max_bag_size", "max_saved_files"};
+
+void requireWithin(const nlohmann::json& limits, const nlohmann::json& started) {
+  for (const char* key : kBounding) {
+    if (limits[key] <= started[key]) continue;
+    throw RefusedError(std::string("limits.") + key + ": found " + limits[key].dump() +
+                       ", but the node was started with " + started[key].dump() +
+                       ", which no request raises; set the parameter and start the node again");
+  }
+}
+
+/// The configuration asked for; what is fixed and left out is as in `current`, and so are limits
+/// that are left out.
+Configuration wantedConfiguration(const std::string& text, const Configuration& current,
+                                  const LimitOptions& started) {
   YAML::Node tree = parse(text);
   nlohmann::json own = toJson(current);
-  const nlohmann::json asked = toJson(parseConfiguration(tree));
+  nlohmann::json asked = toJson(parseConfiguration(tree));
+  for (auto& [key, value] : asked["limits"].items())
+    if (!tree["limits"] || !tree["limits"][key]) value = own["limits"][key];
+  Configuration at_start = current;
+  at_start.limits = started;
+  requireWithin(asked["limits"], toJson(at_start)["limits"]);
   for (const char* key : kFixed) {
     if (tree[key] && asked[key] != own[key]) {
       throw RefusedError(std::string(key) + ": found " + asked[key].dump() + ", but it is " +
@@ -73,7 +93,8 @@ Configuration Reconfiguration::current() const {
 Response Reconfiguration::answer(const messages::Configure::Request& request,
                                  const std::function<bool()>& keep_going) {
   try {
-    return configure(wantedConfiguration(request.configuration, current()), keep_going);
+    return configure(wantedConfiguration(request.configuration, current(), parameters_.limits),
+                     keep_going);
   } catch (const RefusedError& error) {
     return answerOf(Response::REFUSED, error.what());
   } catch (const ConfigurationError& error) {

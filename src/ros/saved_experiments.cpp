@@ -8,8 +8,10 @@
 #include "uncertainty_identification/data/check.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/ros/bag_name.h"
+#include "uncertainty_identification/ros/bag_reader.h"
 #include "uncertainty_identification/ros/experiment_bag.h"
 #include "uncertainty_identification/ros/file_name.h"
+#include "uncertainty_identification/ros/mebibytes.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -18,12 +20,10 @@ namespace fs = std::filesystem;
 using Save = messages::Save::Response;
 using Load = messages::Load::Response;
 
-constexpr std::ptrdiff_t kMostFiles = 100;              // so that requests do not fill the disk
-constexpr std::uintmax_t kLargestFile = 1'000'000'000;  // [bytes]
 constexpr const char* kFolder = "saved/ in store_directory";
 
 /// Where a bag of this name goes. Throws RefusedError, or FileError as the system does.
-std::string newFile(const std::string& directory, const std::string& name) {
+std::string newFile(const std::string& directory, const std::string& name, int most) {
   if (directory.empty())
     throw RefusedError("experiments are not saved until store_directory is configured");
   if (!isPlainFileName(name, ".bag"))
@@ -36,9 +36,9 @@ std::string newFile(const std::string& directory, const std::string& name) {
   const std::string path = directory + "/" + name;
   if (fs::exists(fs::symlink_status(path)))
     throw RefusedError("name: there is a '" + name + "' already; choose another name");
-  if (std::distance(fs::directory_iterator(directory), {}) >= kMostFiles)
-    throw RefusedError("there are " + std::to_string(kMostFiles) + " files in " + kFolder +
-                       " already; remove some");
+  if (std::distance(fs::directory_iterator(directory), {}) >= most)
+    throw RefusedError("there are " + std::to_string(most) + " files in " + kFolder +
+                       " already; remove some, or raise limits.max_saved_files");
   return path;
 }
 
@@ -52,13 +52,16 @@ Response answerOf(std::uint8_t code, const std::string& message) {
 
 }  // namespace
 
-SavedExperiments::SavedExperiments(const std::string& store_directory, IdentificationWorker& worker)
-    : directory_(store_directory.empty() ? "" : store_directory + "/saved"), worker_(worker) {}
+SavedExperiments::SavedExperiments(const std::string& store_directory, const LimitOptions& limits,
+                                   IdentificationWorker& worker)
+    : directory_(store_directory.empty() ? "" : store_directory + "/saved"),
+      limits_(limits),
+      worker_(worker) {}
 
 Save SavedExperiments::save(const messages::Save::Request& request,
                             const std::optional<messages::IdentificationResult>& result) const {
   try {
-    const std::string path = newFile(directory_, request.name);
+    const std::string path = newFile(directory_, request.name, limits_.max_saved_files);
     const WorkerSnapshot snapshot = worker_.snapshot();
     if (snapshot.experiments.empty())
       return answerOf<Save>(Save::NONE_YET, "there are no experiments to save yet");
@@ -81,10 +84,11 @@ Load SavedExperiments::load(const messages::Load::Request& request) {
   try {
     if (directory_.empty())
       throw RefusedError("experiments are not loaded until store_directory is configured");
-    const std::string path = resolveBagName(directory_, request.name, kFolder);
-    if (fs::file_size(path) > kLargestFile)
-      throw RefusedError("bag '" + request.name + "' has more than " +
-                         std::to_string(kLargestFile) + " bytes");
+    const std::string path =
+        resolveBagName(directory_, request.name, mebibytes(limits_.max_bag_size), kFolder);
+    if (unpackedSize(path) > mebibytes(limits_.max_bag_size))
+      throw RefusedError("bag '" + request.name + "' unpacks to more than " +
+                         std::to_string(limits_.max_bag_size) + " MiB (limits.max_bag_size)");
     LoadedData data = readExperimentBag(path);
     if (data.experiments.empty())
       return answerOf<Load>(Load::DATA_ERROR, "bag '" + request.name + "' holds no experiments");
@@ -92,7 +96,8 @@ Load SavedExperiments::load(const messages::Load::Request& request) {
     for (const auto& own : worker_.snapshot().experiments) known.insert(dataFingerprint({own}));
     Load response;
     for (auto& experiment : data.experiments) {
-      const bool added = known.insert(dataFingerprint({experiment})).second;
+      const bool added =
+          known.insert(dataFingerprint({experiment})).second && worker_.readmit(experiment);
       ++(added ? response.added : response.known);
       if (added) worker_.add(std::move(experiment));
     }

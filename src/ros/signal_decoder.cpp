@@ -1,10 +1,16 @@
 #include "uncertainty_identification/ros/signal_decoder.h"
 
+#include <limits>
 #include <utility>
 
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
+namespace {
+
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
 
 void requireReceipt(const RawMessage& message) {
   if (message.receipt > 0) return;
@@ -24,8 +30,12 @@ StampedValue SignalDecoder::decode(const RawMessage& message) {
                     ", whose stamps come from another clock; keep one type per topic");
   }
   if (clock == Clock::receipt) requireReceipt(message);
-  const double stamp = decoder.hasStamp() ? decoder.stamp(message.bytes) : message.receipt;
-  const StampedValue sample{stamp, decoder.value(message.bytes)};
+  StampedValue sample{message.receipt, decoder.value(message.bytes)};
+  if (clock == Clock::header) {
+    sample.stamp = decoder.stamp(message.bytes);
+    sample.arrival = {message.receipt > 0 ? message.receipt : kNotKnown,
+                      sequences_.missingBefore(message.publisher, decoder.sequence(message.bytes))};
+  }
   clock_ = clock;
   return sample;
 }

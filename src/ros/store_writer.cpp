@@ -10,13 +10,13 @@ constexpr int kFewestWaiting = 1000;  // files that find room, however few exper
 
 StoreWriter::StoreWriter(const std::string& directory, const LimitOptions& limits,
                          std::function<void()> changed)
-    : most_(limits.max_experiments),
+    : limits_(limits),
       store_(directory),
       queue_(static_cast<std::size_t>(std::max(limits.max_experiments, kFewestWaiting)),
              kRetryInterval, std::move(changed)) {}
 
 StoredState StoreWriter::load() {
-  StoredState state = store_.load(most_);
+  StoredState state = store_.load(limits_);
   change([&](StoreStatus& status) {
     status.stored = state.count;
     if (!state.kept.empty()) status.last_id = state.kept.back().experiment->id;
@@ -55,7 +55,7 @@ void StoreWriter::reject(std::uint64_t number, const RejectedExperiment& rejecte
 }
 
 void StoreWriter::reject(const RejectedExperiment& rejected) {
-  queue_.push([this, rejected] { store_.reject(rejected, most_); });
+  queue_.push([this, rejected] { store_.reject(rejected, limits_.max_experiments); });
 }
 
 void StoreWriter::reset() {

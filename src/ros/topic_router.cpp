@@ -12,10 +12,12 @@ namespace uncertainty_identification {
 
 TopicRouter::TopicRouter(const Configuration& configuration, const TopicResolver& resolve)
     : cutter_(configuration.experiment, configuration.limits) {
-  addRoute(TopicRole::input, "input", configuration.input, resolve,
-           [this](StampedValue sample) { cutter_.addInput(sample.stamp, sample.value); });
-  addRoute(TopicRole::output, "output", configuration.output, resolve,
-           [this](StampedValue sample) { cutter_.addOutput(sample.stamp, sample.value); });
+  addRoute(TopicRole::input, "input", configuration.input, resolve, [this](StampedValue sample) {
+    cutter_.addInput(sample.stamp, sample.value, sample.arrival);
+  });
+  addRoute(TopicRole::output, "output", configuration.output, resolve, [this](StampedValue sample) {
+    cutter_.addOutput(sample.stamp, sample.value, sample.arrival);
+  });
   for (const auto& covariate : configuration.covariates) {
     addRoute(TopicRole::covariate, "covariate '" + covariate.name + "'", covariate, resolve,
              [this, name = covariate.name](StampedValue sample) {

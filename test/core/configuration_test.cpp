@@ -150,6 +150,9 @@ std::vector<BadValue> badOthers() {
          c.limits.max_samples = 29;
        }},
       {"limits.max_missing", "1", [](auto& c) { c.limits.max_missing = 1; }},
+      {"limits.max_request_size", "1025", [](auto& c) { c.limits.max_request_size = 1025; }},
+      {"limits.max_bag_size", "0", [](auto& c) { c.limits.max_bag_size = 0; }},
+      {"limits.max_saved_files", "-1", [](auto& c) { c.limits.max_saved_files = -1; }},
   };
 }
 

@@ -13,6 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uintmax_t kMost = std::uintmax_t{4} << 30;  // [bytes]
+
 class BagNameTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -23,7 +25,7 @@ class BagNameTest : public testing::Test {
     std::ofstream(folder_ / "secret.bag") << "x";
   }
 
-  std::string resolve(const std::string& name) { return resolveBagName(directory_, name); }
+  std::string resolve(const std::string& name) { return resolveBagName(directory_, name, kMost); }
   std::string refusal(const std::string& name) {
     return messageOf<RefusedError>([&] { resolve(name); });
   }
@@ -39,8 +41,9 @@ TEST_F(BagNameTest, FindsBagsBelowTheDirectory) {
 }
 
 TEST_F(BagNameTest, RefusesAllNamesWithoutADirectory) {
-  EXPECT_NE(messageOf<RefusedError>([] { resolveBagName("", "a.bag"); }).find("bag_directory"),
-            std::string::npos);
+  EXPECT_NE(
+      messageOf<RefusedError>([] { resolveBagName("", "a.bag", kMost); }).find("bag_directory"),
+      std::string::npos);
 }
 
 TEST_F(BagNameTest, RefusesWhatLeadsOut) {
@@ -64,10 +67,10 @@ TEST_F(BagNameTest, LinksWithinTheDirectoryAreFine) {
 }
 
 TEST_F(BagNameTest, RefusesOverLargeFiles) {
-  fs::resize_file(directory_ + "/a.bag", std::uintmax_t{4} << 30);  // sparse: takes no room
+  fs::resize_file(directory_ + "/a.bag", kMost);  // sparse: takes no room
   EXPECT_NO_THROW(resolve("a.bag"));
-  fs::resize_file(directory_ + "/a.bag", (std::uintmax_t{4} << 30) + 1);
-  EXPECT_NE(refusal("a.bag").find("larger than 4 GiB"), std::string::npos);
+  fs::resize_file(directory_ + "/a.bag", kMost + 1);
+  EXPECT_NE(refusal("a.bag").find("limits.max_bag_size"), std::string::npos);
 }
 
 TEST_F(BagNameTest, WhatIsNoBagIsNamed) {
@@ -75,7 +78,7 @@ TEST_F(BagNameTest, WhatIsNoBagIsNamed) {
             std::string::npos);
   EXPECT_THROW(resolve("notes.txt"), FileError);
   EXPECT_THROW(resolve("day"), FileError);
-  EXPECT_THROW(resolveBagName(folder_ / "absent", "a.bag"), FileError);
+  EXPECT_THROW(resolveBagName(folder_ / "absent", "a.bag", kMost), FileError);
 }
 
 }  // namespace

@@ -31,6 +31,40 @@ TEST(ExperimentSet, KeepsTheNewest) {
   EXPECT_EQ(idsOf(set), (Ids{"b", "c"}));
 }
 
+Experiment usableExperiment(const std::string& id, double start) {
+  Experiment experiment = makeExperiment(id, start, 30);
+  experiment.u[3] = experiment.y[4] = 1;
+  return experiment;
+}
+
+TEST(ExperimentSet, WhatCannotBeUsedTakesNoPlaceOfWhatCan) {
+  LimitOptions limits;
+  limits.max_experiments = 2;
+  ExperimentSet set(limits);
+  for (const double start : {0, 10, 20}) {
+    const std::string number = std::to_string(static_cast<int>(start) / 10);
+    set.add({{usableExperiment("good" + number, start)}, {}, {}});
+    set.add({{makeExperiment("constant" + number, start + 5)}, {}, {}});
+  }
+  set.add({{makeExperiment("constant3", 30)}, {}, {}});
+  EXPECT_EQ(idsOf(set), (Ids{"good1", "good2", "constant2", "constant3"}));
+  EXPECT_EQ(set.digests()[0].rejected, "");
+  EXPECT_NE(set.digests()[2].rejected.find("the input is constant"), std::string::npos);
+  limits.min_samples = 31;  // nothing can be used any more
+  set.setLimits(limits);
+  EXPECT_EQ(idsOf(set), (Ids{"constant2", "constant3"}));
+}
+
+TEST(ExperimentSet, WhatWasRejectedComesBackOnRequestOnly) {
+  ExperimentSet set{LimitOptions()};
+  set.add({{makeExperiment("a", 0)}, {}, {}});
+  EXPECT_FALSE(set.readmit(makeExperiment("a", 0)));
+  set.reject("a", "the rig was touched");
+  EXPECT_TRUE(set.add({{makeExperiment("a", 0)}, {}, {}}).empty());
+  EXPECT_TRUE(set.readmit(makeExperiment("a", 0)));
+  EXPECT_EQ(set.add({{makeExperiment("a", 0)}, {}, {}}).size(), 1U);
+}
+
 TEST(ExperimentSet, IdsDiffer) {
   ExperimentSet set{LimitOptions()};
   set.add({{makeExperiment("a", 0), makeExperiment("a", 2), makeExperiment("a", 4)}, {}, {}});

@@ -21,7 +21,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMany = 1000;
+/// Limits that leave room for so many.
+LimitOptions newest(int count) {
+  LimitOptions limits;
+  limits.max_experiments = count;
+  return limits;
+}
+
+const LimitOptions kMany = newest(1000);
 
 std::vector<KeptExperiment> numberedExperiments(int count) {
   std::vector<KeptExperiment> all;
@@ -83,7 +90,7 @@ TEST(ExperimentStore, ReadsTheNewestAndCountsAll) {
   ExperimentStore store(folder.path());
   const auto experiments = numberedExperiments(5);
   for (const auto& experiment : experiments) store.write(experiment);
-  const StoredState state = store.load(2);
+  const StoredState state = store.load(newest(2));
   EXPECT_EQ(idsOf(state), (std::vector<std::string>{experiments[3].experiment->id,
                                                     experiments[4].experiment->id}));
   EXPECT_EQ(state.count, 5);
@@ -130,7 +137,7 @@ TEST(ExperimentStore, RejectedExperimentsAreRememberedWithTheirReasons) {
   for (const auto& experiment : experiments) store.write(experiment);
   store.reject(3, {experiments[2].experiment->id, "the rig was touched"});
   for (int k = 0; k < 4; ++k) store.reject({"cut_" + std::to_string(k), "too short"}, 2);
-  const StoredState state = store.load(2);
+  const StoredState state = store.load(newest(2));
   EXPECT_EQ(state.kept.size(), 2U);
   EXPECT_EQ(state.last_number, 3U) << "its number is not given away";
   ASSERT_EQ(state.rejected.size(), 3U);

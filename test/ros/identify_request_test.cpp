@@ -2,7 +2,13 @@
 
 #include <gtest/gtest.h>
 #include <ros/time.h>
+#include <rosbag/bag.h>
+#include <std_msgs/Bool.h>
+#include <std_msgs/Float64.h>
+#include <std_msgs/String.h>
 
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -10,6 +16,7 @@
 #include "support/example1.h"
 #include "support/temporary_folder.h"
 #include "uncertainty_identification/identifier.h"
+#include "uncertainty_identification/io/read_file.h"
 #include "uncertainty_identification/ros/bag_writer.h"
 #include "uncertainty_identification/ros/message_conversions.h"
 
@@ -88,6 +95,51 @@ TEST_F(IdentifyRequestTest, EachFailureHasItsCode) {
   const auto response = answer(request);
   EXPECT_EQ(response.code, Response::FILE_ERROR);
   EXPECT_NE(response.message.find("is no ROS bag"), std::string::npos) << response.message;
+}
+
+/// A bag of two megabytes that takes next to no room.
+void writeBomb(const std::string& path) {
+  rosbag::Bag bag(path, rosbag::bagmode::Write);
+  bag.setCompression(rosbag::compression::BZ2);
+  std_msgs::String text;
+  text.data.assign(2U << 20U, 'x');
+  bag.write("/text", ros::Time(1), text);
+  bag.write("/actuator/command", ros::Time(1), std_msgs::Float64());
+  bag.write("/sensor/measurement", ros::Time(1), std_msgs::Float64());
+  bag.write("/experiment/active", ros::Time(1), std_msgs::Bool());
+  bag.close();
+}
+
+/// Makes a bag's first chunk say that it unpacks to `size` bytes.
+void pretend(const std::string& path, std::uint32_t size) {
+  std::string content = readFile(path);
+  const std::string field = "size=";
+  const auto found = content.find(field);
+  ASSERT_NE(found, std::string::npos);
+  std::memcpy(&content[found + field.size()], &size, sizeof size);
+  std::ofstream(path, std::ios::binary) << content;
+}
+
+TEST_F(IdentifyRequestTest, BagsThatUnpackToMoreThanTheLimitAreRefused) {
+  const std::string path = folder_ / "bomb.bag";
+  writeBomb(path);
+  Request request;
+  request.bags = {"bomb.bag"};
+  EXPECT_EQ(answer(request).code, Response::DATA_ERROR) << "it can be read, but marks nothing";
+  own_.limits.max_bag_size = 1;
+  ASSERT_LT(std::filesystem::file_size(path), 1U << 16U);
+  request.configuration = "{nominal_model: {orders: auto}, limits: {max_bag_size: 100}}";
+  const auto refused = answer(request);
+  EXPECT_EQ(refused.code, Response::REFUSED);
+  EXPECT_NE(refused.message.find("limits.max_bag_size"), std::string::npos) << refused.message;
+  pretend(path, 0xffffffff);
+  EXPECT_EQ(answer(request).code, Response::REFUSED);
+  pretend(path, 1000);  // and expands to more
+  EXPECT_EQ(answer(request).code, Response::FILE_ERROR);
+  own_.limits.max_bag_size = 4096;  // no chunk may have more than 1024
+  request.configuration.clear();
+  pretend(path, 0x60000000);
+  EXPECT_EQ(answer(request).code, Response::FILE_ERROR);
 }
 
 TEST_F(IdentifyRequestTest, RequestCannotOpenAnotherFolder) {

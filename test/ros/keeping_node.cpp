@@ -180,6 +180,11 @@ TEST_F(KeepingTest, ConfigureIdentifiesAnewOrKeepsTheOld) {
       {"{nominal_model: {nb: 0}}", Configure::Response::CONFIGURATION_ERROR},
       {"{store_directory: /tmp}", Configure::Response::REFUSED},
       {"{input: {topic: elsewhere}}", Configure::Response::REFUSED},
+      {"{limits: {max_experiments: 1001}}", Configure::Response::REFUSED},
+      {"{limits: {max_samples: 1000001}}", Configure::Response::REFUSED},
+      {"{limits: {max_request_size: 257}}", Configure::Response::REFUSED},
+      {"{limits: {max_bag_size: 4097}}", Configure::Response::REFUSED},
+      {"{limits: {max_saved_files: 101}}", Configure::Response::REFUSED},
       {"{nominal_model: {nb: 50, na: 50, nc: 50, nd: 50}}", Configure::Response::DATA_ERROR}};
   for (const auto& [text, code] : wrong) {
     const auto refused = configure(text);
@@ -222,6 +227,12 @@ TEST_F(KeepingTest, SavedExperimentsCanBeLoaded) {
   EXPECT_EQ(known.code, Load::Response::OK) << known.message;
   EXPECT_EQ(known.added, 0U);
   EXPECT_EQ(known.known, 5U);
+  RejectExperiment::Request reject;
+  reject.id = listed()[1].id;
+  ASSERT_EQ(client_->call<RejectExperiment>("reject_experiment", reject).code,
+            RejectExperiment::Response::OK);
+  EXPECT_EQ(load("today.bag").added, 1U) << "what was rejected comes back on request";
+  ASSERT_TRUE(client_->waitUntilStored(5));
   ASSERT_TRUE(client_->call<std_srvs::Trigger>("reset").success);
   EXPECT_EQ(load("today.bag").added, 5U);
   ASSERT_TRUE(client_->waitUntilStored(5));

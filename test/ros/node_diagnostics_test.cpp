@@ -101,6 +101,28 @@ TEST(DiagnoseIdentification, EachLevel) {
   EXPECT_EQ(level(worker), Level::ERROR);
 }
 
+TEST(DiagnoseTiming, TellsOfTheNewestExperiment) {
+  const auto diagnosed = [](const WorkerStatus& worker) {
+    Status status;
+    diagnoseTiming(worker, status);
+    return status;
+  };
+  WorkerStatus worker;
+  EXPECT_EQ(diagnosed(worker).level, Level::STALE);
+  worker.last_id = "run";
+  worker.timing.input.delay = 0.3;
+  worker.timing.output.delay = 0.1;
+  worker.timing.output.jitter = 0.001;
+  EXPECT_EQ(diagnosed(worker).level, Level::OK);
+  EXPECT_EQ(valueOf(diagnosed(worker), "clock offset [s]"), "0.2");
+  EXPECT_EQ(valueOf(diagnosed(worker), "output jitter [s]"), "0.001");
+  EXPECT_EQ(valueOf(diagnosed(worker), "input age of the newest sample [s]"), "nan");
+  worker.timing.output.lost = 3;
+  EXPECT_EQ(diagnosed(worker).level, Level::WARN);
+  EXPECT_NE(diagnosed(worker).message.find("3 messages of the output were lost"),
+            std::string::npos);
+}
+
 TEST(ArrivalCounter, GivesRatesSinceTheLastCallAndSmoothedIntervals) {
   using std::chrono::milliseconds;
   ArrivalCounter counter;

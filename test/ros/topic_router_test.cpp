@@ -6,6 +6,8 @@
 #include <std_msgs/Float64.h>
 #include <std_msgs/String.h>
 
+#include <cmath>
+
 #include "support/error_message.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/ros/messages.h"
@@ -73,6 +75,23 @@ TEST_F(TopicRouterTest, StampsComeFromHeadersWhereThereAreAny) {
   EXPECT_EQ(recordings[0].output.values, (std::vector<double>{0, 2, 4, 6, 8}));
   EXPECT_EQ(router_.stampedOnReceipt(), std::vector<std::string>{"/sensor/measurement"});
   EXPECT_TRUE(router_.warnings().empty());
+}
+
+TEST_F(TopicRouterTest, ArrivalsAndLossesOfMessagesWithHeadersAreKept) {
+  mark(10, true);
+  for (std::uint32_t k = 0; k < 5; ++k) {
+    auto command = sample(10 + k, k);
+    command.header.seq = k < 3 ? k : k + 2;  // two are missing before the fourth
+    add("/actuator/command", command, 10.5 + k);
+    add("/sensor/measurement", number(2 * k), 10 + k);
+  }
+  mark(15, false);
+  const auto recordings = finished();
+  ASSERT_EQ(recordings.size(), 1U);
+  EXPECT_EQ(recordings[0].input.arrivals, (std::vector<double>{10.5, 11.5, 12.5, 13.5, 14.5}));
+  EXPECT_EQ(recordings[0].input.lost, 2);
+  for (const double arrival : recordings[0].output.arrivals) EXPECT_TRUE(std::isnan(arrival));
+  EXPECT_EQ(recordings[0].output.lost, 0);
 }
 
 TEST_F(TopicRouterTest, ClocksAreNotMixedWithinASignal) {

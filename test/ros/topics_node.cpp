@@ -117,6 +117,49 @@ TEST_F(TopicsTest, MessagesOfTheWrongSizeAreLeftOut) {
   expectThatTheNodeStillRecords();
 }
 
+/// A publisher that numbers its messages itself.
+ros::Publisher numberedByHand(ros::NodeHandle& node, const std::string& topic) {
+  ros::AdvertiseOptions options;
+  options.init<messages::Sample>(topic, 1000);
+  options.has_header = false;  // else roscpp numbers them
+  return node.advertise(options);
+}
+
+// The output's clock is 0.2 s ahead, its stamps are up to 1 ms off their grid, and three messages
+// are missing.
+TEST_F(TopicsTest, HowTheSamplesCameIsToldOfEachExperiment) {
+  signals_.shutdown();
+  ros::Publisher command = numberedByHand(node_, "/actuator/command");
+  ros::Publisher measurement = numberedByHand(node_, "/sensor/measurement");
+  ASSERT_TRUE(waitFor(
+      [&] { return command.getNumSubscribers() > 0 && measurement.getNumSubscribers() > 0; }));
+  ASSERT_TRUE(signals_.trigger("start_experiment"));
+  const ros::Time begin = ros::Time::now();
+  messages::Sample u, y;
+  for (int k = 0; k < experiment_.samples(); ++k) {
+    const ros::Time due = begin + ros::Duration(k * experiment_.sample_time);
+    ros::Time::sleepUntil(due);
+    ++u.header.seq;
+    u.header.stamp = due;
+    u.value = experiment_.u[k];
+    command.publish(u);
+    y.header.seq += k == 50 ? 4 : 1;
+    y.header.stamp = due + ros::Duration(0.2 + (k % 3 - 1) * 0.001);
+    y.value = experiment_.y[k];
+    measurement.publish(y);
+  }
+  ASSERT_TRUE(signals_.trigger("finish_experiment"));
+  ASSERT_TRUE(waitFor([&] { return listed().size() == 1; })) << client_.status().message;
+  const auto summary = listed().front();
+  EXPECT_EQ(summary.input.lost, 0U);
+  EXPECT_EQ(summary.output.lost, 3U);
+  EXPECT_NEAR(summary.clock_offset, 0.2, 0.05) << "the quickest of 100 transports each";
+  EXPECT_LT(summary.input.jitter, 1e-5);
+  EXPECT_NEAR(summary.output.jitter, 0.001, 1e-5);
+  EXPECT_GE(summary.input.age, summary.input.delay);
+  EXPECT_GT(summary.input.delay, 0);
+}
+
 }  // namespace
 }  // namespace uncertainty_identification
 

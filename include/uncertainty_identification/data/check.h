@@ -32,6 +32,10 @@ struct CheckReport {
 std::vector<Finding> checkExperiment(const Experiment& experiment, const LimitOptions& limits,
                                      const std::vector<std::string>& required_covariates);
 
+/// Why checkExperiment rejects the experiment, whatever covariates a model may require; several
+/// reasons are joined. Empty: it does not.
+std::string defectOf(const Experiment& experiment, const LimitOptions& limits);
+
 /// Checks all experiments before a fit. Beyond checkExperiment: a second experiment of the same id
 /// is rejected, and one whose sample time departs by more than a thousandth from `sample_time` [s]
 /// (0: from that of most experiments). A warning where no usable input does more than a single

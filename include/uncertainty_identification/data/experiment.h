@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "uncertainty_identification/data/signal_timing.h"
+
 namespace uncertainty_identification {
 
 /// One input/output record on a uniform time grid: what was measured in experiment r of the paper's
@@ -21,6 +23,7 @@ struct Experiment {
   std::map<std::string, Eigen::VectorXd> signals;  ///< covariates measured at each sample, N each
   Eigen::VectorXd
       stamp_offset;  ///< N actual minus nominal sampling instants of y [s]; empty = none known
+  ExperimentTiming timing;  ///< how its samples came; nothing identifies from it
 
   /// Number of samples N, measured or not.
   int samples() const { return static_cast<int>(u.size()); }

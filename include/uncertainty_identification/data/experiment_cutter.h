@@ -39,8 +39,8 @@ class ExperimentCutter {
  public:
   ExperimentCutter(const ExperimentOptions& options, const LimitOptions& limits);
 
-  void addInput(double stamp, double value);
-  void addOutput(double stamp, double value);
+  void addInput(double stamp, double value, const Arrival& arrival = {});
+  void addOutput(double stamp, double value, const Arrival& arrival = {});
   void addCovariate(const std::string& name, double stamp, double value);
 
   /// Mode topic: a rise of `active` begins an experiment, a fall ends it; a repeated marker changes
@@ -104,7 +104,7 @@ class ExperimentCutter {
   bool ended(const Window& window) const { return window.end <= now_; }
 
   void addSample(const std::string& signal, StampedBuffer& buffer, double stamp, double value,
-                 Duplicates keep);
+                 Duplicates keep, const Arrival& arrival = {});
   bool acceptStamp(const std::string& signal, double newest, double stamp);
   void resetClock(const std::string& signal, double from, double to);
 

@@ -13,6 +13,8 @@ namespace uncertainty_identification {
 struct StampedSignal {
   std::vector<double> stamps;  ///< [s]
   std::vector<double> values;
+  std::vector<double> arrivals = {};  ///< [s] of each, NaN where not known; empty: of none
+  long lost = 0;                      ///< messages missing between them, by sequence numbers
 };
 
 /// Which of several samples with one stamp counts: of the output the first; of what is held (input,

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "uncertainty_identification/data/recording.h"
+#include "uncertainty_identification/data/signal_timing.h"
 
 namespace uncertainty_identification {
 
@@ -15,7 +16,8 @@ class StampedBuffer {
 
   /// Appends a sample; its stamp must not be smaller than the newest. False for a duplicate (equal
   /// to the newest), of which one is kept, and which is counted with it.
-  bool push(double stamp, double value, Duplicates keep = Duplicates::keep_first);
+  bool push(double stamp, double value, Duplicates keep = Duplicates::keep_first,
+            const Arrival& arrival = {});
 
   /// Newest stamp shown since the last clear() [s], also of samples that are forgotten; kNever if
   /// none.
@@ -52,6 +54,7 @@ class StampedBuffer {
  private:
   struct Sample {
     double stamp, value;
+    Arrival arrival;
     int duplicates;
   };
   using Iterator = std::deque<Sample>::const_iterator;

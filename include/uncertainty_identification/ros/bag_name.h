@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "uncertainty_identification/errors.h"
@@ -15,8 +16,8 @@ class RefusedError : public Error {
 /// The bag that a name in a request means: a .bag file below `directory`, which messages call
 /// `what`. Throws RefusedError when the directory is empty (bag names are not allowed), the name is
 /// absolute, contains "..", leads out of the directory through a link, or means a file of more than
-/// 4 GiB; FileError when there is no such bag.
+/// `most` bytes; FileError when there is no such bag.
 std::string resolveBagName(const std::string& directory, const std::string& name,
-                           const std::string& what = "bag_directory");
+                           std::uintmax_t most, const std::string& what = "bag_directory");
 
 }  // namespace uncertainty_identification

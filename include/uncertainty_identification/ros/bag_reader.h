@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -28,5 +29,9 @@ using KeepGoing = std::function<bool()>;
 /// messages and bad experiments are listed in the result.
 LoadedData readBag(const std::string& path, const Configuration& configuration,
                    const KeepGoing& keep_going = {});
+
+/// [bytes] that the chunks of a bag unpack to, as their headers say; none is unpacked. Reading
+/// holds every chunk to it. Throws FileError as above.
+std::uint64_t unpackedSize(const std::string& path);
 
 }  // namespace uncertainty_identification

@@ -12,18 +12,16 @@
 
 namespace uncertainty_identification {
 
-constexpr std::size_t kLargestRequest = 256U << 20;  // [bytes]
-
 /// Throws DataError when the bytes are fewer than the definition and the lengths in them say, or
-/// more than kLargestRequest: roscpp makes room for what an array's length says before it looks.
+/// more than `most`: roscpp makes room for what an array's length says before it looks.
 template <typename Message>
-void requireSound(SerialisedMessage bytes) {
+void requireSound(SerialisedMessage bytes, std::size_t most) {
   namespace traits = ros::message_traits;
   static const MessageDefinition kDefinition(traits::datatype<Message>(),
                                              traits::definition<Message>());
-  if (bytes.size > kLargestRequest)
+  if (bytes.size > most)
     throw DataError("the request has " + std::to_string(bytes.size) + " bytes; at most " +
-                    std::to_string(kLargestRequest) + " are read");
+                    std::to_string(most) + " are read (limits.max_request_size)");
   requireComplete(kDefinition, bytes);
 }
 
@@ -37,14 +35,14 @@ class CheckedServiceHelper
   using Response = typename Service::Response;
   using Base = ros::ServiceCallbackHelperT<ros::ServiceSpec<Request, Response>>;
 
-  CheckedServiceHelper(const typename Base::Callback& answer, std::uint8_t code)
-      : Base(answer), code_(code) {}
+  CheckedServiceHelper(const typename Base::Callback& answer, std::uint8_t code, std::size_t most)
+      : Base(answer), code_(code), most_(most) {}
 
   bool call(ros::ServiceCallbackHelperCallParams& parameters) override {
     const ros::SerializedMessage& request = parameters.request;
     const auto header = static_cast<std::size_t>(request.message_start - request.buf.get());
     try {
-      requireSound<Request>({request.message_start, request.num_bytes - header});
+      requireSound<Request>({request.message_start, request.num_bytes - header}, most_);
       return Base::call(parameters);
     } catch (const std::exception& error) {
       Response response;
@@ -57,18 +55,20 @@ class CheckedServiceHelper
 
  private:
   std::uint8_t code_;
+  std::size_t most_;  // [bytes] of a request
 };
 
-/// Advertises a service whose request has arrays; `code` answers requests that are broken.
+/// Advertises a service whose request has arrays; `code` answers requests that are broken
+/// or have more than `most` bytes.
 template <typename Service>
 ros::ServiceServer advertiseChecked(
     ros::NodeHandle& node, const std::string& name,
     const boost::function<bool(typename Service::Request&, typename Service::Response&)>& answer,
-    std::uint8_t code) {
+    std::uint8_t code, std::size_t most) {
   ros::AdvertiseServiceOptions options;
   options.initBySpecType<ros::ServiceSpec<typename Service::Request, typename Service::Response>>(
       name, answer);
-  options.helper = boost::make_shared<CheckedServiceHelper<Service>>(answer, code);
+  options.helper = boost::make_shared<CheckedServiceHelper<Service>>(answer, code, most);
   return node.advertiseService(options);
 }
 

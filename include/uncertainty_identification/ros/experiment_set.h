@@ -20,6 +20,7 @@ struct ExperimentDigest {
   double sample_time = 0;  ///< [s]
   int samples = 0;         ///< measured output samples
   std::string rejected;    ///< why it is not used; empty: it is
+  ExperimentTiming timing = {};
 };
 
 /// The experiments that a result was asked of: how many, the first and the last of them, and from
@@ -37,9 +38,12 @@ ExperimentWindow windowOf(const std::vector<Experiment>& experiments);
 struct KeptExperiment {
   std::uint64_t number = 0;
   std::shared_ptr<const Experiment> experiment;
+  std::string defect = {};  ///< why it cannot be used (defectOf); empty: it can
 };
 
-/// The experiments that a node identifies from: the newest max_experiments, under ids that differ.
+/// The experiments that a node identifies from: the newest max_experiments of those that pass the
+/// checks (defectOf), and among them no more that do not, which are kept to tell of them and in
+/// case the limits change. Under ids that differ.
 class ExperimentSet {
  public:
   explicit ExperimentSet(const LimitOptions& limits) : limits_(limits) {}
@@ -56,6 +60,10 @@ class ExperimentSet {
   /// Takes an experiment out, for a reason; its number, or nothing where there is no such one.
   std::optional<std::uint64_t> reject(const std::string& id, const std::string& reason);
 
+  /// Whether an experiment that is asked for will be added: it was not recorded before, or was
+  /// rejected since.
+  bool readmit(const Experiment& experiment) { return recorded_before_.readmit(experiment); }
+
   /// Forgets all but the numbers.
   void clear();
 
@@ -69,6 +77,7 @@ class ExperimentSet {
 
  private:
   std::string freeId(const std::string& id) const;
+  void judge(KeptExperiment& kept) const;
   void keepNewest();
 
   LimitOptions limits_;

@@ -51,8 +51,9 @@ class ExperimentStore {
   ExperimentStore(const ExperimentStore&) = delete;
   ExperimentStore& operator=(const ExperimentStore&) = delete;
 
-  /// Reads the newest `most` experiments, and what else there is; moves aside what is damaged.
-  StoredState load(int most);
+  /// Reads the newest experiments, limits.max_experiments usable ones (defectOf) and no more of the
+  /// others, and what else there is; moves aside what is damaged.
+  StoredState load(const LimitOptions& limits);
 
   void write(const KeptExperiment& experiment);
   void write(const StoredResult& result);
@@ -69,7 +70,7 @@ class ExperimentStore {
 
  private:
   std::string bagName(std::uint64_t number) const;
-  void loadExperiments(int most, StoredState& state);
+  void loadExperiments(const LimitOptions& limits, StoredState& state);
   void loadRejected(int most, StoredState& state);
   void finishRejections();
   void moveDamaged(const std::string& path, const std::string& reason, StoredState& state);

@@ -31,11 +31,12 @@ struct WorkerStatus {
   bool failed = false;  ///< the last identification gave no usable result
   Termination termination = Termination::not_run;
   std::string message = "no experiment has finished yet";
-  int stored = 0;       ///< experiments kept
-  std::string last_id;  ///< of the newest one
-  int queue = 0;        ///< experiments that wait
-  double seconds = 0;   ///< [s] wall time of the last identification
-  int iterations = 0;   ///< that it took
+  int stored = 0;           ///< experiments kept
+  std::string last_id;      ///< of the newest one
+  ExperimentTiming timing;  ///< likewise
+  int queue = 0;            ///< experiments that wait
+  double seconds = 0;       ///< [s] wall time of the last identification
+  int iterations = 0;       ///< that it took
 };
 
 /// The experiments at one moment.
@@ -80,6 +81,9 @@ class IdentificationWorker {
   /// Takes an experiment out and identifies without it; its number, or nothing where there is no
   /// such one.
   std::optional<std::uint64_t> reject(const std::string& id, const std::string& reason);
+
+  /// Whether an experiment that is asked for, and added next, will count (ExperimentSet::readmit).
+  bool readmit(const Experiment& experiment);
 
   /// Forgets all experiments and the result; what is running is cancelled and not published.
   void reset();

@@ -43,6 +43,9 @@ class MessageDecoder {
   /// Stamp of the leading header [s]. Requires hasStamp(). Throws DataError as above.
   double stamp(SerialisedMessage message) const;
 
+  /// Sequence number of the leading header. Requires hasStamp(). Throws DataError as above.
+  std::uint32_t sequence(SerialisedMessage message) const;
+
   /// The path as resolved, "effort[0]".
   const std::string& path() const { return path_.text; }
 

@@ -45,6 +45,7 @@
 #include <uncertainty_identification/Sample.h>
 #include <uncertainty_identification/SampleModels.h>
 #include <uncertainty_identification/Save.h>
+#include <uncertainty_identification/SignalTiming.h>
 #include <uncertainty_identification/TriedEffect.h>
 #include <uncertainty_identification/UncertaintyBounds.h>
 #include <uncertainty_identification/WriteReport.h>

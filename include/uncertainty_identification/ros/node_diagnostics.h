@@ -24,6 +24,10 @@ void diagnoseSignals(const std::vector<TopicActivity>& topics, bool experiment_r
 void diagnoseIdentification(const WorkerStatus& worker,
                             diagnostic_updater::DiagnosticStatusWrapper& status);
 
+/// How the samples of the newest experiment came. STALE: there is none; WARN: messages were lost.
+void diagnoseTiming(const WorkerStatus& worker,
+                    diagnostic_updater::DiagnosticStatusWrapper& status);
+
 /// Publishes /diagnostics from the thread that spins, every ~diagnostic_period seconds of wall
 /// time: a clock that stands still or goes back keeps none away.
 class NodeDiagnostics {

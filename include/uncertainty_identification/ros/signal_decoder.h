@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "uncertainty_identification/data/signal_timing.h"
 #include "uncertainty_identification/ros/message_decoder.h"
 
 namespace uncertainty_identification {
@@ -15,13 +16,15 @@ struct RawMessage {
   const std::string& md5sum;      ///< of the type; the key under which decoders are kept
   const std::string& definition;  ///< text of the type and of those it contains
   SerialisedMessage bytes;
-  double receipt = 0;  ///< [s] when it was received or recorded
+  double receipt = 0;          ///< [s] when it was received or recorded
+  std::string publisher = {};  ///< whose header counts its messages; empty: not known
 };
 
 /// One message of a signal.
 struct StampedValue {
   double stamp = 0;  ///< [s] of the header where there is one, else receipt
   double value = 0;
+  Arrival arrival = {};  ///< of a message with a header; else nothing is known
 };
 
 /// Throws DataError when the message has to be stamped on receipt, but the clock had not started.
@@ -54,6 +57,7 @@ class SignalDecoder {
   std::map<std::string, std::unique_ptr<const MessageDecoder>> decoders_;  // by md5sum
   std::map<std::string, std::string> refused_;                             // md5sum to reason
   Clock clock_ = Clock::unknown;
+  SequenceCounter sequences_;
 };
 
 }  // namespace uncertainty_identification

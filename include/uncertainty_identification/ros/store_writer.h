@@ -45,7 +45,7 @@ class StoreWriter {
  private:
   void change(const std::function<void(StoreStatus&)>& change);
 
-  const int most_;
+  const LimitOptions limits_;
   ExperimentStore store_;  // of the queue's thread, once that has something to do
   mutable std::mutex mutex_;
   StoreStatus status_;  // guarded by mutex_: stored and last_id

@@ -43,6 +43,18 @@ TEST(RecordedBefore, ForgetsWhenCleared) {
   EXPECT_TRUE(before.add(experimentAt(1)));
 }
 
+TEST(RecordedBefore, WhatWasTakenOutComesBackOnlyWhenAskedFor) {
+  RecordedBefore before;
+  EXPECT_TRUE(before.readmit(experimentAt(1))) << "never recorded";
+  before.add(experimentAt(1));
+  EXPECT_FALSE(before.readmit(experimentAt(1))) << "still there";
+  before.takeOut(experimentAt(1));
+  EXPECT_FALSE(before.add(experimentAt(1))) << "the next pass of a loop";
+  EXPECT_TRUE(before.readmit(experimentAt(1)));
+  EXPECT_TRUE(before.add(experimentAt(1)));
+  EXPECT_FALSE(before.readmit(experimentAt(1)));
+}
+
 TEST(RecordedBefore, RemembersTheNewest) {
   RecordedBefore before;
   for (std::size_t k = 0; k <= RecordedBefore::kRemembered; ++k)
