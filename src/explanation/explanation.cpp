@@ -67,12 +67,18 @@ std::string groupOf(const std::string& name) {
 }
 
 /// While some check fails, only what explains most is named, if it is no noise: what a search takes
-/// in beside that, or on top of a noise, stands in for what the catalogue lacks.
+/// in beside that, or on top of a noise that explains far more, stands in for what the catalogue
+/// lacks.
 bool isSymptom(const FoundCause& found, const SearchState& state) {
+  constexpr double kFarMore = 4.0 / 3;
+  const auto of_noise = [](const FoundCause& cause) {
+    return noiseClass().count(cause.effect->name()) > 0;
+  };
   if (found.score == 0) return false;  // seen in the samples themselves
-  if (noiseClass().count(found.effect->name()) > 0) return true;
-  return std::any_of(state.causes.begin(), state.causes.end(),
-                     [&](const FoundCause& other) { return other.score > found.score; });
+  if (of_noise(found)) return true;
+  return std::any_of(state.causes.begin(), state.causes.end(), [&](const FoundCause& other) {
+    return other.score > found.score * (of_noise(other) ? kFarMore : 1);
+  });
 }
 
 /// Each further cause beside the noise is one less likely to be true: three that happen to describe

@@ -13,7 +13,16 @@ import actionlib
 import rospy
 import rostest
 from std_srvs.srv import Trigger
-from uncertainty_identification.msg import Covariate, Experiment, IdentifyBagsAction, IdentifyBagsGoal
+from uncertainty_identification.msg import (
+    Covariate,
+    Experiment,
+    ExplainExperimentsAction,
+    ExplainExperimentsActionGoal,
+    ExplainExperimentsGoal,
+    IdentifyBagsAction,
+    IdentifyBagsActionGoal,
+    IdentifyBagsGoal,
+)
 from uncertainty_identification.srv import (Configure, GetResult, Identify, IdentifyRequest, ListExperiments, Load,
                                             RejectExperiment, SampleModels, Save, WriteReport)
 
@@ -131,13 +140,29 @@ class Hostile(unittest.TestCase):
             self.assertTrue(answer.message)
         self.expect_correct_identification()
 
-    def test_goals(self):
-        server = actionlib.SimpleActionClient(f"{NODE}/identify_bags", IdentifyBagsAction)
+    def expect_goals_refused(self, action, kind, goal):
+        server = actionlib.SimpleActionClient(f"{NODE}/{action}", kind)
         self.assertTrue(server.wait_for_server(rospy.Duration(240)))
-        for goal in [IdentifyBagsGoal(bags=[name]) for name in NAMES] + [IdentifyBagsGoal([], text) for text in TEXTS]:
-            server.send_goal_and_wait(goal, rospy.Duration(240))
+        for one in [goal(bags=[name]) for name in NAMES] + [goal([], text) for text in TEXTS]:
+            server.send_goal_and_wait(one, rospy.Duration(240))
             self.assertTrue(server.get_result().message)
             self.assertNotEqual(server.get_result().code, 0)
+
+    def test_goals(self):
+        self.expect_goals_refused("identify_bags", IdentifyBagsAction, IdentifyBagsGoal)
+        self.expect_goals_refused("explain_experiments", ExplainExperimentsAction, ExplainExperimentsGoal)
+        self.expect_correct_identification()
+
+    def test_broken_goals(self):
+        for action, kind, goal in (
+            ("identify_bags", IdentifyBagsActionGoal, IdentifyBagsGoal),
+            ("explain_experiments", ExplainExperimentsActionGoal, ExplainExperimentsGoal),
+        ):
+            publisher = rospy.Publisher(f"{NODE}/{action}/goal", kind, queue_size=1000)
+            self.assertTrue(client.wait_for(lambda: publisher.get_num_connections() > 0))
+            good = kind(goal=goal(["a.bag"], "{}"))
+            for _ in range(100):
+                publisher.publish(raw(kind, broken(good, self.draw))())
         self.expect_correct_identification()
 
     def test_experiments_in_requests(self):

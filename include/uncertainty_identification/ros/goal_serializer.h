@@ -4,15 +4,14 @@
 
 #include <cstdint>
 
-// Included by messages.h alone, which declares the goal.
+// Included by messages.h alone, which declares the goals.
 namespace ros::serialization {
 
 /// roscpp makes room for as many strings as a message says it holds before it looks whether it is
-/// that long; goals arrive on a topic that anybody may publish on. Throws StreamOverrunException.
-template <>
-struct Serializer<uncertainty_identification_messages::IdentifyBagsGoal> {
-  using Goal = uncertainty_identification_messages::IdentifyBagsGoal;
-
+/// that long; goals arrive on a topic that anybody may publish on. For goals that are names of bags
+/// and a configuration; throws StreamOverrunException.
+template <typename Goal>
+struct GoalSerializer {
   static void read(IStream& stream, Goal& goal) {
     constexpr std::uint32_t kLargest = 1U << 20;  // [bytes]
     IStream ahead = stream;
@@ -34,5 +33,13 @@ struct Serializer<uncertainty_identification_messages::IdentifyBagsGoal> {
     return serializationLength(goal.bags) + serializationLength(goal.configuration);
   }
 };
+
+template <>
+struct Serializer<uncertainty_identification_messages::IdentifyBagsGoal>
+    : GoalSerializer<uncertainty_identification_messages::IdentifyBagsGoal> {};
+
+template <>
+struct Serializer<uncertainty_identification_messages::ExplainExperimentsGoal>
+    : GoalSerializer<uncertainty_identification_messages::ExplainExperimentsGoal> {};
 
 }  // namespace ros::serialization
