@@ -268,7 +268,10 @@ void Explaining::describe(const SearchState& base, const SearchState& state) {
     if (!description.variant.empty()) cause.description = description.meaning;
     explanation_.causes.push_back(std::move(cause));
   }
-  explanation_.checks_after.push_back(parsimony(state));
+  if (const Check check = parsimony(state); !check.passed) {
+    explanation_.checks_before.push_back(parsimony(base));
+    explanation_.checks_after.push_back(check);
+  }
   explanation_.verdict =
       explanation_.causes.empty()
           ? (passed ? Verdict::none : Verdict::unknown)
