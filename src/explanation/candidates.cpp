@@ -196,6 +196,10 @@ void sortByScore(std::vector<FittedEffect>* candidates) {
 
 }  // namespace
 
+bool isOfNoise(const Effect& effect) {
+  return effect.name().rfind("noise_", 0) == 0 || effect.name() == "sens_outliers";
+}
+
 bool isOfMixture(const Effect& effect) {
   return effect.name() == "exp_mode" || effect.name() == "plant_aging";
 }

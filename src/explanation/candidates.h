@@ -50,6 +50,9 @@ FittedEffect oneMoreComponent(const Fit& base, const FitData& data,
                               const std::shared_ptr<const Effect>& effect,
                               const FitContext& context);
 
+/// Whether an effect is one of the noise: a symptom of whatever else is wrong.
+bool isOfNoise(const Effect& effect);
+
 /// Whether an effect is one of the mixture: about a nat per experiment, whatever their length.
 bool isOfMixture(const Effect& effect);
 

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <map>
 #include <mutex>
-#include <random>
-#include <set>
 #include <thread>
 
 #include "checks.h"
@@ -15,45 +13,16 @@
 #include "peaks.h"
 #include "search.h"
 #include "signatures.h"
+#include "split.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/model/sensitivity.h"
 #include "uncertainty_identification/require.h"
+#include "verdict.h"
 
 namespace uncertainty_identification {
 namespace {
 
 using Eigen::VectorXd;
-
-const std::set<std::string>& noiseClass() {
-  static const std::set<std::string> all{"noise_colour", "noise_hetero", "noise_tails",
-                                         "noise_step", "sens_outliers"};
-  return all;
-}
-
-/// Experiments to fit to and to measure with.
-struct Split {
-  std::vector<Experiment> train, held;
-};
-
-Split split(const Configuration& configuration, const std::vector<Experiment>& experiments,
-            const std::vector<Experiment>& validation) {
-  constexpr std::size_t kFewest = 4;
-  if (!validation.empty()) return {experiments, validation};
-  if (experiments.size() < kFewest) return {experiments, experiments};
-  std::vector<std::size_t> order(experiments.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::mt19937_64 random(configuration.estimation.seed);
-  for (std::size_t k = order.size() - 1; k > 0; --k) std::swap(order[k], order[random() % (k + 1)]);
-  const auto share = configuration.explanation.validation_share;
-  const auto held = std::max<std::size_t>(
-      1, static_cast<std::size_t>(share * static_cast<double>(experiments.size())));
-  const std::set<std::size_t> chosen(order.begin(),
-                                     order.begin() + static_cast<std::ptrdiff_t>(held));
-  Split parts;
-  for (std::size_t k = 0; k < experiments.size(); ++k)
-    (chosen.count(k) > 0 ? parts.held : parts.train).push_back(experiments[k]);
-  return parts;
-}
 
 std::string groupOf(const std::string& name) {
   static const std::map<std::string, std::string> kGroups{{"act", "actuator"},
@@ -66,51 +35,15 @@ std::string groupOf(const std::string& name) {
   return group == kGroups.end() ? prefix : group->second;
 }
 
-/// While some check fails, only what explains most is named, if it is no noise: what a search takes
-/// in beside that, or on top of a noise that explains far more, stands in for what the catalogue
-/// lacks.
-bool isSymptom(const FoundCause& found, const SearchState& state) {
-  constexpr double kFarMore = 4.0 / 3;
-  const auto of_noise = [](const FoundCause& cause) {
-    return noiseClass().count(cause.effect->name()) > 0;
-  };
-  if (found.score == 0) return false;  // seen in the samples themselves
-  if (of_noise(found)) return true;
-  return std::any_of(state.causes.begin(), state.causes.end(), [&](const FoundCause& other) {
-    return other.score > found.score * (of_noise(other) ? kFarMore : 1);
-  });
-}
-
-/// Each further cause beside the noise is one less likely to be true: three that happen to describe
-/// the data together are more often one that the catalogue lacks.
-Check parsimony(const SearchState& state) {
-  constexpr double kPrior = 0.005;  // of an effect to be there
-  const auto causes =
-      std::count_if(state.causes.begin(), state.causes.end(), [](const FoundCause& cause) {
-        return cause.score != 0 && noiseClass().count(cause.effect->name()) == 0;
-      });
-  const double p_value = std::pow(kPrior, static_cast<double>(causes));
-  const bool passed = !(p_value < kCheckThreshold);
-  return {"parsimony", static_cast<double>(causes), p_value, passed,
-          passed ? "" : "so many causes at once: more likely one that the catalogue lacks"};
-}
-
-std::string messageOf(const Explanation& explanation) {
-  std::string names, failed;
-  for (const Cause& cause : explanation.causes) names += (names.empty() ? "" : ", ") + cause.name;
-  for (const Check& check : explanation.checks_after)
-    if (!check.passed) failed += (failed.empty() ? "" : ", ") + check.name;
-  switch (explanation.verdict) {
-    case Verdict::none:
-      return "the simulation agrees with the data: nothing is wrong that these experiments show";
-    case Verdict::explained:
-      return names + ": with it in the model nothing is left that the checks see";
-    case Verdict::partly_explained:
-      return names + " explains part; what remains is not explained (" + failed + ")";
-    case Verdict::unknown:
-      return "something is wrong that the catalogue does not name (" + failed + ")";
+/// The experiments of `all` that the estimate rests on, in their order.
+std::vector<Experiment> usedBy(const Estimate& estimate, std::vector<Experiment> all) {
+  std::vector<Experiment> used;
+  for (Experiment& experiment : all) {
+    const std::size_t next = used.size();
+    if (next == estimate.experiments.size()) break;
+    if (experiment.id == estimate.experiments[next].id) used.push_back(std::move(experiment));
   }
-  return "";
+  return used;
 }
 
 /// One run of explain().
@@ -124,8 +57,18 @@ class Explaining {
 
  private:
   bool report(const std::string& phase, double fraction, double log_likelihood);
-  FitContext context(const Estimate& estimate);
-  void describe(const SearchState& base, const SearchState& state);
+  bool isExcluded(const std::string& name) const;
+  std::vector<Signature> takeOutSpoiled(Split* data) const;
+  void identify(const std::vector<Experiment>& experiments);
+  FitContext context();
+  SearchState base(Split data, const FitContext& context) const;
+  Effects catalogueFor(const SearchState& base) const;
+  void addSignatures(const std::vector<Signature>& signatures, const Effects& effects,
+                     SearchState* base) const;
+  void addFeedback(const Effects& effects, SearchState* found);
+  Cause described(const FoundCause& found, const SearchState& state) const;
+  void describeModels(const SearchState& base, const SearchState& found);
+  void describe(const SearchState& base, const SearchState& found);
 
   Configuration configuration_;
   ProgressCallback progress_;
@@ -142,7 +85,35 @@ bool Explaining::report(const std::string& phase, double fraction, double log_li
   return !cancelled_;
 }
 
-FitContext Explaining::context(const Estimate& estimate) {
+bool Explaining::isExcluded(const std::string& name) const {
+  const auto& excluded = configuration_.explanation.exclude;
+  return std::find(excluded.begin(), excluded.end(), name) != excluded.end();
+}
+
+std::vector<Signature> Explaining::takeOutSpoiled(Split* data) const {
+  data->train = withoutRest(std::move(data->train));
+  data->held = withoutRest(std::move(data->held));
+  std::vector<Signature> signatures;
+  for (Signature& signature : signaturesOf(data->train)) {
+    if (!isExcluded(signature.name)) signatures.push_back(std::move(signature));
+  }
+  for (const Signature& signature : signatures) {
+    data->train = withoutSpoiled(std::move(data->train), signature);
+    data->held = withoutSpoiled(std::move(data->held), signature);
+  }
+  return signatures;
+}
+
+void Explaining::identify(const std::vector<Experiment>& experiments) {
+  explanation_.before =
+      Identifier(configuration_).identify(experiments, {}, [this](const Progress& at) {
+        return report(at.phase, 0.3 * at.fraction, at.log_likelihood);
+      });
+  explanation_.warnings = explanation_.before.warnings;
+}
+
+FitContext Explaining::context() {
+  const Estimate& estimate = explanation_.before;
   FitContext context;
   context.options.constraint = estimate.configuration.error_model.constraint;
   if (estimate.error_model.mixture.components() > 0)
@@ -163,6 +134,65 @@ FitContext Explaining::context(const Estimate& estimate) {
   return context;
 }
 
+SearchState Explaining::base(Split data, const FitContext& context) const {
+  const Estimate& estimate = explanation_.before;
+  SearchState base{{},
+                   FitData(usedBy(estimate, std::move(data.train))),
+                   FitData(std::move(data.held)),
+                   {},
+                   {},
+                   false,
+                   false,
+                   0};
+  const Fit fit = fitOf(estimate, base.train, summarise(base.train.experiments()));
+  base.fit = settled(fit, base.train, context);
+  return base;
+}
+
+Effects Explaining::catalogueFor(const SearchState& base) const {
+  const NominalModel& nominal = base.fit.model->nominal();
+  DataSummary summary = summarise(base.train.experiments());
+  summary.regressors = base.fit.model->regressors();
+  summary.plant_parameters =
+      plantParameters(nominal, base.fit.at.parameters.head(nominal.parameterCount()));
+  findPeaks(residualsOf(base.fit, base.train), base.train, &summary);
+  return catalogue(summary);
+}
+
+/// Causes that the samples show by themselves; a lattice only where it is coarse against the noise.
+void Explaining::addSignatures(const std::vector<Signature>& signatures, const Effects& effects,
+                               SearchState* base) const {
+  constexpr double kCoarse = 0.2;  // variance of rounding / sigma^2
+  for (const Signature& signature : signatures) {
+    if (signature.name == "sens_quant") {
+      const double step = signature.parameters.front().value;
+      base->quantised = step * step / 12 > kCoarse * base->fit.at.noise_variance;
+      if (!base->quantised) continue;
+    }
+    const HeldOut held = heldOut(base->fit, base->held);
+    FoundCause cause;
+    cause.effect = findEffect(effects, signature.name, "");
+    cause.parameters = signature.parameters;
+    cause.gain = gainOf(held, held, VectorXd::Zero(base->held.count()));
+    base->causes.push_back(std::move(cause));
+    base->banned.push_back(signature.name);
+  }
+  base->heavy_tails = base->quantised;
+}
+
+void Explaining::addFeedback(const Effects& effects, SearchState* found) {
+  constexpr double kFeedback = 1e-4;
+  if (isExcluded("exp_feedback")) return;
+  if (feedbackProbability(residualsOf(found->fit, found->train), found->train) >= kFeedback) return;
+  FoundCause cause;
+  cause.effect = findEffect(effects, "exp_feedback", "");
+  found->causes.push_back(std::move(cause));
+  explanation_.warnings.push_back(
+      "the input depends on the output (closed loop): the estimates are consistent only if the "
+      "noise model is right");
+}
+
+/// The loop of docs/explanation.md.
 Explanation Explaining::run(const std::vector<Experiment>& experiments,
                             const std::vector<Experiment>& validation) {
   configuration_.validate();
@@ -170,125 +200,74 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
           nameOf(configuration_.error_model.basis),
           "fir, laguerre or kautz: explain looks for parameters that vary by itself");
   Split data = split(configuration_, experiments, validation);
-  data.train = withoutRest(std::move(data.train));
-  data.held = withoutRest(std::move(data.held));
-  const std::vector<Signature> signatures = signaturesOf(data.train);
-  for (const Signature& signature : signatures) {
-    if (std::find(configuration_.explanation.exclude.begin(),
-                  configuration_.explanation.exclude.end(),
-                  signature.name) != configuration_.explanation.exclude.end())
-      continue;
-    data.train = withoutSpoiled(std::move(data.train), signature);
-    data.held = withoutSpoiled(std::move(data.held), signature);
-  }
-  explanation_.before =
-      Identifier(configuration_).identify(data.train, {}, [this](const Progress& at) {
-        return report(at.phase, 0.3 * at.fraction, at.log_likelihood);
-      });
-  explanation_.warnings = explanation_.before.warnings;
-  std::vector<Experiment> used;
-  std::size_t next = 0;
-  for (Experiment& experiment : data.train) {
-    if (next == explanation_.before.experiments.size()) break;
-    if (experiment.id != explanation_.before.experiments[next].id) continue;
-    used.push_back(std::move(experiment));
-    ++next;
-  }
+  const std::vector<Signature> signatures = takeOutSpoiled(&data);
   for (const Experiment& experiment : data.held) explanation_.held_out.push_back(experiment.id);
-  SearchState base{{}, FitData(std::move(used)), FitData(std::move(data.held)), {}, {}, false, 0};
-  DataSummary summary = summarise(base.train.experiments());
-  const FitContext context = this->context(explanation_.before);
-  base.fit = settled(fitOf(explanation_.before, base.train, summary), base.train, context);
-  summary.regressors = base.fit.model->regressors();
-  summary.plant_parameters =
-      plantParameters(base.fit.model->nominal(),
-                      base.fit.at.parameters.head(base.fit.model->nominal().parameterCount()));
-  findPeaks(residualsOf(base.fit, base.train), base.train, &summary);
-  const Effects effects = catalogue(summary);
-  bool quantised = false;
-  for (const Signature& signature : signatures) {
-    const auto effect = findEffect(effects, signature.name, "");
-    if (signature.name == "sens_quant") {
-      const double step = signature.parameters.front().value;
-      quantised = step * step / 12 > 0.2 * base.fit.at.noise_variance;
-      if (!quantised) continue;
-    }
-    FoundCause cause{effect, 0, 0, 1, {}, {}, signature.parameters, {}};
-    cause.gain = gainOf(heldOut(base.fit, base.held), heldOut(base.fit, base.held),
-                        VectorXd::Zero(base.held.count()));
-    base.causes.push_back(std::move(cause));
-    base.banned.push_back(signature.name);
-  }
-  base.heavy_tails = quantised;
+  identify(data.train);
+  const FitContext context = this->context();
+  SearchState base = this->base(std::move(data), context);
+  const Effects effects = catalogueFor(base);
+  addSignatures(signatures, effects, &base);
   explanation_.checks_before = checksOf(base.fit, base.train, base.heavy_tails);
   Search search(configuration_.explanation, context, effects);
   // the error of a coarse lattice is neither Gaussian nor white: what else is wrong would drown in
   // it
-  SearchState found = quantised ? base : search.run(base);
+  SearchState found = base.quantised ? base : search.run(base);
   explanation_.candidates = search.tried();
-  const auto excluded = [&](const char* name) {
-    const auto& list = configuration_.explanation.exclude;
-    return std::find(list.begin(), list.end(), name) != list.end();
-  };
-  constexpr double kFeedback = 1e-4;
-  if (!excluded("exp_feedback") &&
-      feedbackProbability(residualsOf(found.fit, found.train), found.train) < kFeedback) {
-    found.causes.push_back({findEffect(effects, "exp_feedback", ""), 0, 0, 1, {}, {}, {}, {}});
-    explanation_.warnings.push_back(
-        "the input depends on the output (closed loop): the estimates are consistent only if the "
-        "noise model is right");
-  }
+  addFeedback(effects, &found);
   describe(base, found);
   return std::move(explanation_);
 }
 
-void Explaining::describe(const SearchState& base, const SearchState& state) {
-  report("describing", 0.9, state.fit.log_likelihood);
-  explanation_.checks_after = checksOf(state.fit, state.train, state.heavy_tails);
+Cause Explaining::described(const FoundCause& found, const SearchState& state) const {
+  const EffectDescription& description = found.effect->description();
+  Cause cause;
+  cause.name = description.name;
+  cause.variant = description.variant;
+  cause.group = groupOf(description.name);
+  cause.description = description.meaning;
+  cause.advice = description.advice;
+  cause.confidence = found.confidence;
+  cause.equivalent = found.equivalent;
+  cause.gain = found.gain;
+  cause.parameters = found.parameters.empty() ? parametersOf(state.fit, state.train, found.effect)
+                                              : found.parameters;
+  return cause;
+}
+
+void Explaining::describeModels(const SearchState& base, const SearchState& found) {
+  const bool extended = !found.fit.model->effects().empty() ||
+                        found.fit.at.mixture.components() != base.fit.at.mixture.components();
+  explanation_.after =
+      extended ? estimateOf(found.fit, found.train, explanation_.before) : explanation_.before;
+  const double lost = found.fit.log_likelihood - explanation_.after.log_likelihood;
+  if (extended && lost > 1)
+    explanation_.warnings.push_back("the model that is saved was estimated anew and ends " +
+                                    std::to_string(lost) +
+                                    " nats lower than the one that the causes were found with");
+  explanation_.residual_before = residualPicture(base.fit, base.train);
+  explanation_.residual_after = residualPicture(found.fit, found.train);
+  explanation_.pictures = picturesOf(base.fit, found.fit, found.held);
+}
+
+void Explaining::describe(const SearchState& base, const SearchState& found) {
+  report("describing", 0.9, found.fit.log_likelihood);
+  explanation_.checks_after = checksOf(found.fit, found.train, found.heavy_tails);
   const bool passed = allPassed(explanation_.checks_after);
-  for (const FoundCause& found : state.causes) {
-    if (!passed && isSymptom(found, state)) {
-      explanation_.warnings.push_back(found.effect->name() +
-                                      " describes part of what is wrong, but may be a symptom as "
-                                      "long as the rest is not explained");
+  for (const FoundCause& cause : found.causes) {
+    if (passed || !isSymptom(cause, found)) {
+      explanation_.causes.push_back(described(cause, found));
       continue;
     }
-    const EffectDescription& description = found.effect->description();
-    Cause cause;
-    cause.name = description.name;
-    cause.variant = description.variant;
-    cause.group = groupOf(description.name);
-    cause.description = description.meaning;
-    cause.advice = description.advice;
-    cause.confidence = found.confidence;
-    cause.equivalent = found.equivalent;
-    cause.gain = found.gain;
-    cause.parameters = found.parameters.empty() ? parametersOf(state.fit, state.train, found.effect)
-                                                : found.parameters;
-    if (!description.variant.empty()) cause.description = description.meaning;
-    explanation_.causes.push_back(std::move(cause));
+    explanation_.warnings.push_back(cause.effect->name() +
+                                    " describes part of what is wrong, but may be a symptom as "
+                                    "long as the rest is not explained");
   }
-  if (const Check check = parsimony(state); !check.passed) {
+  if (const Check check = parsimony(found); !check.passed) {
     explanation_.checks_before.push_back(parsimony(base));
     explanation_.checks_after.push_back(check);
   }
-  explanation_.verdict =
-      explanation_.causes.empty()
-          ? (passed ? Verdict::none : Verdict::unknown)
-          : (allPassed(explanation_.checks_after) ? Verdict::explained : Verdict::partly_explained);
-  explanation_.message = messageOf(explanation_);
-  const bool extended = !state.fit.model->effects().empty() ||
-                        state.fit.at.mixture.components() != base.fit.at.mixture.components();
-  explanation_.after =
-      extended ? estimateOf(state.fit, state.train, explanation_.before) : explanation_.before;
-  if (extended && explanation_.after.log_likelihood < state.fit.log_likelihood - 1)
-    explanation_.warnings.push_back(
-        "the model that is saved was estimated anew and ends " +
-        std::to_string(state.fit.log_likelihood - explanation_.after.log_likelihood) +
-        " nats lower than the one that the causes were found with");
-  explanation_.residual_before = residualPicture(base.fit, base.train);
-  explanation_.residual_after = residualPicture(state.fit, state.train);
-  explanation_.pictures = picturesOf(base.fit, state.fit, state.held);
+  conclude(&explanation_);
+  describeModels(base, found);
   explanation_.termination = cancelled_ ? Termination::cancelled : Termination::converged;
   explanation_.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();

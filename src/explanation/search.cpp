@@ -22,10 +22,6 @@ const std::vector<std::pair<std::string, std::string>>& exclusions() {
   return all;
 }
 
-bool isOfNoise(const Effect& effect) {
-  return effect.name().rfind("noise_", 0) == 0 || effect.name() == "sens_outliers";
-}
-
 bool contains(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }

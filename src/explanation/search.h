@@ -30,7 +30,8 @@ struct SearchState {
   std::vector<FoundCause> causes;
   std::vector<std::string> banned;
   bool heavy_tails = false;
-  double total = 0;  ///< sum of the causes' scores
+  bool quantised = false;  ///< the lattice of the output is coarse against the noise
+  double total = 0;        ///< sum of the causes' scores
 
   bool has(const std::string& name) const;
 };

@@ -1,6 +1,32 @@
-#include "uncertainty_identification/explanation/explanation.h"
+#include "verdict.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "checks.h"
 
 namespace uncertainty_identification {
+namespace {
+
+std::string messageOf(Verdict verdict, const std::string& names, const std::string& failed) {
+  switch (verdict) {
+    case Verdict::none:
+      return "the simulation agrees with the data: nothing is wrong that these experiments show";
+    case Verdict::explained:
+      return names + ": with it in the model nothing is left that the checks see";
+    case Verdict::partly_explained:
+      return names + " explains part; what remains is not explained (" + failed + ")";
+    case Verdict::unknown:
+      return "something is wrong that the catalogue does not name (" + failed + ")";
+  }
+  return "";
+}
+
+std::string joined(const std::string& list, const std::string& name) {
+  return list.empty() ? name : list + ", " + name;
+}
+
+}  // namespace
 
 const EnumNames<Verdict>& enumNames(Verdict) {
   static const EnumNames<Verdict> kNames{{Verdict::none, "none"},
@@ -8,6 +34,40 @@ const EnumNames<Verdict>& enumNames(Verdict) {
                                          {Verdict::partly_explained, "partly_explained"},
                                          {Verdict::unknown, "unknown"}};
   return kNames;
+}
+
+bool isSymptom(const FoundCause& found, const SearchState& state) {
+  constexpr double kFarMore = 4.0 / 3;
+  if (found.score == 0) return false;  // seen in the samples themselves
+  if (isOfNoise(*found.effect)) return true;
+  return std::any_of(state.causes.begin(), state.causes.end(), [&](const FoundCause& other) {
+    return other.score > found.score * (isOfNoise(*other.effect) ? kFarMore : 1);
+  });
+}
+
+Check parsimony(const SearchState& state) {
+  constexpr double kPrior = 0.005;  // of an effect to be there
+  const auto causes = std::count_if(
+      state.causes.begin(), state.causes.end(),
+      [](const FoundCause& cause) { return cause.score != 0 && !isOfNoise(*cause.effect); });
+  const double p_value = std::pow(kPrior, static_cast<double>(causes));
+  const bool passed = !(p_value < kCheckThreshold);
+  return {"parsimony", static_cast<double>(causes), p_value, passed,
+          passed ? "" : "so many causes at once: more likely one that the catalogue lacks"};
+}
+
+void conclude(Explanation* explanation) {
+  const bool passed = allPassed(explanation->checks_after);
+  if (explanation->causes.empty()) {
+    explanation->verdict = passed ? Verdict::none : Verdict::unknown;
+  } else {
+    explanation->verdict = passed ? Verdict::explained : Verdict::partly_explained;
+  }
+  std::string names, failed;
+  for (const Cause& cause : explanation->causes) names = joined(names, cause.name);
+  for (const Check& check : explanation->checks_after)
+    if (!check.passed) failed = joined(failed, check.name);
+  explanation->message = messageOf(explanation->verdict, names, failed);
 }
 
 }  // namespace uncertainty_identification

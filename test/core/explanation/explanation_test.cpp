@@ -125,6 +125,20 @@ TEST(Explain, DoesNotNameWhatIsExcluded) {
   EXPECT_NE(found.verdict, Verdict::none) << "something is wrong all the same";
 }
 
+TEST(Explain, DoesNotNameWhatIsExcludedThoughTheSamplesShowIt) {
+  std::vector<Experiment> clipped = clean();
+  for (Experiment& experiment : clipped) experiment.y = experiment.y.cwiseMin(2.0);
+  const auto names = [&](const Configuration& configuration) {
+    std::set<std::string> all;
+    for (const Cause& cause : explain(configuration, clipped).causes) all.insert(cause.name);
+    return all;
+  };
+  EXPECT_TRUE(names(configuration()).count("sens_clip"));
+  Configuration without = configuration();
+  without.explanation.exclude = {"sens_clip"};
+  EXPECT_FALSE(names(without).count("sens_clip"));
+}
+
 /// A sensor's lag at the edge of its range differences the data, whatever drifts in them.
 TEST(Explain, DoesNotNameALagWhereTheDataDrift) {
   std::vector<Experiment> drifting = clean();
