@@ -1,10 +1,8 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
-#include "fit.h"
-#include "uncertainty_identification/estimation/worker_pool.h"
+#include "refine.h"
 
 namespace uncertainty_identification {
 
@@ -17,26 +15,6 @@ struct FittedEffect {
   Eigen::VectorXd step;       ///< of the parameters, that the screening predicts the gain from
   bool started_anew = false;  ///< theta and mixture were tried from new starts
 };
-
-/// What fits share: options of a climb, the seed of the mixture's restarts, threads, and whether to
-/// go on.
-struct FitContext {
-  ClimbOptions options;
-  std::uint64_t seed = 1;
-  WorkerPool* pool = nullptr;
-  std::function<bool()> going_on;        ///< may be called from any thread
-  std::function<void(double)> searched;  ///< told the share of the search that is done, 0 to 1
-};
-
-/// To convergence from where it is.
-Fit settled(Fit fit, const FitData& data, const FitContext& context);
-
-/// To convergence, from new starts of theta (`anew`) and of the mixture too: what further
-/// iterations gain must not count for a candidate.
-Fit polished(Fit fit, const FitData& data, const FitContext& context, bool anew = true);
-
-/// Zooming search along the parameters that the likelihood has no useful derivative to.
-Fit searched(Fit fit, const FitData& data, const FitContext& context);
 
 /// All effects of `effects` on top of `base`, best score first: screened, the promising ones
 /// fitted, the best to convergence. Where nothing shows that anything is wrong, an effect is
