@@ -8,8 +8,9 @@ namespace {
 using Eigen::VectorXd;
 
 std::vector<VectorXd> steps(double deviation) {
-  std::vector<VectorXd> all;
   constexpr int kCount = 45;
+  std::vector<VectorXd> all;
+  all.reserve(kCount);
   for (int k = 0; k < kCount; ++k)
     all.push_back(VectorXd::Constant(1, 0.12 * deviation * std::pow(20.0, k / (kCount - 1.0))));
   return all;

@@ -107,6 +107,7 @@ double Effect::pointAt(double size, const NominalModel& /*nominal*/,
 
 std::vector<VectorXd> values(const std::vector<double>& starts, double factor) {
   std::vector<VectorXd> all;
+  all.reserve(starts.size());
   for (const double start : starts) all.push_back(VectorXd::Constant(1, factor * start));
   return all;
 }

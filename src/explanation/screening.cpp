@@ -84,11 +84,13 @@ double Screening::regressionGain(const ExtendedModel& model, const VectorXd& par
     model.evaluate(*of.block, parameters, psi, &response);
     jacobian += response.value.log_jacobian.head(of.block->lanes).sum();
     std::vector<Signals> fresh;
+    fresh.reserve(psi.size() + 1);
     for (const int j : psi)
       fresh.push_back(
           atMeans(response.derivatives[static_cast<std::size_t>(j)], base_.xi, *of.block));
     fresh.push_back(atMeans(response.value, base_.xi, *of.block));
     std::vector<const Signals*> added, all = of.list;
+    added.reserve(fresh.size());
     for (const Signals& signal : fresh) added.push_back(signal.cols() == 0 ? nullptr : &signal);
     all.insert(all.end(), added.begin(), added.end());
     const std::vector<Lanes> products = innerProducts(added, all);
