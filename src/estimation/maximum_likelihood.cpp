@@ -124,7 +124,10 @@ Climb maximumLikelihood(const Likelihood& likelihood, const ModelParameters& sta
                                         near.mixture.components(), options.floor);
   ScoredPoint best = scoredPoint(likelihood, parametrisation, parametrisation.toCoordinates(near));
   if (!std::isfinite(best.log_likelihood)) {
-    finish(best, Termination::stalled, "the likelihood is not finite at the start", &climb);
+    finish(best, Termination::stalled,
+           "the likelihood is not finite at the start (a model that fits without error leaves no "
+           "noise to estimate)",
+           &climb);
     climb.at = near;
     return climb;
   }

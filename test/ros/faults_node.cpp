@@ -60,13 +60,13 @@ class FaultDetectionTest : public testing::Test {
     context.stamp = ros::Time::now();
     context.sequence = sequence;
     result_.publish(toMessage(test::estimateOf(test::example1Truth()), context));
-    ASSERT_TRUE(waitFor([this] {
-      return command_.getNumSubscribers() > 0 && measurement_.getNumSubscribers() > 0;
-    }));
   }
 
   // Stamps count, not arrival: the experiment is there at once.
   void publish(const Experiment& experiment, double begin) {
+    ASSERT_TRUE(waitFor([this] {
+      return command_.getNumSubscribers() > 0 && measurement_.getNumSubscribers() > 0;
+    }));
     messages::ExperimentMarker marker;
     marker.header.stamp = ros::Time(begin);
     marker.active = true;

@@ -18,15 +18,19 @@ constexpr double kPeriod = 0.02;  // [s]
 constexpr double kPole = 0.9;     // of a system with gain 1
 
 // 9 s at 50 Hz; commands are held for 10 samples, so that a shift by one sample hardly matters.
+// With noise: of data that a model fits without error no noise variance can be estimated.
 void writeDrive(const std::string& path) {
   rosbag::Bag bag(path, rosbag::bagmode::Write);
   std::mt19937_64 engine(1);
   std_msgs::Float64MultiArray command, odometry;
   command.data = {0};
   odometry.data = {0, 0};
+  double speed = 0;
+  std::normal_distribution<double> noise(0, 0.005);
   for (int k = 0; k < 450; ++k) {
     const ros::Time stamp(100 + k * kPeriod);
-    odometry.data[1] = kPole * odometry.data[1] + (1 - kPole) * command.data[0];
+    speed = kPole * speed + (1 - kPole) * command.data[0];
+    odometry.data[1] = speed + noise(engine);
     if (k % 10 == 0) command.data[0] = engine() % 2 == 0 ? 0.5 : -0.5;
     bag.write("/cmd_vel", stamp, command);
     bag.write("/odom", stamp, odometry);
