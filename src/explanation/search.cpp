@@ -280,15 +280,16 @@ SearchState Search::run(const SearchState& base) {
                        allPassed(checksOf(best.fit, best.train, best.heavy_tails));
   if (settled) return best;
   std::size_t alternatives = 0;
-  for (const FittedEffect& first : ranked) {
+  for (auto first = ranked.begin(); first != ranked.end(); ++first) {
     if (alternatives == kAlternatives || !context_.going_on()) break;
-    const bool structural = !isOfNoise(*first.effect) && !isOfMixture(*first.effect);
-    if (!structural || first.score < threshold(*first.effect) ||
-        (!best.causes.empty() && first.effect == best.causes.front().effect))
+    const bool structural = !isOfNoise(*first->effect) && !isOfMixture(*first->effect);
+    if (!structural || first->score < threshold(*first->effect) ||
+        (!best.causes.empty() && first->effect == best.causes.front().effect))
       continue;
     ++alternatives;
     SearchState other = base;
-    if (!accept(&other, first, ranked)) continue;
+    // those before it lead lower if this one is kept: they are no rivals of it
+    if (!accept(&other, *first, {first, ranked.end()})) continue;
     goOn(&other, std::min(most, base.causes.size() + 2));
     if (other.total > best.total) best = std::move(other);
   }
