@@ -151,9 +151,9 @@ std::vector<LeastSquaresModel> leastSquaresModels(const LinearModel& model,
   models[kArx].polynomials.a = stabilised(models[kArx].polynomials.a, 0.9995);
   LeastSquaresModel median;
   if (medianOfExperiments(experiments, sizes, with_constant, &median)) models.push_back(median);
-  for (const LeastSquaresModel& embedded :
-       embeddedStarts(model.basis(), sizes, experiments, with_constant))
-    models.push_back(embedded);
+  const std::vector<LeastSquaresModel> embedded =
+      embeddedStarts(model.basis(), sizes, experiments, with_constant);
+  models.insert(models.end(), embedded.begin(), embedded.end());
   return models;
 }
 
