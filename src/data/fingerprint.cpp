@@ -65,6 +65,7 @@ std::uint64_t hashOf(const Experiment& experiment) {
 
 std::string dataFingerprint(const std::vector<Experiment>& experiments) {
   std::vector<std::uint64_t> hashes;
+  hashes.reserve(experiments.size());
   for (const Experiment& experiment : experiments) hashes.push_back(hashOf(experiment));
   std::sort(hashes.begin(), hashes.end());
   Fnv1a fnv;

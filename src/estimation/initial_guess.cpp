@@ -144,6 +144,7 @@ std::vector<LeastSquaresModel> leastSquaresModels(const LinearModel& model,
   const int nb = static_cast<int>(sizes.b.size()), na = static_cast<int>(sizes.a.size());
   const bool with_constant = model.parameterCount() > model.nominal().parameterCount();
   std::vector<const Experiment*> all;
+  all.reserve(experiments.size());
   for (const Experiment& experiment : experiments) all.push_back(&experiment);
   const LeastSquaresStart pooled(all, with_constant);
   std::vector<LeastSquaresModel> models{pooled.steiglitzMcBride(nb, na, sizes.delay, sizes.delay),
