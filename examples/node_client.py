@@ -12,6 +12,7 @@ Exit status: 0 done; 1 the node answered why not. The node is /identification un
 """
 
 import sys
+import time
 
 import actionlib
 import rospy
@@ -40,13 +41,15 @@ class Node:
 
     def identify_bags(self, names, feedback):
         """The result of the action, or None where there is no such node."""
-        client = actionlib.SimpleActionClient(f"{self.name}/identify_bags", IdentifyBagsAction)
+        # not SimpleActionClient: it waits forever for a goal that is refused before its send_goal() has returned
+        client = actionlib.ActionClient(f"{self.name}/identify_bags", IdentifyBagsAction)
         if not client.wait_for_server(rospy.Duration(30)):
             return None
-        client.send_goal(IdentifyBagsGoal(bags=names), feedback_cb=feedback)
-        rospy.on_shutdown(client.cancel_goal)
-        client.wait_for_result()
-        return client.get_result()
+        goal = client.send_goal(IdentifyBagsGoal(bags=names), feedback_cb=lambda _, now: feedback(now))
+        rospy.on_shutdown(goal.cancel)
+        while goal.get_comm_state() != actionlib.CommState.DONE and not rospy.is_shutdown():
+            time.sleep(0.05)
+        return goal.get_result()
 
 
 def print_model(result):
