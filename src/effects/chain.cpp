@@ -1,6 +1,7 @@
 #include "uncertainty_identification/effects/chain.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "uncertainty_identification/model/filter.h"
@@ -8,6 +9,21 @@
 namespace uncertainty_identification {
 
 using Eigen::Index;
+
+namespace {
+
+/// Weights of x(-1), x(0), x(1), x(2) in the cubic through them at f, 0 <= f < 1.
+std::array<double, 4> cubicWeights(double f) {
+  return {-f * (f - 1) * (f - 2) / 6, (f + 1) * (f - 1) * (f - 2) / 2, -(f + 1) * f * (f - 2) / 2,
+          (f + 1) * f * (f - 1) / 6};
+}
+
+/// x at a whole instant, the first and last value beyond the ends.
+double held(const Signals& x, int lane, double at) {
+  return x(lane, static_cast<Index>(std::clamp(at, 0.0, static_cast<double>(x.cols() - 1))));
+}
+
+}  // namespace
 
 Signals Chain::expected() const {
   Signals sum = x;
@@ -88,16 +104,11 @@ Signals interpolated(const Signals& x, const Signals& shift) {
   Signals out(kLanes, samples);
   for (Index t = 0; t < samples; ++t) {
     for (int lane = 0; lane < kLanes; ++lane) {
-      const double at = static_cast<double>(t) + shift(lane, t);
-      const double whole = std::floor(at), f = at - whole;
-      const auto value = [&](Index k) {
-        const double index =
-            std::clamp(whole + static_cast<double>(k), 0.0, static_cast<double>(samples - 1));
-        return x(lane, static_cast<Index>(index));
-      };
-      out(lane, t) = -f * (f - 1) * (f - 2) / 6 * value(-1) +
-                     (f + 1) * (f - 1) * (f - 2) / 2 * value(0) -
-                     (f + 1) * f * (f - 2) / 2 * value(1) + (f + 1) * f * (f - 1) / 6 * value(2);
+      const double at = static_cast<double>(t) + shift(lane, t), whole = std::floor(at);
+      const auto weights = cubicWeights(at - whole);
+      out(lane, t) = 0;
+      for (int k = 0; k < 4; ++k)
+        out(lane, t) += weights[static_cast<std::size_t>(k)] * held(x, lane, whole + k - 1);
     }
   }
   return out;
@@ -105,17 +116,15 @@ Signals interpolated(const Signals& x, const Signals& shift) {
 
 Signals interpolated(const Signals& x, const Lanes& shift) {
   const Index samples = x.cols();
-  Signals out(kLanes, samples);
+  Signals out = Signals::Zero(kLanes, samples);
   Eigen::Array<double, 1, Eigen::Dynamic> from(samples + 3);
   for (int lane = 0; lane < kLanes; ++lane) {
-    const double whole = std::floor(shift[lane]), f = shift[lane] - whole;
+    const double whole = std::floor(shift[lane]);
     for (Index k = 0; k < from.size(); ++k)
-      from[k] = x(lane, static_cast<Index>(std::clamp(static_cast<double>(k - 1) + whole, 0.0,
-                                                      static_cast<double>(samples - 1))));
-    out.row(lane) = -f * (f - 1) * (f - 2) / 6 * from.segment(0, samples) +
-                    (f + 1) * (f - 1) * (f - 2) / 2 * from.segment(1, samples) -
-                    (f + 1) * f * (f - 2) / 2 * from.segment(2, samples) +
-                    (f + 1) * f * (f - 1) / 6 * from.segment(3, samples);
+      from[k] = held(x, lane, static_cast<double>(k - 1) + whole);
+    const auto weights = cubicWeights(shift[lane] - whole);
+    for (int k = 0; k < 4; ++k)
+      out.row(lane) += weights[static_cast<std::size_t>(k)] * from.segment(k, samples);
   }
   return out;
 }

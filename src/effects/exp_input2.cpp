@@ -18,10 +18,10 @@ std::vector<VectorXd> starts(const DataSummary& data) {
   return all;
 }
 
-/// x + gain (1 - pole) q^-1/(1 - pole q^-1) (d - mean d) for a covariate d.
+/// x + gain (1 - pole) q^-1/(1 - pole q^-1) d for a covariate d.
 class SecondInput : public Effect {
  public:
-  SecondInput(const DataSummary& data, const std::string& covariate, double mean)
+  SecondInput(const DataSummary& data, const std::string& covariate)
       : Effect({"exp_input2",
                 covariate,
                 covariate + " drives the output too",
@@ -32,27 +32,24 @@ class SecondInput : public Effect {
                 {{"gain", "unit of y per unit of " + covariate, data.output_deviation},
                  {"pole", "1", 0.2, -0.95, 0.995}},
                 starts(data)}),
-        covariate_(covariate),
-        mean_(mean) {}
+        covariate_(covariate) {}
 
   void apply(const VectorXd& psi, Chain* chain) const override {
     Signals response;
     VectorXd numerator = VectorXd::Zero(2);
     numerator[1] = psi[0] * (1 - psi[1]);
-    filter(numerator, VectorXd::Constant(1, -psi[1]), 0, chain->covariate(covariate_) - mean_,
-           &response);
+    filter(numerator, VectorXd::Constant(1, -psi[1]), 0, chain->covariate(covariate_), &response);
     chain->x += response;
   }
 
  private:
   std::string covariate_;
-  double mean_;
 };
 
 const EffectRegistration kRegistration(60, [](const DataSummary& data) -> MadeEffects {
   MadeEffects all;
   for (const auto& [name, mean] : data.covariates)
-    all.push_back(std::make_shared<SecondInput>(data, name, 0 * mean));
+    all.push_back(std::make_shared<SecondInput>(data, name));
   return all;
 });
 }  // namespace

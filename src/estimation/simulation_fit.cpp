@@ -39,8 +39,7 @@ Eigen::VectorXd errorOf(const Response& response, const Block& block, int lane) 
     Z.col(k) =
         response.value.columns[static_cast<std::size_t>(k)]->row(lane).head(samples).transpose();
   }
-  const Eigen::Index first = std::min<Eigen::Index>(samples, 20 + 3 * columns);
-  error -= Z * Z.topRows(first).colPivHouseholderQr().solve(error.head(first));
+  error -= Z * initialCoefficients(Z, error);
   return error;
 }
 
@@ -65,6 +64,11 @@ Moments momentsOf(const Experiment& experiment) {
 }
 
 }  // namespace
+
+Eigen::VectorXd initialCoefficients(const Eigen::MatrixXd& Z, const Eigen::VectorXd& error) {
+  const Eigen::Index first = std::min<Eigen::Index>(Z.rows(), 20 + 3 * Z.cols());
+  return Z.topRows(first).colPivHouseholderQr().solve(error.head(first));
+}
 
 std::vector<Eigen::VectorXd> simulationErrors(const NominalModel& nominal,
                                               const Eigen::VectorXd& theta, double offset,

@@ -36,9 +36,9 @@ FittedEffect screened(const Screening& screening, const std::shared_ptr<const Ef
 Fit approached(const FittedEffect& candidate, const FitData& data, const FitContext& context) {
   constexpr int kMixtureSteps = 5;
   Fit best = evaluated(candidate.fit.model, candidate.fit.at, data);
+  if (candidate.step.size() == 0) return best;
   const auto& parameters = candidate.effect->description().parameters;
   for (const double share : {1.0, 0.4}) {
-    if (candidate.step.size() == 0) break;
     ModelParameters at = candidate.fit.at;
     at.parameters += share * candidate.step;
     auto psi = at.parameters.tail(static_cast<Index>(parameters.size()));

@@ -19,9 +19,8 @@ CauseParameter normalInterval(CauseParameter of, double standard_error) {
   return of;
 }
 
-/// A standard deviation that `count` experiments draw from, positive.
-CauseParameter deviationInterval(CauseParameter of, const Fit& fit, double log_error) {
-  of.value = std::sqrt(fit.at.noise_variance) * std::exp(0.5 * of.value);
+/// A standard deviation, positive: normal on the logarithm.
+CauseParameter deviationInterval(CauseParameter of, double log_error) {
   const double relative = 0.5 * log_error;
   of.standard_error = of.value * relative;
   of.lower_90 = of.value * std::exp(-kNinety * relative);
@@ -71,10 +70,11 @@ std::vector<CauseParameter> parametersOf(const Fit& fit, const FitData& data,
   for (int i = 0; i < effect->parameterCount(); ++i) {
     const EffectParameter& of = effect->description().parameters[static_cast<std::size_t>(i)];
     const int at = first + i;
-    const CauseParameter bare{of.name, of.unit, fit.at.parameters[at], 0, 0, 0};
+    const double value = told(of, fit.at.parameters[at], fit.at.noise_variance);
+    const CauseParameter bare{of.name, of.unit, value, 0, 0, 0};
     const double error = std::sqrt(std::max(covariance(at, at), 0.0));
     if (of.log_variance) {
-      all.push_back(deviationInterval(bare, fit, error));
+      all.push_back(deviationInterval(bare, error));
     } else if (of.smooth && error > 0) {
       all.push_back(normalInterval(bare, error));
     } else {

@@ -1,10 +1,10 @@
 #include "measure.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "uncertainty_identification/estimation/simulation_fit.h"
 #include "uncertainty_identification/model/filter.h"
 #include "uncertainty_identification/model/polynomial.h"
 
@@ -60,16 +60,15 @@ Prediction predicted(const Fit& fit, const Chain& chain, int lane, const MatrixX
 /// Adds the initial state and offset that the first samples show, as the simulation fit does.
 void startFromMeasured(const MatrixXd& unknown, const Block& block, int lane,
                        Prediction* prediction) {
-  const Index first = std::min<Index>(unknown.rows(), 20 + 3 * unknown.cols());
   if (unknown.cols() == 0) return;
-  ArrayXd mean = ArrayXd::Zero(unknown.rows());
+  const Index length = unknown.rows();
+  ArrayXd mean = ArrayXd::Zero(length);
   for (std::size_t i = 0; i < prediction->weights.size(); ++i)
     mean += prediction->weights[i] * prediction->means[i];
-  const auto head = [&](const Signals& of) -> VectorXd { return of.row(lane).head(first); };
-  const VectorXd measured = head(block.weight);
-  const VectorXd missing = head(block.y) - mean.head(first).matrix();
-  const MatrixXd known = measured.asDiagonal() * unknown.topRows(first);
-  const ArrayXd added = unknown * known.colPivHouseholderQr().solve(measured.cwiseProduct(missing));
+  const VectorXd measured = block.weight.row(lane).head(length).transpose();
+  const VectorXd missing = block.y.row(lane).head(length).transpose() - mean;
+  const ArrayXd added = unknown * initialCoefficients(measured.asDiagonal() * unknown,
+                                                      measured.cwiseProduct(missing));
   for (ArrayXd& of_component : prediction->means) of_component += added;
 }
 

@@ -14,11 +14,15 @@ struct SimulationFit {
   double pooled = 0;            ///< of all together, with the mean over all of them
 };
 
+/// Coefficients of the responses Z (samples x unknowns) to initial state and offset that fit the
+/// first samples of `error` best: 20 and three per unknown. More of them would let the free
+/// response of a slow pole follow a drift, and the simulation look better than it is.
+Eigen::VectorXd initialCoefficients(const Eigen::MatrixXd& Z, const Eigen::VectorXd& error);
+
 /// What the free simulation leaves of each experiment's output, y - ysim, 0 where y was not
 /// measured. ysim is Go u plus the common offset, from rest where initial_state is zero; else from
 /// the initial state (and, under per_experiment, the experiment's own offset) that fits the first
-/// samples best: 20 and three per unknown. More of them would let the free response of a slow pole
-/// follow a drift, and the simulation look better than it is.
+/// samples best (initialCoefficients()).
 std::vector<Eigen::VectorXd> simulationErrors(const NominalModel& nominal,
                                               const Eigen::VectorXd& theta, double offset,
                                               const EstimationOptions& options,
