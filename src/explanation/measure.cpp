@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
+#include "bode_area.h"
 #include "uncertainty_identification/estimation/simulation_fit.h"
 #include "uncertainty_identification/model/filter.h"
 #include "uncertainty_identification/model/polynomial.h"
@@ -81,13 +83,17 @@ MatrixXd meanErrors(const Fit& fit, int count) {
 
 }  // namespace
 
+VectorXd logDensities(const Fit& fit, const FitData& data) {
+  const Fit there = judged(fit, data);
+  return there.of_experiments.size() == data.count() ? there.of_experiments
+                                                     : VectorXd::Constant(data.count(), -1e300);
+}
+
 HeldOut heldOut(const Fit& fit, const FitData& data) {
   HeldOut measured;
-  const Fit there = judged(fit, data);
-  measured.log_density = there.of_experiments.size() == data.count()
-                             ? there.of_experiments
-                             : VectorXd::Constant(data.count(), -1e300);
+  measured.log_density = logDensities(fit, data);
   measured.noise_variance = fit.at.noise_variance;
+  measured.bode_area = bodeArea(fit);
   const auto model = fit.model->forExperiments(data.count());
   const MatrixXd about = meanErrors(fit, data.count());
   double wrong = 0, sum = 0, squares = 0, count = 0, inside50 = 0, inside90 = 0, inside95 = 0;
@@ -128,19 +134,22 @@ HeldOut heldOut(const Fit& fit, const FitData& data) {
   return measured;
 }
 
+std::pair<double, double> meanWithError(const VectorXd& values) {
+  const double count = static_cast<double>(values.size()), mean = values.mean();
+  const double squares = (values.array() - mean).square().sum();
+  return {mean, std::sqrt(squares / std::max(1.0, count - 1) / count)};
+}
+
 Gain gainOf(const HeldOut& before, const HeldOut& after, const VectorXd& added) {
-  const VectorXd difference = after.log_density - before.log_density + added;
-  const double count = static_cast<double>(difference.size());
   Gain gain;
-  gain.log_density = difference.mean();
-  gain.standard_error = std::sqrt((difference.array() - gain.log_density).square().sum() /
-                                  std::max(1.0, count - 1) / count);
+  std::tie(gain.log_density, gain.standard_error) =
+      meanWithError(after.log_density - before.log_density + added);
   gain.nrmse_fit_percent = {before.nrmse_fit_percent, after.nrmse_fit_percent};
   gain.coverage_50 = {before.coverage_50, after.coverage_50};
   gain.coverage_90 = {before.coverage_90, after.coverage_90};
   gain.coverage_95 = {before.coverage_95, after.coverage_95};
   gain.noise_variance = {before.noise_variance, after.noise_variance};
-  gain.bode_area = {std::nan(""), std::nan("")};
+  gain.bode_area = {before.bode_area, after.bode_area};
   return gain;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "fit.h"
 #include "uncertainty_identification/explanation/explanation.h"
 
@@ -11,9 +13,16 @@ struct HeldOut {
   double nrmse_fit_percent = 0;
   double coverage_50 = 0, coverage_90 = 0, coverage_95 = 0;
   double noise_variance = 0;
+  double bode_area = 0;  ///< as of bodeArea()
 };
 
+/// [nats] of each experiment; -1e300 where the fit has none.
+Eigen::VectorXd logDensities(const Fit& fit, const FitData& data);
+
 HeldOut heldOut(const Fit& fit, const FitData& data);
+
+/// The mean of paired differences and its standard error.
+std::pair<double, double> meanWithError(const Eigen::VectorXd& values);
 
 /// Paired: what `after` gains over `before`. `added` [nats] for each experiment is what a law of
 /// the residuals adds that the likelihood does not hold.

@@ -6,11 +6,11 @@
 
 #include "bootstrap.h"
 #include "checks.h"
+#include "gains.h"
 
 namespace uncertainty_identification {
 namespace {
 
-using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr double kStrong = 15;  // [nats] of score: overruled only by a significant loss held out
@@ -42,18 +42,6 @@ bool isDifferencing(const Fit& fit) {
 /// Whether experiments held out confirm a gain; a lenient judge asks that they do not deny it.
 bool isConvincing(const Gain& gain, bool lenient) {
   return gain.log_density > (lenient ? -2 : 1.645) * gain.standard_error;
-}
-
-/// The fit without effect k of its model, before it is fitted again.
-Fit without(const Fit& fit, std::size_t k, const FitData& data) {
-  Effects effects = fit.model->effects();
-  const Index first = fit.model->offsetOf(k), count = effects[k]->parameterCount();
-  effects.erase(effects.begin() + static_cast<std::ptrdiff_t>(k));
-  ModelParameters at = fit.at;
-  const Index after = at.parameters.size() - first - count;
-  at.parameters.segment(first, after) = at.parameters.tail(after).eval();
-  at.parameters.conservativeResize(at.parameters.size() - count);
-  return evaluated(fit.model->with(effects), at, data);
 }
 
 /// exp(score) over all candidates, and the names whose score is nearly the best.
@@ -154,9 +142,8 @@ bool Search::acceptTails(SearchState* state, const FittedEffect& best) {
     state->banned.insert(state->banned.end(), {"noise_tails", "sens_outliers"});
     return false;
   }
-  const bool heavy = best.effect->name() == "noise_tails";
-  const TailLaw law = heavy ? TailLaw::student : TailLaw::mixture;
-  FoundCause cause{best.effect, best.score, best.penalty, 1, {}, {}, {}, {}};
+  const TailLaw law = lawOf(*best.effect);
+  FoundCause cause{best.effect, best.score, best.penalty, 1, {}, {}, {}};
   const Fit there = judged(state->fit, state->held);
   if (std::isfinite(there.log_likelihood)) {
     const Residuals left = residualsOf(there, state->held);
@@ -166,7 +153,7 @@ bool Search::acceptTails(SearchState* state, const FittedEffect& best) {
     const Tails of_held = tailsOf(there, state->held, left);
     state->held = FitData(withoutOutliers(state->held, left, of_held));
   }
-  if (heavy) {
+  if (law == TailLaw::student) {
     cause.parameters = {
         {"degrees_of_freedom", "1", tails.degrees, std::nan(""), std::nan(""), std::nan("")}};
   } else {
@@ -187,19 +174,14 @@ bool Search::acceptTails(SearchState* state, const FittedEffect& best) {
 
 bool Search::accept(SearchState* state, const FittedEffect& candidate,
                     const std::vector<FittedEffect>& ranked) {
+  if (isOfTails(*candidate.effect)) return acceptTails(state, candidate);
   const std::string& name = candidate.effect->name();
-  if (name == "noise_tails" || name == "sens_outliers") return acceptTails(state, candidate);
   if (name == "exp_mode" && !beatsSimulation(*state, candidate)) return false;
   const Fit fit = name == "exp_mode"
                       ? improved(candidate.fit, state->train, context_.options, 12, 0.01)
                       : polished(candidate.fit, state->train, context_, !candidate.started_anew);
   const Gain gain = gainOf(heldOut(state->fit, state->held), heldOut(fit, state->held),
                            VectorXd::Zero(state->held.count()));
-  for (TriedEffect& tried : tried_) {
-    if (tried.name != name || !std::isnan(tried.held_out_gain)) continue;
-    tried.held_out_gain = gain.log_density;
-    tried.standard_error = gain.standard_error;
-  }
   const double score = fit.log_likelihood - state->fit.log_likelihood - candidate.penalty;
   const bool lenient = isOfMixture(*candidate.effect) || score > kStrong;
   if (!isConvincing(gain, lenient)) return false;
@@ -210,7 +192,6 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
                    confidenceOf(candidate, ranked),
                    equivalentOf(candidate, ranked),
                    gain,
-                   {},
                    {}};
   next.fit = fit;
   next.causes.push_back(std::move(cause));
@@ -234,17 +215,16 @@ void Search::eliminate(SearchState* state) {
       ++k;
       continue;
     }
-    const Fit reduced = polished(
-        improved(without(state->fit, static_cast<std::size_t>(at - effects.begin()), state->train),
-                 state->train, context_.options, 10, 0.05),
-        state->train, context_);
+    const Fit reduced = fittedWithout(state->fit, static_cast<std::size_t>(at - effects.begin()),
+                                      state->train, context_);
     const double loss = state->fit.log_likelihood - reduced.log_likelihood;
     if (!(loss < cause.penalty + threshold(*cause.effect))) {
       ++k;
       continue;
     }
-    state->total -= cause.score;
+    state->total -= loss - cause.penalty;
     state->fit = reduced;
+    state->eliminated = true;
     state->causes.erase(state->causes.begin() + static_cast<std::ptrdiff_t>(k));
   }
 }
@@ -265,13 +245,32 @@ void Search::goOn(SearchState* state, std::size_t most) {
   }
 }
 
+/// Of the first cause what is known by now: its final fit may lie higher than when it was tried.
+void Search::tellFinal(const FoundCause& first) {
+  for (TriedEffect& tried : tried_) {
+    const EffectDescription& of = first.effect->description();
+    if (tried.name != of.name || tried.variant != of.variant || !first.gain) continue;
+    tried.score = first.score;
+    tried.held_out_gain = first.gain->log_density;
+    tried.standard_error = first.gain->standard_error;
+  }
+  std::stable_sort(
+      tried_.begin(), tried_.end(),
+      [](const TriedEffect& left, const TriedEffect& right) { return left.score > right.score; });
+}
+
 SearchState Search::run(const SearchState& base) {
+  SearchState found = search(base);
+  if (found.eliminated) measureAnew(base, context_, &found);
+  if (found.causes.size() > base.causes.size()) tellFinal(found.causes[base.causes.size()]);
+  return found;
+}
+
+SearchState Search::search(const SearchState& base) {
   constexpr std::size_t kAlternatives = 3;
   const auto most = base.causes.size() + static_cast<std::size_t>(options_.max_causes);
   const std::vector<FittedEffect> ranked = rank(base);
-  for (const FittedEffect& candidate : ranked)
-    tried_.push_back({candidate.effect->name(), candidate.effect->description().variant,
-                      candidate.score, std::nan(""), std::nan("")});
+  for (const FittedEffect& candidate : ranked) tried_.push_back(triedEffect(base, candidate));
   SearchState best = base;
   if (most == base.causes.size() || !(extend(&best, ranked) || best.banned != base.banned))
     return best;

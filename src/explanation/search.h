@@ -20,7 +20,6 @@ struct FoundCause {
   std::vector<std::string> equivalent;
   std::optional<Gain> gain;
   std::vector<CauseParameter> parameters;  ///< of causes outside the chain
-  std::vector<std::string> tied;           ///< names with nearly the same score
 };
 
 /// Where a search stands: a model with causes taken in, and the data as far as they are not spoilt.
@@ -30,8 +29,9 @@ struct SearchState {
   std::vector<FoundCause> causes;
   std::vector<std::string> banned;
   bool heavy_tails = false;
-  bool quantised = false;  ///< the lattice of the output is coarse against the noise
-  double total = 0;        ///< sum of the causes' scores
+  bool quantised = false;   ///< the lattice of the output is coarse against the noise
+  bool eliminated = false;  ///< something was taken out again
+  double total = 0;         ///< [nats] of likelihood gained, less the causes' penalties
 
   bool has(const std::string& name) const;
 };
@@ -48,6 +48,8 @@ class Search {
   const std::vector<TriedEffect>& tried() const { return tried_; }
 
  private:
+  SearchState search(const SearchState& base);
+  void tellFinal(const FoundCause& first);
   void goOn(SearchState* state, std::size_t most);
   bool extend(SearchState* state, const std::vector<FittedEffect>& ranked);
   std::vector<FittedEffect> rank(const SearchState& state);

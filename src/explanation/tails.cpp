@@ -168,6 +168,14 @@ Tails tailsOf(const Fit& fit, const FitData& data, const Residuals& residuals) {
   return tails;
 }
 
+bool isOfTails(const Effect& effect) {
+  return effect.name() == "noise_tails" || effect.name() == "sens_outliers";
+}
+
+TailLaw lawOf(const Effect& effect) {
+  return effect.name() == "noise_tails" ? TailLaw::student : TailLaw::mixture;
+}
+
 VectorXd tailGain(const Tails& tails, TailLaw law, const Residuals& residuals,
                   const FitData& data) {
   VectorXd gain = VectorXd::Zero(data.count());

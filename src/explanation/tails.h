@@ -22,8 +22,13 @@ struct Tails {
 
 Tails tailsOf(const Fit& fit, const FitData& data, const Residuals& residuals);
 
-/// Log density [nats] that the named law of residuals adds to a Gaussian one, of each experiment.
 enum class TailLaw { student, mixture };
+
+/// Whether an effect is a law of the residuals (noise_tails, sens_outliers), and which.
+bool isOfTails(const Effect& effect);
+TailLaw lawOf(const Effect& effect);
+
+/// Log density [nats] that the named law of residuals adds to a Gaussian one, of each experiment.
 Eigen::VectorXd tailGain(const Tails& tails, TailLaw law, const Residuals& residuals,
                          const FitData& data);
 

@@ -95,7 +95,8 @@ std::string gainText(const Gain& gain, std::size_t held_out) {
                "90 %: " + intervalText(gain.log_density - radius, gain.log_density + radius)},
               {"simulation fit [%]", change(gain.nrmse_fit_percent)},
               {"samples in 95 % intervals [%]", change({100 * inside.before, 100 * inside.after})},
-              {"noise variance", change(gain.noise_variance)}});
+              {"noise variance", change(gain.noise_variance)},
+              {"95 % Bode region [dec x dec]", change(gain.bode_area)}});
 }
 
 std::string causeText(const Cause& cause, std::size_t number, std::size_t held_out) {

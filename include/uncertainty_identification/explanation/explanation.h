@@ -42,7 +42,9 @@ struct Gain {
   Comparison nrmse_fit_percent;  ///< free simulation, as Validation::simulation_fit_percent_pooled
   Comparison coverage_50, coverage_90, coverage_95;  ///< shares of samples in prediction intervals
   Comparison noise_variance;
-  Comparison bode_area;  ///< of the 95 % region of |G| [decades x decades]; NaN: not computed
+  /// Of the region that holds 95 % of the linear plants, in the three decades below the Nyquist
+  /// frequency [decades x decades]; NaN where Go is not stable.
+  Comparison bode_area;
 };
 
 /// A parameter of a cause with its standard error and 90 % interval.
@@ -70,7 +72,7 @@ struct Cause {
 struct TriedEffect {
   std::string name, variant;
   double score = 0;          ///< [nats] gain of training likelihood less its penalty
-  double held_out_gain = 0;  ///< [nats] per experiment; NaN where not measured
+  double held_out_gain = 0;  ///< [nats] per experiment; NaN where the score is not positive
   double standard_error = 0;
 };
 

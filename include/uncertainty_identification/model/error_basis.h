@@ -30,6 +30,9 @@ class ErrorBasis {
 
   BasisKind kind() const { return options_.basis; }
 
+  /// What it was made from.
+  const ErrorModelOptions& options() const { return options_; }
+
   /// Static gains F_k(1) (taps).
   Eigen::VectorXd staticGains() const;
 

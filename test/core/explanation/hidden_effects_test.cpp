@@ -51,6 +51,21 @@ TEST(HiddenEffects, OutsideTheCatalogueAreUnknown) {
   }));
 }
 
+// In scripts/benchmark_explanation's run 2 a resonance is taken in first, the delay on top of it,
+// and the resonance out again.
+TEST(HiddenEffects, GainOverTheModelWithoutThem) {
+  const HiddenEffectOptions options;
+  const HiddenEffect hidden = randomHiddenEffect({"act_delay"}, options, 10026407891151178533U);
+  const HiddenEffectData data = simulateHidden(hidden, options);
+  const Explanation explanation = explain(hidden.declared, data.training, data.held_out);
+  ASSERT_EQ(explanation.causes.size(), 1U) << explanation.message;
+  EXPECT_EQ(explanation.causes[0].name, "act_delay");
+  const double before = explanation.before.noise_variance.value;
+  EXPECT_NEAR(explanation.causes[0].gain->noise_variance.before, before, 0.01 * before);
+  EXPECT_GT(explanation.causes[0].gain->log_density, 15);  // 3.5 beside the resonance
+  EXPECT_EQ(explanation.candidates.front().name, "act_delay");
+}
+
 INSTANTIATE_TEST_SUITE_P(OfEachStage, HiddenEffects,
                          testing::Values("act_deadzone", "act_hammerstein", "plant_drift",
                                          "plant_cubic", "sens_bias", "sens_hum", "sens_outliers",
