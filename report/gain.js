@@ -39,12 +39,14 @@ function showGain(parent, {causes, held_out: heldOut}) {
       'What was named changes no prediction: it is found by a test and has no gain.'));
     return;
   }
-  parent.append(paragraph(`Measured on ${counted(heldOut.length, 'experiment')} not used for fitting. Each cause is counted on top of those above it.`));
+  const measured = heldOut.length > 0 ? `${counted(heldOut.length, 'experiment')} not used for fitting` :
+    'the experiments fitted to, as there are too few to keep any out: gains are too large';
+  parent.append(paragraph(`Measured on ${measured}. Each cause is counted on top of those above it.`));
   const densities = gained.map(cause => cause.gain.held_out_log_density_per_experiment);
   const intervals = densities.map(({value, standard_error: error}) => (
     {lower: isNumber(error) ? value - kQuantile90 * error : null, upper: isNumber(error) ? value + kQuantile90 * error : null}));
   barFigure(parent, {
-    title: 'Gain on experiments not used for fitting', color: kColorAfter, names: gained.map(fullName), values: densities.map(({value}) => value),
+    title: heldOut.length > 0 ? 'Gain on experiments not used for fitting' : 'Gain on the experiments fitted to', color: kColorAfter, names: gained.map(fullName), values: densities.map(({value}) => value),
     axis: 'log predictive density gained per experiment [nats]', intervals,
     caption: 'Whiskers: 90\u00a0% interval of the mean over the experiments. One nat makes the data 2.7 times as probable.',
     describe: k => [fullName(gained[k]), `${plusMinus(densities[k].value, densities[k].standard_error)} nats per experiment`]});

@@ -48,4 +48,18 @@ std::shared_ptr<const Effect> findEffect(const Effects& catalogue, const std::st
                            (nearest != nullptr ? "; the nearest is " + nearest->label() : ""));
 }
 
+std::string nearestEffect(const std::string& name, DataSummary data) {
+  data.experiments = std::max(data.experiments, 100);
+  data.regressors = std::max(data.regressors, 1);
+  data.covariates.emplace("any", 0);
+  data.plant_parameters.emplace_back("any");
+  data.stamps = true;
+  std::string nearest;
+  for (const auto& effect : catalogue(data)) {
+    if (nearest.empty() || editDistance(name, effect->name()) < editDistance(name, nearest))
+      nearest = effect->name();
+  }
+  return nearest;
+}
+
 }  // namespace uncertainty_identification

@@ -46,6 +46,16 @@ std::vector<Experiment> usedBy(const Estimate& estimate, std::vector<Experiment>
   return used;
 }
 
+void requireKnown(const std::vector<std::string>& excluded,
+                  const std::vector<Experiment>& experiments) {
+  for (const std::string& name : excluded) {
+    const std::string nearest = nearestEffect(name, summarise(experiments));
+    if (nearest == name) continue;
+    throw ConfigurationError("explanation.exclude: found " + name +
+                             "; the catalogue has no such effect, the nearest is " + nearest);
+  }
+}
+
 /// One run of explain().
 class Explaining {
  public:
@@ -60,6 +70,7 @@ class Explaining {
   bool isExcluded(const std::string& name) const;
   std::vector<Signature> takeOutSpoiled(Split* data) const;
   void identify(const std::vector<Experiment>& experiments);
+  void tellHeldOut(const Split& data);
   FitContext context();
   SearchState base(Split data, const FitContext& context) const;
   Effects catalogueFor(const SearchState& base) const;
@@ -110,6 +121,16 @@ void Explaining::identify(const std::vector<Experiment>& experiments) {
         return report(at.phase, 0.3 * at.fraction, at.log_likelihood);
       });
   explanation_.warnings = explanation_.before.warnings;
+}
+
+void Explaining::tellHeldOut(const Split& data) {
+  if (data.fitted_to) {
+    explanation_.warnings.push_back(
+        "too few experiments to keep any out of the fit: gains are measured on those fitted to, "
+        "and are too large; record four or more, or give others by --validation");
+    return;
+  }
+  for (const Experiment& experiment : data.held) explanation_.held_out.push_back(experiment.id);
 }
 
 FitContext Explaining::context() {
@@ -199,10 +220,11 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   require(!variesParameters(configuration_.error_model.basis), "error_model.basis",
           nameOf(configuration_.error_model.basis),
           "fir, laguerre or kautz: explain looks for parameters that vary by itself");
+  requireKnown(configuration_.explanation.exclude, experiments);
   Split data = split(configuration_, experiments, validation);
   const std::vector<Signature> signatures = takeOutSpoiled(&data);
-  for (const Experiment& experiment : data.held) explanation_.held_out.push_back(experiment.id);
   identify(data.train);
+  tellHeldOut(data);
   const FitContext context = this->context();
   SearchState base = this->base(std::move(data), context);
   const Effects effects = catalogueFor(base);

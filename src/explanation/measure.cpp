@@ -137,7 +137,7 @@ HeldOut heldOut(const Fit& fit, const FitData& data) {
 std::pair<double, double> meanWithError(const VectorXd& values) {
   const double count = static_cast<double>(values.size()), mean = values.mean();
   const double squares = (values.array() - mean).square().sum();
-  return {mean, std::sqrt(squares / std::max(1.0, count - 1) / count)};
+  return {mean, count > 1 ? std::sqrt(squares / (count - 1) / count) : std::nan("")};
 }
 
 Gain gainOf(const HeldOut& before, const HeldOut& after, const VectorXd& added) {

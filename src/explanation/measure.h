@@ -21,7 +21,7 @@ Eigen::VectorXd logDensities(const Fit& fit, const FitData& data);
 
 HeldOut heldOut(const Fit& fit, const FitData& data);
 
-/// The mean of paired differences and its standard error.
+/// The mean of paired differences and its standard error; of one difference NaN.
 std::pair<double, double> meanWithError(const Eigen::VectorXd& values);
 
 /// Paired: what `after` gains over `before`. `added` [nats] for each experiment is what a law of

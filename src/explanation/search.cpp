@@ -41,6 +41,7 @@ bool isDifferencing(const Fit& fit) {
 
 /// Whether experiments held out confirm a gain; a lenient judge asks that they do not deny it.
 bool isConvincing(const Gain& gain, bool lenient) {
+  if (std::isnan(gain.standard_error)) return gain.log_density > 0;
   return gain.log_density > (lenient ? -2 : 1.645) * gain.standard_error;
 }
 

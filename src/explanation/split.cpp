@@ -26,8 +26,8 @@ std::set<std::size_t> drawn(const Configuration& configuration, std::size_t coun
 Split split(const Configuration& configuration, const std::vector<Experiment>& experiments,
             const std::vector<Experiment>& validation) {
   constexpr std::size_t kFewest = 4;
-  if (!validation.empty()) return {experiments, validation};
-  if (experiments.size() < kFewest) return {experiments, experiments};
+  if (!validation.empty()) return {experiments, validation, false};
+  if (experiments.size() < kFewest) return {experiments, experiments, true};
   const std::set<std::size_t> held = drawn(configuration, experiments.size());
   Split parts;
   for (std::size_t k = 0; k < experiments.size(); ++k)

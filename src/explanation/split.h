@@ -10,6 +10,7 @@ namespace uncertainty_identification {
 /// Experiments to fit to and to measure with.
 struct Split {
   std::vector<Experiment> train, held;
+  bool fitted_to = false;  ///< there are too few to keep any out: held are those of train
 };
 
 /// `validation` is held out; where there is none, a share of the experiments drawn by the

@@ -89,7 +89,10 @@ std::string gainText(const Gain& gain, std::size_t held_out) {
     return shortNumber(values.before) + " -> " + shortNumber(values.after);
   };
   const Comparison& inside = gain.coverage_95;
-  return "  On " + countText(held_out, "experiment") + " not used for fitting:\n" +
+  const std::string measured = held_out == 0
+                                   ? "the experiments fitted to"
+                                   : countText(held_out, "experiment") + " not used for fitting";
+  return "  On " + measured + ":\n" +
          textTable(
              {{"gain per experiment [nats]", estimateText(gain.log_density, gain.standard_error),
                "90 %: " + intervalText(gain.log_density - radius, gain.log_density + radius)},
@@ -113,12 +116,13 @@ std::string causeText(const Cause& cause, std::size_t number, std::size_t held_o
 }
 
 /// The best of what was tried, where that may help the reader to a cause of their own.
-std::string triedText(std::vector<TriedEffect> tried) {
+std::string triedText(std::vector<TriedEffect> tried, bool held_out) {
   if (tried.empty()) return "";
   std::stable_sort(tried.begin(), tried.end(),
                    [](const TriedEffect& a, const TriedEffect& b) { return a.score > b.score; });
   tried.resize(std::min(tried.size(), kTriedShown));
-  Rows rows{{"Best of what was tried", "score [nats]", "gain per experiment held out [nats]"}};
+  Rows rows{{"Best of what was tried", "score [nats]",
+             held_out ? "gain per experiment held out [nats]" : "gain per experiment [nats]"}};
   for (const TriedEffect& effect : tried) {
     rows.push_back({nameText(effect.name, effect.variant), shortNumber(effect.score),
                     estimateText(effect.held_out_gain, effect.standard_error)});
@@ -135,7 +139,8 @@ std::string explanationText(const Explanation& explanation) {
   for (std::size_t k = 0; k < explanation.causes.size(); ++k) {
     text += causeText(explanation.causes[k], k + 1, explanation.held_out.size());
   }
-  if (explanation.verdict != Verdict::none) text += triedText(explanation.candidates);
+  if (explanation.verdict != Verdict::none)
+    text += triedText(explanation.candidates, !explanation.held_out.empty());
   if (!explanation.warnings.empty()) text += "\n";
   for (const std::string& warning : explanation.warnings) text += "Warning: " + warning + "\n";
   return text;

@@ -25,4 +25,8 @@ Effects catalogue(const DataSummary& data);
 std::shared_ptr<const Effect> findEffect(const Effects& catalogue, const std::string& name,
                                          const std::string& variant);
 
+/// The name nearest to this one among the effects that such data, or data that told more
+/// (covariates, stamps), may have.
+std::string nearestEffect(const std::string& name, DataSummary data);
+
 }  // namespace uncertainty_identification

@@ -37,8 +37,8 @@ struct Comparison {
 
 /// What taking a cause into the model gains on experiments not used for fitting.
 struct Gain {
-  double log_density = 0;  ///< [nats] per experiment, mean of paired differences
-  double standard_error = 0;
+  double log_density = 0;        ///< [nats] per experiment, mean of paired differences
+  double standard_error = 0;     ///< NaN: measured on one experiment only
   Comparison nrmse_fit_percent;  ///< free simulation, as Validation::simulation_fit_percent_pooled
   Comparison coverage_50, coverage_90, coverage_95;  ///< shares of samples in prediction intervals
   Comparison noise_variance;
@@ -105,7 +105,9 @@ struct Explanation {
   std::vector<TriedEffect> candidates;
   std::vector<std::string> warnings;
   Estimate before, after;  ///< models without and with the causes, from the same experiments
-  std::vector<std::string> held_out;  ///< ids of the experiments that the gains were measured on
+  /// Ids of the experiments that the gains were measured on; none: those fitted to, as there were
+  /// too few to keep any out.
+  std::vector<std::string> held_out;
   ResidualPicture residual_before, residual_after;
   std::vector<ExperimentPicture> pictures;         ///< held-out experiments: median and worst fit
   Termination termination = Termination::not_run;  ///< converged, or cancelled

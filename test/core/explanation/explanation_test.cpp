@@ -163,6 +163,21 @@ TEST(Explain, SaysUnknownWhereItMayNameNothing) {
   EXPECT_TRUE(found.causes.empty());
 }
 
+/// What was fitted to measures nothing: it must not be passed off as held out.
+TEST(Explain, SaysWhereNoExperimentCouldBeHeldOut) {
+  for (const std::size_t count : {1, 3}) {
+    std::vector<Experiment> few = behindDeadZone();
+    few.resize(count);
+    const Explanation found = explain(configuration(), few);
+    EXPECT_TRUE(found.held_out.empty());
+    EXPECT_TRUE(std::any_of(found.warnings.begin(), found.warnings.end(), [](const auto& warning) {
+      return warning.find("fitted to") != std::string::npos;
+    }));
+    ASSERT_FALSE(found.causes.empty()) << found.message;
+    EXPECT_EQ(std::isnan(found.causes[0].gain->standard_error), count == 1);
+  }
+}
+
 TEST(Explain, CanBeCancelled) {
   int calls = 0;
   const Explanation found =
@@ -195,6 +210,11 @@ TEST(Explain, RefusesBadInput) {
   Configuration negative = configuration();
   negative.explanation.acceptance = -1;
   EXPECT_THROW(explain(negative, clean()), ConfigurationError);
+  Configuration misspelt = configuration();
+  misspelt.explanation.exclude = {"plant_temp", "act_deadzon"};  // the first needs a covariate
+  EXPECT_EQ(messageOf<ConfigurationError>([&] { explain(misspelt, clean()); }),
+            "explanation.exclude: found act_deadzon; the catalogue has no such effect, the nearest "
+            "is act_deadzone");
 }
 
 }  // namespace
