@@ -57,6 +57,31 @@ long repeats(const std::vector<double>& sorted) {
   return count;
 }
 
+/// How often the measurement is at a value; where the sensor holds, how often it comes to it.
+long visits(const std::vector<Experiment>& experiments, double value, bool holds) {
+  long count = 0;
+  for (const Experiment& experiment : experiments) {
+    for (int t = 0; t < experiment.samples(); ++t) {
+      const bool there = experiment.isValid(t) && experiment.y[t] == value;
+      const bool stays =
+          there && t > 0 && experiment.isValid(t - 1) && experiment.y[t - 1] == value;
+      count += there && !(holds && stays);
+    }
+  }
+  return count;
+}
+
+/// Share of the samples that repeat the one before within the extremes; 0 where by chance.
+double heldShare(const std::vector<Experiment>& experiments, const std::vector<double>& sorted) {
+  long held = 0;
+  for (const Experiment& experiment : experiments) {
+    for (int t = 1; t < experiment.samples(); ++t)
+      held += isHeld(experiment, t, sorted.front(), sorted.back());
+  }
+  if (held < kFewest || 2 * held <= repeats(sorted)) return 0;
+  return static_cast<double>(held) / static_cast<double>(sorted.size());
+}
+
 }  // namespace
 
 std::vector<Experiment> withoutRest(std::vector<Experiment> experiments) {
@@ -75,25 +100,17 @@ std::vector<Signature> signaturesOf(const std::vector<Experiment>& experiments) 
   if (values.size() < 2) return {};
   if (const double step = latticeStep(values); step > 0)
     return {{"sens_quant", {exact("step", "unit of y", step)}}};
+  constexpr double kNone = std::numeric_limits<double>::infinity();
   const double low = values.front(), high = values.back();
-  const auto low_count = std::upper_bound(values.begin(), values.end(), low) - values.begin();
-  const auto high_count = values.end() - std::lower_bound(values.begin(), values.end(), high);
+  const double held = heldShare(experiments, values);
+  const bool at_low = visits(experiments, low, held > 0) >= kFewest;
+  const bool at_high = visits(experiments, high, held > 0) >= kFewest;
   std::vector<Signature> found;
-  if (std::max(low_count, high_count) >= kFewest)
-    found.push_back(
-        {"sens_clip",
-         {exact("lower_limit", "unit of y",
-                low_count >= kFewest ? low : -std::numeric_limits<double>::infinity()),
-          exact("upper_limit", "unit of y",
-                high_count >= kFewest ? high : std::numeric_limits<double>::infinity())}});
-  long held = 0;
-  for (const Experiment& experiment : experiments) {
-    for (int t = 1; t < experiment.samples(); ++t) held += isHeld(experiment, t, low, high);
-  }
-  if (held >= kFewest && 2 * held > repeats(values))
-    found.push_back(
-        {"sens_dropout",
-         {exact("share", "1", static_cast<double>(held) / static_cast<double>(values.size()))}});
+  if (at_low || at_high)
+    found.push_back({"sens_clip",
+                     {exact("lower_limit", "unit of y", at_low ? low : -kNone),
+                      exact("upper_limit", "unit of y", at_high ? high : kNone)}});
+  if (held > 0) found.push_back({"sens_dropout", {exact("share", "1", held)}});
   return found;
 }
 

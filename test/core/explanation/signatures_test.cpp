@@ -106,6 +106,18 @@ TEST(Signatures, RepeatedValuesAreASensorThatHolds) {
   EXPECT_FALSE(kept[1].isValid(110));
 }
 
+TEST(Signatures, ALargestValueThatIsHeldIsNoLimit) {
+  std::vector<Experiment> experiments = noise();
+  for (int t = 10; t < 500; t += 100) experiments[1].y[t] = experiments[1].y[t - 1];
+  Eigen::Index largest = 0;
+  experiments[0].y.head(490).maxCoeff(&largest);
+  experiments[0].y[largest] += 10;
+  for (int t = 1; t < 6; ++t) experiments[0].y[largest + t] = experiments[0].y[largest];
+  const auto found = signaturesOf(experiments);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].name, "sens_dropout");
+}
+
 TEST(Signatures, ThreeRepeatsAreChance) {
   std::vector<Experiment> experiments = noise();
   for (int t : {10, 20, 30}) experiments[0].y[t] = experiments[0].y[t - 1];
