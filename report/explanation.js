@@ -2,7 +2,7 @@
 // What the simulation gets wrong and why (explanation.json): the verdict, the tests, the causes.
 
 const kColorBefore = kColors[1], kColorAfter = kColors[0];
-const kQuantile90 = 1.645, kQuantile95 = 1.96;  // of two-sided intervals of a Gaussian
+const kQuantile95 = 1.96;  // of a two-sided interval of a Gaussian
 
 function fullName({name, variant}) {
   return variant ? `${name} (${variant})` : name;

@@ -43,8 +43,7 @@ function showGain(parent, {causes, held_out: heldOut}) {
     'the experiments fitted to, as there are too few to keep any out: gains are too large';
   parent.append(paragraph(`Measured on ${measured}. Each cause is counted on top of those above it.`));
   const densities = gained.map(cause => cause.gain.held_out_log_density_per_experiment);
-  const intervals = densities.map(({value, standard_error: error}) => (
-    {lower: isNumber(error) ? value - kQuantile90 * error : null, upper: isNumber(error) ? value + kQuantile90 * error : null}));
+  const intervals = densities.map(({lower_90: lower, upper_90: upper}) => ({lower, upper}));
   barFigure(parent, {
     title: heldOut.length > 0 ? 'Gain on experiments not used for fitting' : 'Gain on the experiments fitted to', color: kColorAfter, names: gained.map(fullName), values: densities.map(({value}) => value),
     axis: 'log predictive density gained per experiment [nats]', intervals,

@@ -1,11 +1,23 @@
 #include "estimate_fit.h"
 
+#include <utility>
+
 #include "uncertainty_identification/identifier.h"
 
 namespace uncertainty_identification {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+
+std::vector<Experiment> usedBy(const Estimate& estimate, std::vector<Experiment> all) {
+  std::vector<Experiment> used;
+  for (Experiment& experiment : all) {
+    const std::size_t next = used.size();
+    if (next == estimate.experiments.size()) break;
+    if (experiment.id == estimate.experiments[next].id) used.push_back(std::move(experiment));
+  }
+  return used;
+}
 
 Fit fitOf(const Estimate& estimate, const FitData& data, const DataSummary& summary) {
   NominalModelOptions options = estimate.configuration.nominal_model;

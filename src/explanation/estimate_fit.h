@@ -6,6 +6,9 @@
 /// Between estimates, which users see, and fits, which a search works with.
 namespace uncertainty_identification {
 
+/// The experiments of `all` that the estimate rests on, in their order.
+std::vector<Experiment> usedBy(const Estimate& estimate, std::vector<Experiment> all);
+
 /// The model of an estimate, ready to be extended, for the same experiments.
 Fit fitOf(const Estimate& estimate, const FitData& data, const DataSummary& summary);
 

@@ -11,6 +11,7 @@
 #include "estimate_fit.h"
 #include "intervals.h"
 #include "peaks.h"
+#include "raise_orders.h"
 #include "search.h"
 #include "signatures.h"
 #include "split.h"
@@ -33,17 +34,6 @@ std::string groupOf(const std::string& name) {
   const std::string prefix = name.substr(0, name.find('_'));
   const auto group = kGroups.find(prefix);
   return group == kGroups.end() ? prefix : group->second;
-}
-
-/// The experiments of `all` that the estimate rests on, in their order.
-std::vector<Experiment> usedBy(const Estimate& estimate, std::vector<Experiment> all) {
-  std::vector<Experiment> used;
-  for (Experiment& experiment : all) {
-    const std::size_t next = used.size();
-    if (next == estimate.experiments.size()) break;
-    if (experiment.id == estimate.experiments[next].id) used.push_back(std::move(experiment));
-  }
-  return used;
 }
 
 void requireKnown(const std::vector<std::string>& excluded,
@@ -70,6 +60,7 @@ class Explaining {
   bool isExcluded(const std::string& name) const;
   std::vector<Signature> takeOutSpoiled(Split* data) const;
   void identify(const std::vector<Experiment>& experiments);
+  void raiseOrders(const std::vector<Experiment>& experiments);
   void tellHeldOut(const Split& data);
   FitContext context();
   SearchState base(Split data, const FitContext& context) const;
@@ -121,6 +112,20 @@ void Explaining::identify(const std::vector<Experiment>& experiments) {
         return report(at.phase, 0.3 * at.fraction, at.log_likelihood);
       });
   explanation_.warnings = explanation_.before.warnings;
+}
+
+void Explaining::raiseOrders(const std::vector<Experiment>& experiments) {
+  const int chosen = explanation_.before.configuration.nominal_model.na;
+  explanation_.before = withOrdersAskedFor(
+      configuration_, explanation_.before, experiments, context(),
+      [this](const Progress& at) { return report("choosing orders", 0.3, at.log_likelihood); });
+  const int raised = explanation_.before.configuration.nominal_model.na;
+  if (raised == chosen) return;
+  explanation_.warnings = explanation_.before.warnings;
+  explanation_.warnings.push_back(
+      "nominal_model.orders: auto chose a plant of order " + std::to_string(chosen) +
+      " by its simulations; the likelihood of all experiments asks for order " +
+      std::to_string(raised) + ", which is explained here");
 }
 
 void Explaining::tellHeldOut(const Split& data) {
@@ -224,6 +229,7 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   Split data = split(configuration_, experiments, validation);
   const std::vector<Signature> signatures = takeOutSpoiled(&data);
   identify(data.train);
+  raiseOrders(data.train);
   tellHeldOut(data);
   const FitContext context = this->context();
   SearchState base = this->base(std::move(data), context);

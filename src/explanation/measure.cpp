@@ -1,6 +1,7 @@
 #include "measure.h"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
 #include <tuple>
@@ -142,8 +143,13 @@ std::pair<double, double> meanWithError(const VectorXd& values) {
 
 Gain gainOf(const HeldOut& before, const HeldOut& after, const VectorXd& added) {
   Gain gain;
-  std::tie(gain.log_density, gain.standard_error) =
-      meanWithError(after.log_density - before.log_density + added);
+  const VectorXd difference = after.log_density - before.log_density + added;
+  std::tie(gain.log_density, gain.standard_error) = meanWithError(difference);
+  const double freedom = std::max(1.0, static_cast<double>(difference.size() - 1));
+  const double half =
+      boost::math::quantile(boost::math::students_t(freedom), 0.95) * gain.standard_error;
+  gain.lower_90 = gain.log_density - half;
+  gain.upper_90 = gain.log_density + half;
   gain.nrmse_fit_percent = {before.nrmse_fit_percent, after.nrmse_fit_percent};
   gain.coverage_50 = {before.coverage_50, after.coverage_50};
   gain.coverage_90 = {before.coverage_90, after.coverage_90};

@@ -28,6 +28,8 @@ void bind(Archive& archive, Gain& gain) {
   archive.section("held_out_log_density_per_experiment", [&gain](auto& section) {
     section("value", gain.log_density);
     section("standard_error", gain.standard_error);
+    section("lower_90", gain.lower_90);
+    section("upper_90", gain.upper_90);
   });
   archive("nrmse_fit_percent", gain.nrmse_fit_percent);
   archive("coverage_50", gain.coverage_50);

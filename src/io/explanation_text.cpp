@@ -13,7 +13,6 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-constexpr double kQuantile90 = 1.6448536269514722;  // of a two-sided 90 % interval of a Gaussian
 constexpr std::size_t kTriedShown = 5;
 
 std::string shortNumber(double value) {
@@ -84,7 +83,6 @@ std::string parametersText(const std::vector<CauseParameter>& parameters) {
 }
 
 std::string gainText(const Gain& gain, std::size_t held_out) {
-  const double radius = kQuantile90 * gain.standard_error;
   const auto change = [](const Comparison& values) {
     return shortNumber(values.before) + " -> " + shortNumber(values.after);
   };
@@ -95,7 +93,7 @@ std::string gainText(const Gain& gain, std::size_t held_out) {
   return "  On " + measured + ":\n" +
          textTable(
              {{"gain per experiment [nats]", estimateText(gain.log_density, gain.standard_error),
-               "90 %: " + intervalText(gain.log_density - radius, gain.log_density + radius)},
+               "90 %: " + intervalText(gain.lower_90, gain.upper_90)},
               {"simulation fit [%]", change(gain.nrmse_fit_percent)},
               {"samples in 95 % intervals [%]", change({100 * inside.before, 100 * inside.after})},
               {"noise variance", change(gain.noise_variance)},

@@ -71,7 +71,7 @@ void fill(const Gain& gain, messages::Cause* message) {
 Gain noGain() {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   const Comparison none{kNan, kNan};
-  return {kNan, kNan, none, none, none, none, none, none};
+  return {kNan, kNan, kNan, kNan, none, none, none, none, none, none};
 }
 
 messages::Cause toMessage(const Cause& cause) {

@@ -20,8 +20,8 @@ inline Explanation exampleExplanation() {
   example.checks_after = {{"whiteness", 70, 3e-9, false, "8 to 9 rad/s"},
                           {"variance over time", 8, 0.5, true, ""},
                           {"kurtosis", 1, 0.3, true, ""}};
-  const Gain gain{12.25,       1.0 / 3,      {81.2, 88.9}, {0.45, 0.5},
-                  {0.8, 0.89}, {0.91, 0.95}, {0.13, 0.1},  {0.4, kNan}};
+  const Gain gain{12.25,       1.0 / 3,     11.5,         13.0,        {81.2, 88.9},
+                  {0.45, 0.5}, {0.8, 0.89}, {0.91, 0.95}, {0.13, 0.1}, {0.4, kNan}};
   example.causes = {{"act_deadzone",
                      "",
                      "actuator",

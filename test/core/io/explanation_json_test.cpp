@@ -45,8 +45,10 @@ TEST(ExplanationJson, HoldsTheFieldsOfTheFormat) {
                                           {"upper_90", 0.317},
                                           {"unit", "V"}}));
   const json& gain = cause["gain"];
-  EXPECT_EQ(gain["held_out_log_density_per_experiment"],
-            json({{"value", 12.25}, {"standard_error", 1.0 / 3}}));
+  EXPECT_EQ(
+      gain["held_out_log_density_per_experiment"],
+      json(
+          {{"value", 12.25}, {"standard_error", 1.0 / 3}, {"lower_90", 11.5}, {"upper_90", 13.0}}));
   EXPECT_EQ(gain["nrmse_fit_percent"], json({{"before", 81.2}, {"after", 88.9}}));
   EXPECT_EQ(gain["coverage_95"], json({{"before", 0.91}, {"after", 0.95}}));
   EXPECT_EQ(gain["noise_variance"], json({{"before", 0.13}, {"after", 0.1}}));

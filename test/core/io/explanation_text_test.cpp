@@ -36,7 +36,7 @@ TEST(ExplanationText, ShowsCausesWithParametersAndGain) {
   expectPart(text, "  width [V]  0.3100 +- 0.0040  90 %: 0.303 to 0.317\n");
   expectPart(text, "  ratio      1                 90 %: -\n");
   expectPart(text, "  On 2 experiments not used for fitting:\n");
-  expectPart(text, "gain per experiment [nats]     12.25 +- 0.33  90 %: 11.7 to 12.8\n");
+  expectPart(text, "gain per experiment [nats]     12.25 +- 0.33  90 %: 11.5 to 13\n");
   expectPart(text, "simulation fit [%]             81.2 -> 88.9\n");
   expectPart(text, "samples in 95 % intervals [%]  91 -> 95\n");
   expectPart(text, "noise variance                 0.13 -> 0.1\n");
