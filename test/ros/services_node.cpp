@@ -96,13 +96,14 @@ TEST_F(ServicesTest, ExperimentsAreCutByServices) {
 TEST_F(ServicesTest, ResultsHaveBoundsAndPlants) {
   EXPECT_EQ(client_.call<SampleModels>("sample_models").code, SampleModels::Response::NONE_YET);
   const Latest<messages::UncertaintyBounds> bounds("/identification/uncertainty_bounds");
+  const Latest<messages::IdentificationResult> result("/identification/result");
   for (const auto& experiment : example1Experiments(4)) {
     ASSERT_TRUE(trigger("start_experiment"));
     publish(experiment);
     ASSERT_TRUE(trigger("finish_experiment"));
   }
   ASSERT_TRUE(waitFor([&] {
-    const auto last = client_.call<GetResult>("get_result").result;
+    const auto last = result.get();
     return last.experiment_count == 4 && !last.preliminary &&
            bounds.get().sequence == last.sequence;
   })) << client_.status().message;
