@@ -1,8 +1,10 @@
 #include "raise_orders.h"
 
 #include <cmath>
+#include <optional>
 
 #include "estimate_fit.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -14,6 +16,21 @@ double likelihoodOf(const Estimate& estimate, const std::vector<Experiment>& exp
       .log_likelihood;
 }
 
+/// The same with more poles and zeros; nothing where the data are too few for them.
+std::optional<Estimate> withMore(const Estimate& estimate, int poles,
+                                 const std::vector<Experiment>& experiments,
+                                 const ProgressCallback& progress) {
+  Configuration larger = estimate.configuration;
+  larger.nominal_model.na += poles;
+  larger.nominal_model.nb += poles;
+  try {
+    Estimate found = Identifier(larger).identify(experiments, {}, progress);
+    if (found.usable()) return found;
+  } catch (const DataError&) {
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Estimate withOrdersAskedFor(const Configuration& asked, Estimate estimate,
@@ -23,19 +40,17 @@ Estimate withOrdersAskedFor(const Configuration& asked, Estimate estimate,
   if (!asked.nominal_model.orders_auto || !estimate.usable()) return estimate;
   double reached = likelihoodOf(estimate, experiments, context);
   for (int more = 1; more <= kMostAtOnce;) {
-    Configuration larger = estimate.configuration;
-    larger.nominal_model.na += more;
-    larger.nominal_model.nb += more;
-    if (larger.nominal_model.na > asked.nominal_model.max_order || !context.going_on()) break;
-    const Estimate candidate = Identifier(larger).identify(experiments, {}, progress);
-    if (!candidate.usable()) break;
-    const double gain = likelihoodOf(candidate, experiments, context) - reached;
+    const int poles = estimate.configuration.nominal_model.na + more;
+    if (poles > asked.nominal_model.max_order || !context.going_on()) break;
+    const auto candidate = withMore(estimate, more, experiments, progress);
+    if (!candidate) break;
+    const double gain = likelihoodOf(*candidate, experiments, context) - reached;
     if (gain <
         more * std::log(static_cast<double>(estimate.sample_count))) {  // two parameters each
       ++more;
       continue;
     }
-    estimate = candidate;
+    estimate = *candidate;
     reached += gain;
     more = 1;
   }

@@ -1,0 +1,40 @@
+// Orders chosen from the data, raised where the joint likelihood asks for it.
+#include "explanation/raise_orders.h"
+
+#include <gtest/gtest.h>
+
+#include "support/core_setup.h"
+
+namespace uncertainty_identification {
+namespace {
+
+/// Of twelve experiments of Example 1, whose plant is of order 1; of one where they are short.
+int orderAskedFor(int samples, int order) {
+  std::vector<Experiment> experiments = test::example1(2, 12).experiments;
+  for (Experiment& experiment : experiments) {
+    experiment.u.conservativeResize(samples);
+    experiment.y.conservativeResize(samples);
+  }
+  Configuration configuration = test::example1Configuration();
+  configuration.nominal_model.na = configuration.nominal_model.nb = order;
+  if (samples < 50) {
+    experiments.resize(1);
+    configuration.error_model.taps = 0;
+  }
+  const Estimate estimate = Identifier(configuration).identify(experiments);
+  configuration.nominal_model.orders_auto = true;
+  WorkerPool pool(1);
+  FitContext context;
+  context.pool = &pool;
+  context.going_on = [] { return true; };
+  return withOrdersAskedFor(configuration, estimate, experiments, context, {})
+      .configuration.nominal_model.na;
+}
+
+TEST(RaiseOrders, LeavesThoseThatSuffice) { EXPECT_EQ(orderAskedFor(100, 1), 1); }
+
+/// Two poles more would be 22 unknowns for 20 samples: none is asked for, and nothing fails.
+TEST(RaiseOrders, TriesNoMoreThanTheDataAllow) { EXPECT_EQ(orderAskedFor(20, 2), 2); }
+
+}  // namespace
+}  // namespace uncertainty_identification
