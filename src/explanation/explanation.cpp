@@ -115,6 +115,7 @@ void Explaining::identify(const std::vector<Experiment>& experiments) {
 }
 
 void Explaining::raiseOrders(const std::vector<Experiment>& experiments) {
+  if (!configuration_.nominal_model.orders_auto) return;
   const int chosen = explanation_.before.configuration.nominal_model.na;
   explanation_.before = withOrdersAskedFor(
       configuration_, explanation_.before, experiments, context(),

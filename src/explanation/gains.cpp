@@ -29,14 +29,10 @@ VectorXd densityGained(const SearchState& base, const FittedEffect& candidate) {
   if (!isOfTails(*candidate.effect))
     return logDensities(candidate.fit, base.held) - logDensities(base.fit, base.held);
   const Tails tails = tailsOf(base.fit, base.train, residualsOf(base.fit, base.train));
-  const Residuals left = residualsOf(judged(base.fit, base.held), base.held);
-  return tailGain(tails, lawOf(*candidate.effect), left, base.held);
-}
-
-/// The model before the only effect of `after` was taken in: where it can be compared, the base.
-Fit beforeFirst(const SearchState& base, const Fit& without_it, const FitData& data) {
-  if (base.fit.at.mixture.components() != without_it.at.mixture.components()) return without_it;
-  return evaluated(base.fit.model, base.fit.at, data);
+  const Fit there = judged(base.fit, base.held);
+  if (!std::isfinite(there.log_likelihood))
+    return VectorXd::Constant(base.held.count(), std::nan(""));
+  return tailGain(tails, lawOf(*candidate.effect), residualsOf(there, base.held), base.held);
 }
 
 }  // namespace
@@ -61,9 +57,12 @@ void measureAnew(const SearchState& base, const FitContext& context, SearchState
     const Effects& effects = after.model->effects();
     const auto at = std::find(effects.begin(), effects.end(), cause->effect);
     if (at == effects.end()) continue;
-    Fit before =
-        fittedWithout(after, static_cast<std::size_t>(at - effects.begin()), found->train, context);
-    if (effects.size() == 1) before = beforeFirst(base, before, found->train);
+    const bool is_base =
+        effects.size() == 1 && after.at.mixture.components() == base.fit.at.mixture.components();
+    const Fit before = is_base
+                           ? evaluated(base.fit.model, base.fit.at, found->train)
+                           : fittedWithout(after, static_cast<std::size_t>(at - effects.begin()),
+                                           found->train, context);
     const HeldOut held_before = heldOut(before, found->held);
     cause->score = after.log_likelihood - before.log_likelihood - cause->penalty;
     cause->gain = gainOf(held_before, held_after, VectorXd::Zero(found->held.count()));

@@ -33,7 +33,7 @@ int orderAskedFor(int samples, int order) {
 
 TEST(RaiseOrders, LeavesThoseThatSuffice) { EXPECT_EQ(orderAskedFor(100, 1), 1); }
 
-/// Two poles more would be 22 unknowns for 20 samples: none is asked for, and nothing fails.
+/// Two poles more would need 22 samples, and there are 20: none is taken, and nothing fails.
 TEST(RaiseOrders, TriesNoMoreThanTheDataAllow) { EXPECT_EQ(orderAskedFor(20, 2), 2); }
 
 }  // namespace
