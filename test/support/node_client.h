@@ -4,7 +4,6 @@
 
 #include <mutex>
 #include <string>
-#include <type_traits>
 
 #include "support/wait_for.h"
 #include "uncertainty_identification/ros/messages.h"
@@ -53,20 +52,13 @@ class NodeClient {
                                   const typename Service::Request& request = {}) {
     Service service;
     service.request = request;
-    for (int attempts = kOnlyAsks<Service> ? 5 : 1; attempts > 0; --attempts) {
-      if (ros::service::waitForService(node_.resolveName(name), 240000) &&
-          ros::service::call(node_.resolveName(name), service))
-        return service.response;
-    }
-    throw std::runtime_error("service '" + name + "' did not answer");
+    if (!ros::service::waitForService(node_.resolveName(name), 240000) ||
+        !ros::service::call(node_.resolveName(name), service))
+      throw std::runtime_error("service '" + name + "' did not answer");
+    return service.response;
   }
 
  private:
-  /// roscpp loses an answer now and then (ros_comm issue 1976): who only asks may ask again.
-  template <typename Service>
-  static constexpr bool kOnlyAsks = std::is_same_v<Service, messages::GetResult> ||
-                                    std::is_same_v<Service, messages::ListExperiments>;
-
   ros::NodeHandle node_{"/identification"};
   mutable std::mutex mutex_;
   messages::IdentificationStatus status_;
