@@ -76,11 +76,12 @@ std::vector<RecoveredParameter> recovered(const std::vector<Cause>& causes,
   return all;
 }
 
-/// The gain on fresh experiments, of which the search may not make another choice.
+/// The cause's gain on fresh experiments, of which the search may not make another choice.
 std::optional<Gain> freshGain(const Configuration& configuration, const Outcome& outcome,
-                              const std::vector<Experiment>& training) {
-  const Explanation again =
-      explain(configuration, training, simulateFresh(outcome.hidden, outcome.task.fresh));
+                              const std::vector<Experiment>& training,
+                              const std::vector<Experiment>& fresh) {
+  if (!outcome.exact() || outcome.causes.size() != 1) return std::nullopt;
+  const Explanation again = explain(configuration, training, fresh);
   const bool same = again.causes.size() == 1 && again.causes[0].name == outcome.causes[0].name;
   return same ? again.causes[0].gain : std::nullopt;
 }
@@ -151,18 +152,23 @@ Outcome carryOut(const Task& task) {
   const HiddenEffectData data = simulateHidden(outcome.hidden, task.options);
   const Configuration configuration = configurationOf(task, outcome.hidden);
   const auto begin = std::chrono::steady_clock::now();
+  Estimate before;
   try {
     const Explanation explanation = explain(configuration, data.training, data.held_out);
     outcome.verdict = explanation.verdict;
     outcome.causes = explanation.causes;
+    before = explanation.before;
   } catch (const std::exception& error) {
     outcome.failure = error.what();
   }
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   outcome.parameters =
       recovered(outcome.causes, reportedParameters(outcome.hidden.truth, data.training));
-  if (task.fresh > 0 && outcome.exact() && outcome.causes.size() == 1)
-    outcome.fresh_gain = freshGain(configuration, outcome, data.training);
+  if (task.fresh > 0 && outcome.failure.empty()) {
+    const std::vector<Experiment> fresh = simulateFresh(outcome.hidden, task.fresh);
+    outcome.fresh_gain = freshGain(configuration, outcome, data.training, fresh);
+    outcome.true_gain = trueGain(outcome.hidden, before, data.training, fresh);
+  }
   return outcome;
 }
 

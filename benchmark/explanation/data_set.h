@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "oracle.h"
 #include "uncertainty_identification/explanation/explanation.h"
 #include "uncertainty_identification/simulation/hidden_effect.h"
 
@@ -47,8 +48,9 @@ struct Outcome {
   Verdict verdict = Verdict::none;
   std::vector<Cause> causes;
   std::vector<RecoveredParameter> parameters;
-  std::optional<Gain> fresh_gain;  ///< of the cause, on Task::fresh other experiments, when exact
-  double seconds = 0;              ///< [s] of explain()
+  std::optional<Gain> fresh_gain;   ///< of the cause, on Task::fresh other experiments, when exact
+  std::optional<double> true_gain;  ///< what there was to gain on them [nats], whatever was named
+  double seconds = 0;               ///< [s] of explain()
 
   /// How many of the hidden effects are among the causes, by their own name or by an equivalent one
   /// that lists it, and the right covariate.

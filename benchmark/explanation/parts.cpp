@@ -1,7 +1,6 @@
 #include "parts.h"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <map>
 #include <random>
@@ -30,6 +29,14 @@ Task task(const std::string& part, std::vector<std::string> hidden, int run, con
   one.threads = scale.threads;
   one.fresh = scale.fresh;
   return one;
+}
+
+/// Whether the declared model's own poles and zeros take up a delay or a lag so far that the truth
+/// itself gains less than this: the data cannot tell, whatever their name.
+bool isAbsorbed(const Outcome& outcome) {
+  constexpr double kSeen = 1;  // [nats] per experiment
+  return equivalent(outcome.task.hidden.front(), "plant_pole") && outcome.true_gain &&
+         *outcome.true_gain < kSeen;
 }
 
 std::vector<std::string> drawPair(int number) {
@@ -105,7 +112,9 @@ void judgeSingles(const std::vector<Outcome>& outcomes, const std::string& name,
                  count(outcomes, [](const Outcome& outcome) { return outcome.exact(); }), all,
                  exact);
   std::map<std::string, std::vector<Outcome>> by_name;
-  for (const Outcome& outcome : outcomes) by_name[outcome.task.hidden.front()].push_back(outcome);
+  for (const Outcome& outcome : outcomes) {
+    if (!isAbsorbed(outcome)) by_name[outcome.task.hidden.front()].push_back(outcome);
+  }
   for (const auto& [effect, part] : by_name) {
     if (contains(kHardlySeen, effect)) continue;
     targets->share(name + ": " + effect, count(part, is_right), static_cast<int>(part.size()),
@@ -159,17 +168,21 @@ void judgeParameters(const std::vector<Outcome>& outcomes, Targets* targets) {
 
 void judgeGains(const std::vector<Outcome>& outcomes, Targets* targets) {
   int covered = 0, measured = 0;
+  std::vector<double> shares;
   for (const Outcome& outcome : outcomes) {
     if (!outcome.fresh_gain || !outcome.causes.front().gain) continue;
     const Gain& gain = *outcome.causes.front().gain;
-    const boost::math::students_t law(outcome.task.options.held_out - 1);
-    const double half = boost::math::quantile(law, 0.95) * gain.standard_error;
-    ++measured;
-    covered += std::abs(outcome.fresh_gain->log_density - gain.log_density) <= half ? 1 : 0;
+    const double there = outcome.fresh_gain->log_density;
+    if (gain.standard_error > 0) {
+      ++measured;
+      covered += gain.lower_90 <= there && there <= gain.upper_90 ? 1 : 0;
+    }
+    if (outcome.true_gain) shares.push_back(100 * there / *outcome.true_gain);
   }
   targets->share("gains: 90 % intervals that hold that of fresh experiments", covered, measured,
                  0.85);
   targets->share("gains: 90 % intervals that do not", measured - covered, measured, 0.05);
+  targets->atLeast("gains: median share of the true extended model's [%]", median(shares), 95);
 }
 
 void judgeTimes(const std::vector<Outcome>& outcomes, const std::string& name, double most,

@@ -40,14 +40,16 @@ std::vector<Task> pairTasks(int count, Runs runs, const Scale& scale);
 /// The tasks under another name, orders not told.
 std::vector<Task> withoutOrders(std::vector<Task> tasks);
 
-/// Judge the outcomes of a part by what a full suite must reach.
+/// Judge the outcomes of a part by what a full suite must reach. `each` effect must reach its
+/// share, but for those that thirty experiments can hardly show, and on the data that can show it.
 void judgeSingles(const std::vector<Outcome>& outcomes, const std::string& name, double right,
                   double exact, double each, Targets* targets);
 void judgeClean(const std::vector<Outcome>& outcomes, double quiet, Targets* targets);
 void judgeUnknown(const std::vector<Outcome>& outcomes, const std::string& name, Targets* targets);
 void judgePairs(const std::vector<Outcome>& outcomes, Targets* targets);
 void judgeParameters(const std::vector<Outcome>& outcomes, Targets* targets);
-/// 90 % intervals of the held-out gain, by Student's t, against the gain on Task::fresh others.
+/// 90 % intervals of the held-out gain against the gain on Task::fresh others, and that against
+/// what the true extended model gains there.
 void judgeGains(const std::vector<Outcome>& outcomes, Targets* targets);
 void judgeTimes(const std::vector<Outcome>& outcomes, const std::string& name, double most,
                 Targets* targets);

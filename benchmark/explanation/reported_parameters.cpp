@@ -124,7 +124,8 @@ Values reportedParameters(const Truth& truth, const std::vector<Experiment>& tra
   addSensor(truth.effects.sensor, truth.sample_time, &values);
   addNoise(truth.effects.noise, truth.sample_time, &values);
   addExperiment(truth.effects.experiment, &values);
-  if (const auto& spread = truth.effects.plant.parameter_spread)
+  const auto& spread = truth.effects.plant.parameter_spread;
+  if (spread && truth.plant.structure == PlantStructure::polynomials)  // else of a time constant
     values["plant_parameter_spread.deviation"] = spread->deviation;
   for (auto entry = values.begin(); entry != values.end();)
     entry = entry->second == 0 ? values.erase(entry) : std::next(entry);

@@ -122,6 +122,11 @@ void Targets::atMost(const std::string& what, double value, double most) {
     add(what, numberText(value), "at most " + numberText(most), value <= most);
 }
 
+void Targets::atLeast(const std::string& what, double value, double least) {
+  if (!std::isnan(value))
+    add(what, numberText(value), "at least " + numberText(least), value >= least);
+}
+
 void Targets::time(const std::string& what, double seconds, double most) {
   atMost(what, seconds, short_form_ ? 10 * most : most);
 }
@@ -185,6 +190,7 @@ json toJson(const std::vector<Outcome>& outcomes) {
                    {"right", outcome.right()},
                    {"exact", outcome.exact()},
                    {"fresh_gain", outcome.fresh_gain ? gainOf(*outcome.fresh_gain) : json()},
+                   {"true_gain", outcome.true_gain ? json(*outcome.true_gain) : json()},
                    {"failure", outcome.failure},
                    {"seconds", outcome.seconds}});
   }

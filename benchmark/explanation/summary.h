@@ -18,6 +18,7 @@ class Targets {
 
   void share(const std::string& what, int good, int all, double least);
   void atMost(const std::string& what, double value, double most);
+  void atLeast(const std::string& what, double value, double least);
 
   /// Wall time, which on a machine with other work says little: the short form allows ten times it.
   void time(const std::string& what, double seconds, double most);

@@ -23,6 +23,14 @@ double held(const Signals& x, int lane, double at) {
   return x(lane, static_cast<Index>(std::clamp(at, 0.0, static_cast<double>(x.cols() - 1))));
 }
 
+/// Index of a value in a rising sequence, between two of them by interpolation.
+double placeAmong(const Eigen::VectorXd& rising, double value) {
+  const double* next = std::upper_bound(rising.data(), rising.data() + rising.size(), value);
+  const Index k = std::clamp<Index>(next - rising.data(), 1, rising.size() - 1);
+  const double share = (value - rising[k - 1]) / (rising[k] - rising[k - 1]);
+  return static_cast<double>(k - 1) + std::clamp(share, 0.0, 1.0);
+}
+
 }  // namespace
 
 Signals Chain::expected() const {
@@ -63,11 +71,16 @@ void Chain::scaleDeviation(const Signals& factor) {
   }
 }
 
-Lanes Chain::positions() const {
+Lanes Chain::positions(const Eigen::VectorXd& starts) const {
   Lanes positions = Lanes::Zero();
   for (int lane = 0; lane < block.lanes; ++lane) {
-    const int r = block.index[static_cast<std::size_t>(lane)];
-    positions[lane] = experiments > 1 ? r / (experiments - 1.0) - 0.5 : 0.0;
+    const auto at = static_cast<std::size_t>(lane);
+    if (starts.size() > 1) {
+      const double place = placeAmong(starts, block.experiments[at]->start_time);
+      positions[lane] = place / static_cast<double>(starts.size() - 1) - 0.5;
+    } else if (experiments > 1) {
+      positions[lane] = block.index[at] / (experiments - 1.0) - 0.5;
+    }
   }
   return positions;
 }

@@ -21,6 +21,15 @@ double deviation(const std::vector<double>& values) {
 }
 
 /// Covariates of all experiments that are not constant over the data, with their means.
+VectorXd risingStarts(const std::vector<Experiment>& experiments) {
+  VectorXd starts(static_cast<Eigen::Index>(experiments.size()));
+  for (Eigen::Index r = 0; r < starts.size(); ++r) {
+    starts[r] = experiments[static_cast<std::size_t>(r)].start_time;
+    if (r > 0 && !(starts[r] > starts[r - 1])) return VectorXd();
+  }
+  return starts;
+}
+
 std::map<std::string, double> covariateMeans(const std::vector<Experiment>& experiments) {
   struct Sums {
     double sum = 0, count = 0, lowest = HUGE_VAL, highest = -HUGE_VAL;
@@ -81,6 +90,7 @@ DataSummary summarise(const std::vector<Experiment>& experiments) {
   summary.input_steps = sorted(std::move(input_steps));
   summary.output_sizes = sorted(std::move(output_sizes));
   summary.covariates = covariateMeans(experiments);
+  summary.starts = risingStarts(experiments);
   return summary;
 }
 

@@ -19,10 +19,11 @@ class PlantAging : public Effect {
                 Stage::output,
                 ScreeningKind::regression,
                 shifts(data.regressors),
-                {VectorXd::Zero(data.regressors)}}) {}
+                {VectorXd::Zero(data.regressors)}}),
+        starts_(data.starts) {}
 
   void apply(const VectorXd& psi, Chain* chain) const override {
-    const Lanes positions = chain->positions();
+    const Lanes positions = chain->positions(starts_);
     for (Eigen::Index i = 0; i < psi.size(); ++i)
       chain->x += chain->X[static_cast<std::size_t>(i)].colwise() * (psi[i] * positions);
   }
@@ -34,6 +35,8 @@ class PlantAging : public Effect {
       all.push_back({"shift" + std::to_string(i), "1, first to last experiment", 0.3});
     return all;
   }
+
+  VectorXd starts_;
 };
 
 const EffectRegistration kRegistration(30, [](const DataSummary& data) -> MadeEffects {

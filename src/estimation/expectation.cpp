@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <limits>
 
 namespace uncertainty_identification {
 namespace {
@@ -14,6 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMostRegressors = 11;
+constexpr double kRounding = 1e-3;  // of a sample's share of the likelihood
 
 /// Sizes known to the compiler for small n, and no allocation for the others.
 template <int n>
@@ -56,11 +58,14 @@ double expect(const Statistics& statistics, int r, const Component<n>& component
   double log_determinant = (samples - static_cast<double>(size)) * std::log(noise_variance);
   for (Index k = 0; k < size; ++k) log_determinant += 2 * std::log(factor.matrixLLT()(k, k));
   const double quadratic = (q0 - projected.dot(solved)) / noise_variance;
+  // a sum of squares: rounding that makes it negative would look like a likelihood without bound
+  const bool lost = factor.info() != Eigen::Success || quadratic < -kRounding * samples;
   out->means.col(column) = mean;
   Eigen::Map<Square<n>>(out->covariances.col(column).data(), size, size) = covariance;
   const Index kappa = out->misfits.rows();
   out->misfits(column % kappa, column / kappa) =
       s - 2 * v.dot(mean) + mean.dot(S * mean) + S.cwiseProduct(covariance).sum();
+  if (lost) return std::numeric_limits<double>::quiet_NaN();
   return component.log_weight -
          0.5 * (samples * std::log(boost::math::constants::two_pi<double>()) + log_determinant +
                 quadratic);

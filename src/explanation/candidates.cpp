@@ -93,19 +93,22 @@ std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
              [&](std::size_t k) { candidates[k] = screened(screening, effects[k], data); });
   sortByScore(&candidates);
   const bool wrong = !candidates.empty() && candidates.front().score > 0;
+  const auto leads_far = [&](const Effect& effect) {  // a spread has been taken for the mixture's
+    return movesPlant(effect) || (wrong && effect.name() == "plant_parameter_spread");
+  };
   std::size_t fitted = 0;
   candidates.erase(
       std::remove_if(candidates.begin(), candidates.end(),
                      [&](const FittedEffect& candidate) {
                        if (candidate.effect == nullptr) return true;
-                       if (wrong && movesPlant(*candidate.effect)) return false;
+                       if (wrong && leads_far(*candidate.effect)) return false;
                        return (candidate.score < hopeless && !isOfMixture(*candidate.effect)) ||
                               ++fitted > kFitted;
                      }),
       candidates.end());
   inParallel(candidates.size(), [&](std::size_t k) {
     converge(&candidates[k], approached(candidates[k], data, context), base, data, context, 4,
-             movesPlant(*candidates[k].effect));
+             leads_far(*candidates[k].effect));
   });
   sortByScore(&candidates);
   inParallel(std::min(kConverged, candidates.size()), [&](std::size_t k) {

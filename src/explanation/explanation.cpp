@@ -7,14 +7,11 @@
 #include <mutex>
 #include <thread>
 
+#include "attempt.h"
 #include "checks.h"
 #include "estimate_fit.h"
 #include "intervals.h"
-#include "peaks.h"
-#include "raise_orders.h"
-#include "search.h"
-#include "signatures.h"
-#include "split.h"
+#include "order_candidates.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/model/sensitivity.h"
 #include "uncertainty_identification/require.h"
@@ -22,8 +19,6 @@
 
 namespace uncertainty_identification {
 namespace {
-
-using Eigen::VectorXd;
 
 std::string groupOf(const std::string& name) {
   static const std::map<std::string, std::string> kGroups{{"act", "actuator"},
@@ -34,6 +29,21 @@ std::string groupOf(const std::string& name) {
   const std::string prefix = name.substr(0, name.find('_'));
   const auto group = kGroups.find(prefix);
   return group == kGroups.end() ? prefix : group->second;
+}
+
+std::string orderText(const Estimate& estimate) {
+  const NominalModelOptions& of = estimate.configuration.nominal_model;
+  const auto text = [](const char* name, int value) {
+    return std::string(name) + "=" + std::to_string(value);
+  };
+  return text("nb", of.nb) + text(" na", of.na) + text(" nc", of.nc) + text(" nd", of.nd) +
+         text(" delay", of.delay);
+}
+
+int threadsOf(const Configuration& configuration) {
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  const int asked = configuration.estimation.threads;
+  return asked == kAutomatic ? std::max(1, cores) : asked;
 }
 
 void requireKnown(const std::vector<std::string>& excluded,
@@ -50,7 +60,7 @@ void requireKnown(const std::vector<std::string>& excluded,
 class Explaining {
  public:
   Explaining(const Configuration& configuration, const ProgressCallback& progress)
-      : configuration_(configuration), progress_(progress) {}
+      : configuration_(configuration), progress_(progress), pool_(threadsOf(configuration)) {}
 
   Explanation run(const std::vector<Experiment>& experiments,
                   const std::vector<Experiment>& validation);
@@ -59,15 +69,12 @@ class Explaining {
   bool report(const std::string& phase, double fraction, double log_likelihood);
   bool isExcluded(const std::string& name) const;
   std::vector<Signature> takeOutSpoiled(Split* data) const;
-  void identify(const std::vector<Experiment>& experiments);
-  void raiseOrders(const std::vector<Experiment>& experiments);
+  Estimate identify(const std::vector<Experiment>& experiments);
+  Attempt bestAttempt(const Split& data, const std::vector<Signature>& signatures);
+  void tellOrders(const Estimate& chosen, const Estimate& explained);
+  void tellTie(const Attempt& other, const Attempt& best);
   void tellHeldOut(const Split& data);
-  FitContext context();
-  SearchState base(Split data, const FitContext& context) const;
-  Effects catalogueFor(const SearchState& base) const;
-  void addSignatures(const std::vector<Signature>& signatures, const Effects& effects,
-                     SearchState* base) const;
-  void addFeedback(const Effects& effects, SearchState* found);
+  FitContext context(const Estimate& estimate);
   Cause described(const FoundCause& found, const SearchState& state) const;
   void describeModels(const SearchState& base, const SearchState& found);
   void describe(const SearchState& base, const SearchState& found);
@@ -78,7 +85,7 @@ class Explaining {
   bool cancelled_ = false;
   std::mutex reporting_;
   double searched_ = 0;  ///< share of the search done
-  std::unique_ptr<WorkerPool> pool_;
+  WorkerPool pool_;
   Explanation explanation_;
 };
 
@@ -106,27 +113,29 @@ std::vector<Signature> Explaining::takeOutSpoiled(Split* data) const {
   return signatures;
 }
 
-void Explaining::identify(const std::vector<Experiment>& experiments) {
-  explanation_.before =
-      Identifier(configuration_).identify(experiments, {}, [this](const Progress& at) {
-        return report(at.phase, 0.3 * at.fraction, at.log_likelihood);
-      });
-  explanation_.warnings = explanation_.before.warnings;
+Estimate Explaining::identify(const std::vector<Experiment>& experiments) {
+  return Identifier(configuration_).identify(experiments, {}, [this](const Progress& at) {
+    return report(at.phase, 0.3 * at.fraction, at.log_likelihood);
+  });
 }
 
-void Explaining::raiseOrders(const std::vector<Experiment>& experiments) {
-  if (!configuration_.nominal_model.orders_auto) return;
-  const int chosen = explanation_.before.configuration.nominal_model.na;
-  explanation_.before = withOrdersAskedFor(
-      configuration_, explanation_.before, experiments, context(),
-      [this](const Progress& at) { return report("choosing orders", 0.3, at.log_likelihood); });
-  const int raised = explanation_.before.configuration.nominal_model.na;
-  if (raised == chosen) return;
-  explanation_.warnings = explanation_.before.warnings;
-  explanation_.warnings.push_back(
-      "nominal_model.orders: auto chose a plant of order " + std::to_string(chosen) +
-      " by its simulations; the likelihood of all experiments asks for order " +
-      std::to_string(raised) + ", which is explained here");
+void Explaining::tellOrders(const Estimate& chosen, const Estimate& explained) {
+  const std::string before = orderText(chosen), after = orderText(explained);
+  if (before == after) return;
+  explanation_.warnings.push_back("nominal_model.orders: auto chose " + before +
+                                  " by simulations; the likelihood of all experiments asks for " +
+                                  after + ", which is explained here");
+}
+
+void Explaining::tellTie(const Attempt& other, const Attempt& best) {
+  if (other.merit() <= best.merit() || other.found.causes.size() <= best.found.causes.size())
+    return;
+  std::string names;
+  for (const FoundCause& cause : other.found.causes)
+    names += (names.empty() ? "" : " and ") + cause.effect->label();
+  explanation_.warnings.push_back("with " + orderText(other.estimate) + ", " + names +
+                                  " would explain the data as well: they cannot tell; if that is "
+                                  "what you know the orders to be, state them");
 }
 
 void Explaining::tellHeldOut(const Split& data) {
@@ -139,20 +148,12 @@ void Explaining::tellHeldOut(const Split& data) {
   for (const Experiment& experiment : data.held) explanation_.held_out.push_back(experiment.id);
 }
 
-FitContext Explaining::context() {
-  const Estimate& estimate = explanation_.before;
-  FitContext context;
-  context.options.constraint = estimate.configuration.error_model.constraint;
-  if (estimate.error_model.mixture.components() > 0)
-    context.options.floor = covarianceFloor(estimate.error_model.mixture);
-  context.seed = configuration_.estimation.seed;
-  const int cores = static_cast<int>(std::thread::hardware_concurrency());
-  const int asked = configuration_.estimation.threads;
-  pool_ = std::make_unique<WorkerPool>(asked == kAutomatic ? std::max(1, cores) : asked);
-  context.pool = pool_.get();
-  context.going_on = [this] {  // asked by all threads: the callback is called by one at a time
-    const std::lock_guard<std::mutex> lock(reporting_);
-    return report("searching causes", 0.3 + 0.6 * searched_, explanation_.before.log_likelihood);
+FitContext Explaining::context(const Estimate& estimate) {
+  FitContext context = contextOf(estimate, configuration_.estimation.seed);
+  context.pool = &pool_;
+  context.going_on = [this, reached = estimate.log_likelihood] {
+    const std::lock_guard<std::mutex> lock(reporting_);  // asked by all threads
+    return report("searching causes", 0.3 + 0.6 * searched_, reached);
   };
   context.searched = [this](double share) {
     const std::lock_guard<std::mutex> lock(reporting_);
@@ -161,62 +162,32 @@ FitContext Explaining::context() {
   return context;
 }
 
-SearchState Explaining::base(Split data, const FitContext& context) const {
-  const Estimate& estimate = explanation_.before;
-  SearchState base{{},
-                   FitData(usedBy(estimate, std::move(data.train))),
-                   FitData(std::move(data.held)),
-                   {},
-                   {},
-                   false,
-                   false,
-                   0};
-  const Fit fit = fitOf(estimate, base.train, summarise(base.train.experiments()));
-  base.fit = settled(fit, base.train, context);
-  return base;
-}
-
-Effects Explaining::catalogueFor(const SearchState& base) const {
-  const NominalModel& nominal = base.fit.model->nominal();
-  DataSummary summary = summarise(base.train.experiments());
-  summary.regressors = base.fit.model->regressors();
-  summary.plant_parameters =
-      plantParameters(nominal, base.fit.at.parameters.head(nominal.parameterCount()));
-  findPeaks(residualsOf(base.fit, base.train), base.train, &summary);
-  return catalogue(summary);
-}
-
-/// Causes that the samples show by themselves; a lattice only where it is coarse against the noise.
-void Explaining::addSignatures(const std::vector<Signature>& signatures, const Effects& effects,
-                               SearchState* base) const {
-  constexpr double kCoarse = 0.2;  // variance of rounding / sigma^2
-  for (const Signature& signature : signatures) {
-    if (signature.name == "sens_quant") {
-      const double step = signature.parameters.front().value;
-      base->quantised = step * step / 12 > kCoarse * base->fit.at.noise_variance;
-      if (!base->quantised) continue;
-    }
-    const HeldOut held = heldOut(base->fit, base->held);
-    FoundCause cause;
-    cause.effect = findEffect(effects, signature.name, "");
-    cause.parameters = signature.parameters;
-    cause.gain = gainOf(held, held, VectorXd::Zero(base->held.count()));
-    base->causes.push_back(std::move(cause));
-    base->banned.push_back(signature.name);
+/// Where the orders are not told, a model with more poles and zeros may take up what an effect of
+/// fewer parameters explains on top of a smaller one.
+Attempt Explaining::bestAttempt(const Split& data, const std::vector<Signature>& signatures) {
+  const Estimate chosen = identify(data.train);
+  const std::vector<Estimate> candidates = orderCandidates(
+      configuration_, chosen, data.train, context(chosen),
+      [this](const Progress& at) { return report("choosing orders", 0.3, at.log_likelihood); });
+  const auto worth = [this](const Attempt& of) {  // a tie is no reason to name anything
+    return of.merit() -
+           configuration_.explanation.acceptance * static_cast<double>(of.found.causes.size());
+  };
+  std::vector<Attempt> attempts;
+  for (const Estimate& candidate : candidates) {
+    attempts.push_back(
+        attempted(configuration_.explanation, context(candidate), candidate, data, signatures));
+    const SearchState& found = attempts.back().found;
+    if (!found.causes.empty() && allPassed(checksOf(found.fit, found.train, found.heavy_tails)))
+      break;
   }
-  base->heavy_tails = base->quantised;
-}
-
-void Explaining::addFeedback(const Effects& effects, SearchState* found) {
-  constexpr double kFeedback = 1e-4;
-  if (isExcluded("exp_feedback")) return;
-  if (feedbackProbability(residualsOf(found->fit, found->train), found->train) >= kFeedback) return;
-  FoundCause cause;
-  cause.effect = findEffect(effects, "exp_feedback", "");
-  found->causes.push_back(std::move(cause));
-  explanation_.warnings.push_back(
-      "the input depends on the output (closed loop): the estimates are consistent only if the "
-      "noise model is right");
+  auto best = std::max_element(
+      attempts.begin(), attempts.end(),
+      [&](const Attempt& left, const Attempt& right) { return worth(left) < worth(right); });
+  explanation_.warnings = best->estimate.warnings;
+  tellOrders(chosen, best->estimate);
+  for (const Attempt& other : attempts) tellTie(other, *best);
+  return std::move(*best);
 }
 
 /// The loop of docs/explanation.md.
@@ -229,21 +200,12 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   requireKnown(configuration_.explanation.exclude, experiments);
   Split data = split(configuration_, experiments, validation);
   const std::vector<Signature> signatures = takeOutSpoiled(&data);
-  identify(data.train);
-  raiseOrders(data.train);
+  const Attempt best = bestAttempt(data, signatures);
   tellHeldOut(data);
-  const FitContext context = this->context();
-  SearchState base = this->base(std::move(data), context);
-  const Effects effects = catalogueFor(base);
-  addSignatures(signatures, effects, &base);
-  explanation_.checks_before = checksOf(base.fit, base.train, base.heavy_tails);
-  Search search(configuration_.explanation, context, effects);
-  // the error of a coarse lattice is neither Gaussian nor white: what else is wrong would drown in
-  // it
-  SearchState found = base.quantised ? base : search.run(base);
-  explanation_.candidates = search.tried();
-  addFeedback(effects, &found);
-  describe(base, found);
+  explanation_.before = best.estimate;
+  explanation_.checks_before = checksOf(best.base.fit, best.base.train, best.base.heavy_tails);
+  explanation_.candidates = best.tried;
+  describe(best.base, best.found);
   return std::move(explanation_);
 }
 
@@ -283,6 +245,10 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
   explanation_.checks_after = checksOf(found.fit, found.train, found.heavy_tails);
   const bool passed = allPassed(explanation_.checks_after);
   for (const FoundCause& cause : found.causes) {
+    if (cause.effect->name() == "exp_feedback")
+      explanation_.warnings.push_back(
+          "the input depends on the output (closed loop): the estimates are consistent only if the "
+          "noise model is right");
     if (passed || !isSymptom(cause, found)) {
       explanation_.causes.push_back(described(cause, found));
       continue;

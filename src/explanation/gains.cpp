@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "refine.h"
 
@@ -24,18 +23,24 @@ Fit without(const Fit& fit, std::size_t k, const FitData& data) {
   return evaluated(fit.model->with(effects), at, data);
 }
 
-/// Log density that a candidate adds to each experiment held out.
-VectorXd densityGained(const SearchState& base, const FittedEffect& candidate) {
-  if (!isOfTails(*candidate.effect))
-    return logDensities(candidate.fit, base.held) - logDensities(base.fit, base.held);
-  const Tails tails = tailsOf(base.fit, base.train, residualsOf(base.fit, base.train));
-  const Fit there = judged(base.fit, base.held);
-  if (!std::isfinite(there.log_likelihood))
-    return VectorXd::Constant(base.held.count(), std::nan(""));
-  return tailGain(tails, lawOf(*candidate.effect), residualsOf(there, base.held), base.held);
+/// What a candidate adds.
+PairedGains gainsOf(const SearchState& base, const FittedEffect& candidate) {
+  if (!isOfTails(*candidate.effect)) return base.gains(base.fit, candidate.fit);
+  return tailGains(base, lawOf(*candidate.effect));
 }
 
 }  // namespace
+
+PairedGains tailGains(const SearchState& state, TailLaw law) {
+  const Residuals residuals = residualsOf(state.fit, state.train);
+  const Tails tails = tailsOf(state.fit, state.train, residuals);
+  const Fit there = judged(state.fit, state.held);
+  if (!std::isfinite(there.log_likelihood))
+    return {VectorXd::Constant(state.held.count(), std::nan("")), {}};
+  PairedGains gains{tailGain(tails, law, residualsOf(there, state.held), state.held), {}};
+  if (!state.fitted_to) gains.training = tailGain(tails, law, residuals, state.train);
+  return gains;
+}
 
 Fit fittedWithout(const Fit& fit, std::size_t k, const FitData& data, const FitContext& context) {
   return polished(improved(without(fit, k, data), data, context.options, 10, 0.05), data, context);
@@ -44,9 +49,11 @@ Fit fittedWithout(const Fit& fit, std::size_t k, const FitData& data, const FitC
 TriedEffect triedEffect(const SearchState& base, const FittedEffect& candidate) {
   const EffectDescription& of = candidate.effect->description();
   TriedEffect tried{of.name, of.variant, candidate.score, std::nan(""), std::nan("")};
-  if (candidate.score > 0)
-    std::tie(tried.held_out_gain, tried.standard_error) =
-        meanWithError(densityGained(base, candidate));
+  if (candidate.score > 0) {
+    const MeanGain gain = meanGain(gainsOf(base, candidate));
+    tried.held_out_gain = gain.value;
+    tried.standard_error = gain.standard_error;
+  }
   return tried;
 }
 
@@ -65,7 +72,7 @@ void measureAnew(const SearchState& base, const FitContext& context, SearchState
                                            found->train, context);
     const HeldOut held_before = heldOut(before, found->held);
     cause->score = after.log_likelihood - before.log_likelihood - cause->penalty;
-    cause->gain = gainOf(held_before, held_after, VectorXd::Zero(found->held.count()));
+    cause->gain = gainOf(held_before, held_after, found->gains(before, after));
     after = before;
     held_after = held_before;
   }

@@ -11,6 +11,9 @@ Fit fittedWithout(const Fit& fit, std::size_t k, const FitData& data, const FitC
 /// A candidate with what it gains on the experiments held out, where it has a score.
 TriedEffect triedEffect(const SearchState& base, const FittedEffect& candidate);
 
+/// What a law of the residuals gains.
+PairedGains tailGains(const SearchState& state, TailLaw law);
+
 /// Score and gain of each cause in the chain on top of those before it, anew: what was measured
 /// when it was taken in no longer holds once another was taken out.
 void measureAnew(const SearchState& base, const FitContext& context, SearchState* found);

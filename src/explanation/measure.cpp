@@ -4,7 +4,6 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
-#include <tuple>
 
 #include "bode_area.h"
 #include "uncertainty_identification/estimation/simulation_fit.h"
@@ -135,21 +134,30 @@ HeldOut heldOut(const Fit& fit, const FitData& data) {
   return measured;
 }
 
-std::pair<double, double> meanWithError(const VectorXd& values) {
-  const double count = static_cast<double>(values.size()), mean = values.mean();
-  const double squares = (values.array() - mean).square().sum();
-  return {mean, count > 1 ? std::sqrt(squares / (count - 1) / count) : std::nan("")};
+MeanGain meanGain(const PairedGains& gains) {
+  const auto squares = [](const VectorXd& values) {
+    return values.size() > 0 ? (values.array() - values.mean()).square().sum() : 0.0;
+  };
+  const auto count = static_cast<double>(gains.held.size());
+  const double freedom = count - 1 + std::max(0.0, static_cast<double>(gains.training.size()) - 1);
+  MeanGain mean{gains.held.mean(), std::nan(""), std::nan(""), std::nan("")};
+  if (freedom < 1) return mean;
+  mean.standard_error =
+      std::sqrt((squares(gains.held) + squares(gains.training)) / freedom / count);
+  const double half =
+      boost::math::quantile(boost::math::students_t(freedom), 0.95) * mean.standard_error;
+  mean.lower_90 = mean.value - half;
+  mean.upper_90 = mean.value + half;
+  return mean;
 }
 
-Gain gainOf(const HeldOut& before, const HeldOut& after, const VectorXd& added) {
+Gain gainOf(const HeldOut& before, const HeldOut& after, const PairedGains& gains) {
   Gain gain;
-  const VectorXd difference = after.log_density - before.log_density + added;
-  std::tie(gain.log_density, gain.standard_error) = meanWithError(difference);
-  const double freedom = std::max(1.0, static_cast<double>(difference.size() - 1));
-  const double half =
-      boost::math::quantile(boost::math::students_t(freedom), 0.95) * gain.standard_error;
-  gain.lower_90 = gain.log_density - half;
-  gain.upper_90 = gain.log_density + half;
+  const MeanGain mean = meanGain(gains);
+  gain.log_density = mean.value;
+  gain.standard_error = mean.standard_error;
+  gain.lower_90 = mean.lower_90;
+  gain.upper_90 = mean.upper_90;
   gain.nrmse_fit_percent = {before.nrmse_fit_percent, after.nrmse_fit_percent};
   gain.coverage_50 = {before.coverage_50, after.coverage_50};
   gain.coverage_90 = {before.coverage_90, after.coverage_90};

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <utility>
-
 #include "fit.h"
 #include "uncertainty_identification/explanation/explanation.h"
 
@@ -21,12 +19,24 @@ Eigen::VectorXd logDensities(const Fit& fit, const FitData& data);
 
 HeldOut heldOut(const Fit& fit, const FitData& data);
 
-/// The mean of paired differences and its standard error; of one difference NaN.
-std::pair<double, double> meanWithError(const Eigen::VectorXd& values);
+/// Paired differences of the log densities of experiments [nats]: what one model gains over
+/// another.
+struct PairedGains {
+  Eigen::VectorXd held;      ///< of those held out
+  Eigen::VectorXd training;  ///< of those fitted to; empty where they are the same
+};
 
-/// Paired: what `after` gains over `before`. `added` [nats] for each experiment is what a law of
-/// the residuals adds that the likelihood does not hold.
-Gain gainOf(const HeldOut& before, const HeldOut& after, const Eigen::VectorXd& added);
+/// The mean over the experiments held out. How gains spread is seen in those fitted to as well: a
+/// rare kind of experiment that the few held out lack must count. One of each kind: NaN.
+struct MeanGain {
+  double value = 0, standard_error = 0;
+  double lower_90 = 0, upper_90 = 0;  ///< by Student's t
+};
+
+MeanGain meanGain(const PairedGains& gains);
+
+/// What `after` gains over `before`, `gains` by log density.
+Gain gainOf(const HeldOut& before, const HeldOut& after, const PairedGains& gains);
 
 /// Experiments as two models see them: the median and the worst fit of the first.
 std::vector<ExperimentPicture> picturesOf(const Fit& before, const Fit& after, const FitData& data);

@@ -73,6 +73,12 @@ bool SearchState::has(const std::string& name) const {
                      [&](const FoundCause& cause) { return cause.effect->name() == name; });
 }
 
+PairedGains SearchState::gains(const Fit& before, const Fit& after) const {
+  PairedGains gains{logDensities(after, held) - logDensities(before, held), {}};
+  if (!fitted_to) gains.training = after.of_experiments - before.of_experiments;
+  return gains;
+}
+
 Search::Search(const ExplanationOptions& options, FitContext context, Effects catalogue)
     : options_(options), context_(std::move(context)), catalogue_(std::move(catalogue)) {}
 
@@ -149,7 +155,7 @@ bool Search::acceptTails(SearchState* state, const FittedEffect& best) {
   if (std::isfinite(there.log_likelihood)) {
     const Residuals left = residualsOf(there, state->held);
     const HeldOut before = heldOut(state->fit, state->held);
-    cause.gain = gainOf(before, before, tailGain(tails, law, left, state->held));
+    cause.gain = gainOf(before, before, tailGains(*state, law));
     if (!isConvincing(*cause.gain, best.score > kStrong)) return false;
     const Tails of_held = tailsOf(there, state->held, left);
     state->held = FitData(withoutOutliers(state->held, left, of_held));
@@ -182,7 +188,7 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
                       ? improved(candidate.fit, state->train, context_.options, 12, 0.01)
                       : polished(candidate.fit, state->train, context_, !candidate.started_anew);
   const Gain gain = gainOf(heldOut(state->fit, state->held), heldOut(fit, state->held),
-                           VectorXd::Zero(state->held.count()));
+                           state->gains(state->fit, fit));
   const double score = fit.log_likelihood - state->fit.log_likelihood - candidate.penalty;
   const bool lenient = isOfMixture(*candidate.effect) || score > kStrong;
   if (!isConvincing(gain, lenient)) return false;

@@ -32,8 +32,11 @@ struct SearchState {
   bool quantised = false;   ///< the lattice of the output is coarse against the noise
   bool eliminated = false;  ///< something was taken out again
   double total = 0;         ///< [nats] of likelihood gained, less the causes' penalties
+  bool fitted_to = false;   ///< held are the experiments of train
 
   bool has(const std::string& name) const;
+  /// What one model gains over another by log density.
+  PairedGains gains(const Fit& before, const Fit& after) const;
 };
 
 /// Looks for causes on top of a base fit: the loop of docs/explanation.md.

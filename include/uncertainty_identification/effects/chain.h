@@ -56,8 +56,10 @@ struct Chain {
   /// Multiplies the innovations' deviation.
   void scaleDeviation(const Signals& factor);
 
-  /// Position of each experiment in the order of the data set, -1/2 to 1/2.
-  Lanes positions() const;
+  /// Position of each experiment among those that began at `starts` [s, rising], the first at -1/2,
+  /// the last at 1/2: others by their own beginning, between the two that it falls between. Without
+  /// starts its position in the order of its own data set.
+  Lanes positions(const Eigen::VectorXd& starts) const;
 
   /// A covariate as a signal, where it is constant too; 0 for experiments without it.
   Signals covariate(const std::string& name) const;

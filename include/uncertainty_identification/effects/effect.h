@@ -48,9 +48,10 @@ struct DataSummary {
   int samples = 0;              ///< of the longest experiment
   int regressors = 0;           ///< n of the error model
   Eigen::VectorXd input_sizes, input_steps, output_sizes;  ///< sorted |u|, |u_t - u_(t-1)| > 0, |y|
-  std::map<std::string, double> covariates;   ///< means of those that every experiment has and that
-                                              ///< are not the same throughout
-  bool stamps = false;                        ///< whether sampling instants off the grid are known
+  std::map<std::string, double> covariates;  ///< means of those that every experiment has and that
+                                             ///< are not the same throughout
+  Eigen::VectorXd starts;  ///< [s] beginnings of the experiments; empty unless they rise
+  bool stamps = false;     ///< whether sampling instants off the grid are known
   std::vector<std::string> plant_parameters;  ///< theta's names as far as they move Go
   /// [rad/sample] largest peaks of the residual's spectrum: of its mean over the experiments, and
   /// of the mean of the experiments' own.

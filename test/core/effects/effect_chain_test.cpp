@@ -276,5 +276,25 @@ TEST(Aging, MovesTheErrorParameters) {
     EXPECT_LT((found[r] - expected[r]).cwiseAbs().maxCoeff(), 1e-10);
 }
 
+/// Experiments that were not fitted to stand where they began among those that were.
+TEST(Aging, GoesByTheExperimentsBeginnings) {
+  std::vector<Experiment> recorded = test::recordedForEffects();
+  for (std::size_t r = 0; r < recorded.size(); ++r)
+    recorded[r].start_time = 100.0 * static_cast<double>(r);
+  const test::EffectSetup setup(test::effectConfiguration(), recorded);
+  const auto model = setup.extended({{"plant_aging", ""}});
+  const VectorXd shift = test::vectorOf({0.2, -0.3});
+  std::vector<Experiment> others(4, recorded[0]);
+  const double begins[] = {-50, 0, 725, 5000}, places[] = {0, 0, 7.25, 10};
+  for (std::size_t r = 0; r < others.size(); ++r) others[r].start_time = begins[r];
+  const Block block = makeBlocks(others).front();
+  Eigen::MatrixXd xi(2, 4), none = Eigen::MatrixXd::Zero(2, 4);
+  for (int r = 0; r < 4; ++r) xi.col(r) = shift * (places[r] / 10 - 0.5);
+  const auto found = model->forExperiments(4)->simulated(block, setup.at(shift).parameters, none);
+  const auto expected =
+      setup.extended({})->forExperiments(4)->simulated(block, setup.at().parameters, xi);
+  EXPECT_LT((found.expected() - expected.expected()).topRows(4).abs().maxCoeff(), 1e-10);
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

@@ -133,5 +133,19 @@ TEST(SquareRoot, OfSingularCovariances) {
   }
 }
 
+/// Rounding can leave a Gram matrix that no signals have: what Phi explains exceeds e'e. There the
+/// likelihood would be without bound; there is none.
+TEST(Expectation, HasNoLikelihoodWhereRoundingLeftMoreExplainedThanThereIs) {
+  Statistics statistics(1, 1, 0);
+  statistics.samples()[0] = 100;
+  statistics.logJacobian()[0] = 0;
+  const Mixture mixture{{1.0}, {VectorXd::Zero(1)}, {MatrixXd::Constant(1, 1, 1e6)}};
+  WorkerPool pool(1);
+  for (const double explained : {0.5, 2.0}) {
+    statistics.gram(0) << 1, std::sqrt(explained), std::sqrt(explained), 1;
+    EXPECT_EQ(std::isfinite(expectation(statistics, mixture, 1e-6, &pool).total()), explained < 1);
+  }
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

@@ -1,5 +1,5 @@
-// Orders chosen from the data, raised where the joint likelihood asks for it.
-#include "explanation/raise_orders.h"
+// Models on top of which causes are looked for where the orders were chosen from the data.
+#include "explanation/order_candidates.h"
 
 #include <gtest/gtest.h>
 
@@ -27,14 +27,15 @@ int orderAskedFor(int samples, int order) {
   FitContext context;
   context.pool = &pool;
   context.going_on = [] { return true; };
-  return withOrdersAskedFor(configuration, estimate, experiments, context, {})
+  return orderCandidates(configuration, estimate, experiments, context, {})
+      .front()
       .configuration.nominal_model.na;
 }
 
-TEST(RaiseOrders, LeavesThoseThatSuffice) { EXPECT_EQ(orderAskedFor(100, 1), 1); }
+TEST(OrderCandidates, LeavesThoseThatSuffice) { EXPECT_EQ(orderAskedFor(100, 1), 1); }
 
 /// Two poles more would need 22 samples, and there are 20: none is taken, and nothing fails.
-TEST(RaiseOrders, TriesNoMoreThanTheDataAllow) { EXPECT_EQ(orderAskedFor(20, 2), 2); }
+TEST(OrderCandidates, TriesNoMoreThanTheDataAllow) { EXPECT_EQ(orderAskedFor(20, 2), 2); }
 
 }  // namespace
 }  // namespace uncertainty_identification

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "uncertainty_identification/estimation/estimate.h"
+#include "uncertainty_identification/simulation/hidden_effect.h"
+
+/// What there is to be gained: the model with the effect that is hidden, by who knows it.
+namespace uncertainty_identification::suite {
+
+/// Log density [nats] per experiment of `fresh` that the true extended model gains over an estimate
+/// without the effect: with the true parameters, or fitted to `training` from there on, whichever
+/// predicts better. None where the effect is no part of a model's chain (its samples are masked, it
+/// is a component of the mixture or the experiment's doing), stands beside another, or is stated in
+/// other parameters than the model's (a time constant).
+std::optional<double> trueGain(const HiddenEffect& hidden, const Estimate& before,
+                               const std::vector<Experiment>& training,
+                               const std::vector<Experiment>& fresh);
+
+}  // namespace uncertainty_identification::suite
