@@ -65,12 +65,13 @@ std::vector<RecoveredParameter> recovered(const std::vector<Cause>& causes,
   std::vector<RecoveredParameter> all;
   for (const Cause& cause : causes) {
     for (const CauseParameter& parameter : cause.parameters) {
-      const auto value = truth.find(cause.name + "." + parameter.name);
-      if (value == truth.end()) continue;
-      all.push_back({cause.name, parameter.name, value->second, parameter.value, {}});
+      const auto value = valueOf(truth, cause.name, cause.variant, parameter.name);
+      if (!value) continue;
+      const double rounding = 1e-12 * std::abs(*value);  // a lattice's step is exact
+      all.push_back({cause.name, parameter.name, *value, parameter.value, {}});
       if (std::isfinite(parameter.lower_90) && std::isfinite(parameter.upper_90))
         all.back().covered =
-            parameter.lower_90 <= value->second && value->second <= parameter.upper_90;
+            parameter.lower_90 - rounding <= *value && *value <= parameter.upper_90 + rounding;
     }
   }
   return all;

@@ -48,10 +48,9 @@ VectorXd truePsi(const Effect& effect, const Truth& truth,
   VectorXd psi = VectorXd::Zero(effect.parameterCount());
   for (int i = 0; i < effect.parameterCount(); ++i) {
     const EffectParameter& of = effect.description().parameters[static_cast<std::size_t>(i)];
-    const auto value = values.find(effect.name() + "." + of.name);
-    if (value == values.end()) continue;
-    psi[i] = of.log_variance ? 2 * std::log(value->second) - std::log(truth.noise.variance)
-                             : value->second;
+    const auto value = valueOf(values, effect.name(), effect.description().variant, of.name);
+    if (!value) continue;
+    psi[i] = of.log_variance ? 2 * std::log(*value) - std::log(truth.noise.variance) : *value;
   }
   return psi;
 }

@@ -124,12 +124,20 @@ Values reportedParameters(const Truth& truth, const std::vector<Experiment>& tra
   addSensor(truth.effects.sensor, truth.sample_time, &values);
   addNoise(truth.effects.noise, truth.sample_time, &values);
   addExperiment(truth.effects.experiment, &values);
-  const auto& spread = truth.effects.plant.parameter_spread;
-  if (spread && truth.plant.structure == PlantStructure::polynomials)  // else of a time constant
-    values["plant_parameter_spread.deviation"] = spread->deviation;
+  if (const auto& spread = truth.effects.plant.parameter_spread)
+    values["plant_parameter_spread (" + spread->parameter + ").deviation"] = spread->deviation;
   for (auto entry = values.begin(); entry != values.end();)
     entry = entry->second == 0 ? values.erase(entry) : std::next(entry);
   return values;
+}
+
+std::optional<double> valueOf(const Values& reported, const std::string& effect,
+                              const std::string& variant, const std::string& parameter) {
+  for (const std::string& name : {effect, effect + " (" + variant + ")"}) {
+    const auto value = reported.find(name + "." + parameter);
+    if (value != reported.end()) return value->second;
+  }
+  return std::nullopt;
 }
 
 }  // namespace uncertainty_identification::suite

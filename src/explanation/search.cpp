@@ -53,13 +53,15 @@ double confidenceOf(const FittedEffect& chosen, const std::vector<FittedEffect>&
   return 1 / std::max(sum, 1.0);
 }
 
+/// By name, another form of the same effect by its label.
 std::vector<std::string> equivalentOf(const FittedEffect& chosen,
                                       const std::vector<FittedEffect>& ranked) {
   constexpr double kNear = 6;  // [nats]
   std::vector<std::string> names = chosen.effect->description().equivalent;
   for (const FittedEffect& other : ranked) {
-    const std::string& name = other.effect->name();
-    if (name != chosen.effect->name() && other.score > chosen.score - kNear &&
+    const bool same = other.effect->name() == chosen.effect->name();
+    const std::string name = same ? other.effect->label() : other.effect->name();
+    if (other.effect != chosen.effect && other.score > chosen.score - kNear &&
         !contains(names, name))
       names.push_back(name);
   }

@@ -38,7 +38,7 @@ struct Comparison {
 /// What taking a cause into the model gains on experiments not used for fitting.
 struct Gain {
   double log_density = 0;             ///< [nats] per experiment, mean of paired differences
-  double standard_error = 0;          ///< NaN: measured on one experiment only
+  double standard_error = 0;          ///< NaN: no two experiments tell it
   double lower_90 = 0, upper_90 = 0;  ///< of the mean, by Student's t; NaN as standard_error
   Comparison nrmse_fit_percent;  ///< free simulation, as Validation::simulation_fit_percent_pooled
   Comparison coverage_50, coverage_90, coverage_95;  ///< shares of samples in prediction intervals
