@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kStrong = 15;  // [nats] of score: overruled only by a significant loss held out
+constexpr double kStrong = 15;  // [nats] of score: overruled only by a loss held out
 
 /// Names that exclude each other: with one in the model the other has nothing to say.
 const std::vector<std::pair<std::string, std::string>>& exclusions() {
@@ -39,10 +39,16 @@ bool isDifferencing(const Fit& fit) {
   return false;
 }
 
-/// Whether experiments held out confirm a gain; a lenient judge asks that they do not deny it.
-bool isConvincing(const Gain& gain, bool lenient) {
-  if (std::isnan(gain.standard_error)) return gain.log_density > 0;
-  return gain.log_density > (lenient ? -2 : 1.645) * gain.standard_error;
+/// What experiments held out must say of a gain for it to count.
+enum class Judge {
+  convinced,   ///< that it is there: the score alone does not show it
+  not_denied,  ///< nothing against a strong score: the mean is a gain, however uncertain
+  lenient      ///< no significant loss: mixtures show a nat per experiment
+};
+
+bool passes(const Gain& gain, Judge judge) {
+  if (std::isnan(gain.standard_error) || judge == Judge::not_denied) return gain.log_density > 0;
+  return gain.log_density > (judge == Judge::lenient ? -2 : 1.645) * gain.standard_error;
 }
 
 /// exp(score) over all candidates, and the names whose score is nearly the best.
@@ -158,7 +164,8 @@ bool Search::acceptTails(SearchState* state, const FittedEffect& best) {
     const Residuals left = residualsOf(there, state->held);
     const HeldOut before = heldOut(state->fit, state->held);
     cause.gain = gainOf(before, before, tailGains(*state, law));
-    if (!isConvincing(*cause.gain, best.score > kStrong)) return false;
+    if (!passes(*cause.gain, best.score > kStrong ? Judge::not_denied : Judge::convinced))
+      return false;
     const Tails of_held = tailsOf(there, state->held, left);
     state->held = FitData(withoutOutliers(state->held, left, of_held));
   }
@@ -192,8 +199,10 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
   const Gain gain = gainOf(heldOut(state->fit, state->held), heldOut(fit, state->held),
                            state->gains(state->fit, fit));
   const double score = fit.log_likelihood - state->fit.log_likelihood - candidate.penalty;
-  const bool lenient = isOfMixture(*candidate.effect) || score > kStrong;
-  if (!isConvincing(gain, lenient)) return false;
+  const Judge judge = isOfMixture(*candidate.effect) ? Judge::lenient
+                      : score > kStrong              ? Judge::not_denied
+                                                     : Judge::convinced;
+  if (!passes(gain, judge)) return false;
   SearchState next = *state;
   FoundCause cause{candidate.effect,
                    score,

@@ -155,6 +155,20 @@ TEST(Explain, DoesNotNameALagWhereTheDataDrift) {
   for (const Cause& cause : found.causes) EXPECT_NE(cause.name, "sens_lag");
 }
 
+/// However much is gained where it was fitted: a dead zone that experiments held out speak against,
+/// some for it and more against it, is not there.
+TEST(Explain, DoesNotNameWhatLosesOnExperimentsHeldOut) {
+  const std::vector<Experiment> with = behindDeadZone(), without = clean();
+  const std::vector<Experiment> held{with[0], without[0], without[1]};
+  const Explanation found =
+      explain(configuration(), std::vector<Experiment>(with.begin() + 1, with.end()), held);
+  for (const Cause& cause : found.causes) {
+    EXPECT_NE(cause.name, "act_deadzone");
+    if (cause.gain) EXPECT_GE(cause.gain->log_density, 0) << cause.name;
+  }
+  EXPECT_NE(found.verdict, Verdict::none);
+}
+
 TEST(Explain, SaysUnknownWhereItMayNameNothing) {
   Configuration none = configuration();
   none.explanation.max_causes = 0;
