@@ -177,8 +177,8 @@ Attempt Explaining::bestAttempt(const Split& data, const std::vector<Signature>&
   for (const Estimate& candidate : candidates) {
     attempts.push_back(
         attempted(configuration_.explanation, context(candidate), candidate, data, signatures));
-    const SearchState& found = attempts.back().found;
-    if (!found.causes.empty() && allPassed(checksOf(found.fit, found.train, found.heavy_tails)))
+    const SearchState& first = attempts.front().found;
+    if (!first.causes.empty() && allPassed(checksOf(first.fit, first.train, first.heavy_tails)))
       break;
   }
   auto best = std::max_element(
