@@ -93,7 +93,7 @@ std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
              [&](std::size_t k) { candidates[k] = screened(screening, effects[k], data); });
   sortByScore(&candidates);
   const bool wrong = !candidates.empty() && candidates.front().score > 0;
-  const auto leads_far = [&](const Effect& effect) {  // a spread has been taken for the mixture's
+  const auto leadsFar = [&](const Effect& effect) {  // a spread has been taken for the mixture's
     return movesPlant(effect) || (wrong && effect.name() == "plant_parameter_spread");
   };
   std::size_t fitted = 0;
@@ -101,14 +101,14 @@ std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
       std::remove_if(candidates.begin(), candidates.end(),
                      [&](const FittedEffect& candidate) {
                        if (candidate.effect == nullptr) return true;
-                       if (wrong && leads_far(*candidate.effect)) return false;
+                       if (wrong && leadsFar(*candidate.effect)) return false;
                        return (candidate.score < hopeless && !isOfMixture(*candidate.effect)) ||
                               ++fitted > kFitted;
                      }),
       candidates.end());
   inParallel(candidates.size(), [&](std::size_t k) {
     converge(&candidates[k], approached(candidates[k], data, context), base, data, context, 4,
-             leads_far(*candidates[k].effect));
+             leadsFar(*candidates[k].effect));
   });
   sortByScore(&candidates);
   inParallel(std::min(kConverged, candidates.size()), [&](std::size_t k) {

@@ -32,6 +32,16 @@ Found explained(const std::string& name, const std::vector<std::string>& exclude
   return found;
 }
 
+/// What scripts/benchmark_explanation's data set of this seed is explained by.
+Explanation explainedInBenchmark(const std::vector<std::string>& names, std::uint64_t seed,
+                                 bool orders_auto = false) {
+  const HiddenEffectOptions options;
+  HiddenEffect hidden = randomHiddenEffect(names, options, seed);
+  hidden.declared.nominal_model.orders_auto = orders_auto;
+  const HiddenEffectData data = simulateHidden(hidden, options);
+  return explain(hidden.declared, data.training, data.held_out);
+}
+
 class HiddenEffects : public testing::TestWithParam<const char*> {};
 
 TEST_P(HiddenEffects, AreNamed) {
@@ -56,10 +66,7 @@ TEST(HiddenEffects, OutsideTheCatalogueAreUnknown) {
 // In scripts/benchmark_explanation's run 2 a resonance is taken in first, the delay on top of it,
 // and the resonance out again.
 TEST(HiddenEffects, GainOverTheModelWithoutThem) {
-  const HiddenEffectOptions options;
-  const HiddenEffect hidden = randomHiddenEffect({"act_delay"}, options, 10026407891151178533U);
-  const HiddenEffectData data = simulateHidden(hidden, options);
-  const Explanation explanation = explain(hidden.declared, data.training, data.held_out);
+  const Explanation explanation = explainedInBenchmark({"act_delay"}, 10026407891151178533U);
   ASSERT_EQ(explanation.causes.size(), 1U) << explanation.message;
   EXPECT_EQ(explanation.causes[0].name, "act_delay");
   const double before = explanation.before.noise_variance.value;
@@ -71,21 +78,15 @@ TEST(HiddenEffects, GainOverTheModelWithoutThem) {
 // In scripts/benchmark_explanation's run 1 the mixture has taken up most of the spread: its
 // candidate gains only where theta and mixture start anew, and a clock was named instead.
 TEST(HiddenEffects, AreNamedThoughTheMixtureHadTakenThemUp) {
-  const HiddenEffectOptions options;
-  const HiddenEffect hidden =
-      randomHiddenEffect({"plant_parameter_spread"}, options, 7995359279314928241U);
-  const HiddenEffectData data = simulateHidden(hidden, options);
-  const Explanation explanation = explain(hidden.declared, data.training, data.held_out);
+  const Explanation explanation =
+      explainedInBenchmark({"plant_parameter_spread"}, 7995359279314928241U);
   ASSERT_EQ(explanation.causes.size(), 1U) << explanation.message;
   EXPECT_EQ(explanation.causes[0].name, "plant_parameter_spread");
 }
 
 // Experiments held out lie between those fitted to: where, their beginnings tell.
 TEST(HiddenEffects, OfAgingGainOnTheExperimentsBetween) {
-  const HiddenEffectOptions options;
-  const HiddenEffect hidden = randomHiddenEffect({"plant_aging"}, options, 8590386309758793518U);
-  const HiddenEffectData data = simulateHidden(hidden, options);
-  const Explanation explanation = explain(hidden.declared, data.training, data.held_out);
+  const Explanation explanation = explainedInBenchmark({"plant_aging"}, 8590386309758793518U);
   ASSERT_EQ(explanation.causes.size(), 1U) << explanation.message;
   EXPECT_EQ(explanation.causes[0].name, "plant_aging");
   EXPECT_GT(explanation.causes[0].gain->lower_90, 0);
@@ -94,11 +95,7 @@ TEST(HiddenEffects, OfAgingGainOnTheExperimentsBetween) {
 // In scripts/benchmark_explanation's clean run 12 the order chosen by simulations is too low: what
 // that lacks must not be named as a delay.
 TEST(HiddenEffects, AreNotMadeOfOrdersThatWereChosenTooLow) {
-  const HiddenEffectOptions options;
-  HiddenEffect clean = randomHiddenEffect({}, options, 9720260655492891654U);
-  clean.declared.nominal_model.orders_auto = true;
-  const HiddenEffectData data = simulateHidden(clean, options);
-  const Explanation explanation = explain(clean.declared, data.training, data.held_out);
+  const Explanation explanation = explainedInBenchmark({}, 9720260655492891654U, true);
   EXPECT_EQ(explanation.verdict, Verdict::none) << explanation.message;
   const auto& warnings = explanation.warnings;
   EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
