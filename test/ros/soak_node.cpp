@@ -115,11 +115,14 @@ std::vector<double> part(const std::vector<double>& all, double from, double to)
 TEST(Soak, NeitherMemoryNorLatencyGrows) {
   constexpr double kWarmUp = 0.3;   // share of the run
   constexpr double kGrowth = 0.03;  // share of the memory at most, over the rest of the run
-  constexpr double kSlower = 2, kUnnoticed = 1e-3;  // of callbacks at the end; [s]
+  constexpr double kSlower = 3;     // the callbacks at the end; a time that grows with the number
+                                    // of experiments is 4.8 times as long there
+  constexpr double kUnnoticed = 1e-3;  // [s] of waiting
   const TemporaryFolder folder;
 
   // What is recorded here must not grow either: the room is taken beforehand.
   std::vector<double> waited(static_cast<std::size_t>(experiments) * (2 * kSamples + 2), 0.0);
+  std::vector<double> computed = waited;
   std::vector<double> at(1000, 0.0), memory(1000, 0.0);
   std::size_t callbacks = 0, points = 0;
   Progress& progress = sharedWithChildren<Progress>();
@@ -135,7 +138,9 @@ TEST(Soak, NeitherMemoryNorLatencyGrows) {
   ros::init(none, nullptr, "identification");
   ros::param::set("/identification/store_directory", folder / "store");
   TimedQueue queue([&](const CallbackTimes& times) {
-    if (callbacks < waited.size()) waited[callbacks++] = times.waited() + times.duration();
+    if (callbacks == waited.size()) return;
+    waited[callbacks] = times.waited() + times.duration();
+    computed[callbacks++] = times.computed;
   });
   ros::NodeHandle node, private_node("~");
   node.setCallbackQueue(&queue);
@@ -159,25 +164,30 @@ TEST(Soak, NeitherMemoryNorLatencyGrows) {
   }
   at.resize(points);
   memory.resize(points);
-  waited.resize(callbacks);
   ASSERT_EQ(progress.stored, experiments);
-  EXPECT_EQ(callbacks, waited.capacity()) << "messages were lost";
+  ASSERT_EQ(callbacks, waited.size()) << "messages were lost";
   const auto later = part(memory, kWarmUp, 1);
   const double growth = slope(part(at, kWarmUp, 1), later) * (1 - kWarmUp) * experiments;
-  const auto early_wait = part(waited, kWarmUp, kWarmUp + 0.2), late_wait = part(waited, 0.8, 1);
-  const double early_high = quantile(early_wait, 0.99), late_high = quantile(late_wait, 0.99);
+  const auto early = [&](const auto& all) { return part(all, 0.15, 0.25); };
+  const auto late = [&](const auto& all) { return part(all, 0.9, 1); };
   std::printf("%d experiments, %.1f h simulated\n", experiments, experiments * kInterval / 3600);
   std::printf(
       "resident memory: %.1f MB after warm-up, %.1f MB at the end, slope %.3f MB per 1000 "
       "experiments\n",
       later.front(), later.back(), 1000 * growth / ((1 - kWarmUp) * experiments));
-  std::printf(
-      "from arrival to the end of the callback, median and 99 %%: %.3f and %.3f ms after "
-      "warm-up, %.3f and %.3f ms at the end\n",
-      1e3 * quantile(early_wait, 0.5), 1e3 * early_high, 1e3 * quantile(late_wait, 0.5),
-      1e3 * late_high);
+  const auto print = [&](const char* what, const std::vector<double>& all) {
+    std::printf(
+        "%s, median and 99 %%: %.1f and %.1f us at the beginning, %.1f and %.1f us at the end\n",
+        what, 1e6 * quantile(early(all), 0.5), 1e6 * quantile(early(all), 0.99),
+        1e6 * quantile(late(all), 0.5), 1e6 * quantile(late(all), 0.99));
+  };
+  print("from arrival to the end of the callback", waited);
+  print("callback's processor time", computed);
   EXPECT_LT(growth, kGrowth * later.front());
-  EXPECT_LT(late_high, std::max(kUnnoticed, kSlower * early_high));
+  // The longest waits are a busy machine's and judged by nobody; processor time is the node's own.
+  EXPECT_LT(quantile(late(waited), 0.5),
+            std::max(kUnnoticed, kSlower * quantile(early(waited), 0.5)));
+  EXPECT_LT(quantile(late(computed), 0.99), kSlower * quantile(early(computed), 0.99));
 }
 
 }  // namespace

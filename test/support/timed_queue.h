@@ -5,14 +5,16 @@
 
 #include <boost/make_shared.hpp>
 #include <chrono>
+#include <ctime>
 #include <functional>
 
 namespace uncertainty_identification {
 
-/// When a message was handed to the queue, and when its callback began and ended.
+/// When a message was handed to the queue, when its callback began and ended, and what it computed.
 struct CallbackTimes {
   using Clock = std::chrono::steady_clock;
   Clock::time_point arrived, began, ended;
+  double computed = 0;  // [s] of the processor: what other programs do does not lengthen it
   const void* subscription = nullptr;
 
   double duration() const { return std::chrono::duration<double>(ended - began).count(); }
@@ -45,13 +47,21 @@ class TimedQueue : public ros::CallbackQueue {
 
     CallResult call() override {
       times_.began = CallbackTimes::Clock::now();
+      const double before = processorTime();
       const CallResult result = callback_->call();
+      times_.computed = processorTime() - before;
       times_.ended = CallbackTimes::Clock::now();
       if (result == Success) report_(times_);
       return result;
     }
 
    private:
+    static double processorTime() {  // [s] of this thread
+      timespec time;
+      clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+      return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    }
+
     ros::CallbackInterfacePtr callback_;
     const std::function<void(const CallbackTimes&)>& report_;
     CallbackTimes times_;
