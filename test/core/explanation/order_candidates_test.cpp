@@ -8,34 +8,62 @@
 namespace uncertainty_identification {
 namespace {
 
-/// Of twelve experiments of Example 1, whose plant is of order 1; of one where they are short.
-int orderAskedFor(int samples, int order) {
+/// Twelve experiments of Example 1, whose plant is of order 1, cut to so many samples.
+std::vector<Experiment> example1(int samples) {
   std::vector<Experiment> experiments = test::example1(2, 12).experiments;
   for (Experiment& experiment : experiments) {
     experiment.u.conservativeResize(samples);
     experiment.y.conservativeResize(samples);
   }
+  return experiments;
+}
+
+/// The candidates where these orders were chosen for the plant.
+std::vector<NominalModelOptions> candidates(const std::vector<Experiment>& experiments, int order) {
   Configuration configuration = test::example1Configuration();
   configuration.nominal_model.na = configuration.nominal_model.nb = order;
-  if (samples < 50) {
-    experiments.resize(1);
-    configuration.error_model.taps = 0;
-  }
+  if (experiments.size() == 1) configuration.error_model.taps = 0;
   const Estimate estimate = Identifier(configuration).identify(experiments);
   configuration.nominal_model.orders_auto = true;
   WorkerPool pool(1);
   FitContext context;
   context.pool = &pool;
   context.going_on = [] { return true; };
-  return orderCandidates(configuration, estimate, experiments, context, {})
-      .front()
-      .configuration.nominal_model.na;
+  std::vector<NominalModelOptions> orders;
+  for (const Estimate& each : orderCandidates(configuration, estimate, experiments, context, {}))
+    orders.push_back(each.configuration.nominal_model);
+  return orders;
 }
 
-TEST(OrderCandidates, LeavesThoseThatSuffice) { EXPECT_EQ(orderAskedFor(100, 1), 1); }
+TEST(OrderCandidates, LeavesThoseThatSuffice) {
+  const auto orders = candidates(example1(100), 1);
+  ASSERT_EQ(orders.size(), 1U);
+  EXPECT_EQ(orders[0].na, 1);
+}
 
 /// Two poles more would need 22 samples, and there are 20: none is taken, and nothing fails.
-TEST(OrderCandidates, TriesNoMoreThanTheDataAllow) { EXPECT_EQ(orderAskedFor(20, 2), 2); }
+TEST(OrderCandidates, TriesNoMoreThanTheDataAllow) {
+  EXPECT_EQ(candidates({example1(20).front()}, 2).front().na, 2);
+}
+
+/// The declared input is what must enter a lag for Example 1's to leave it: the plant is of order 2
+/// and was chosen of order 1. Both are given, the larger first, with one noise model.
+TEST(OrderCandidates, RaisesThoseThatAreTooLowAndKeepsThemAsTheSmallerModel) {
+  constexpr double kPole = 0.7;
+  std::vector<Experiment> experiments = example1(100);
+  for (Experiment& experiment : experiments) {
+    const Eigen::VectorXd acting = experiment.u;
+    experiment.u.tail(99) -= kPole * acting.head(99);
+    experiment.u /= 1 - kPole;
+  }
+  const auto orders = candidates(experiments, 1);
+  ASSERT_EQ(orders.size(), 2U);
+  EXPECT_EQ(orders[0].na, 2);
+  EXPECT_EQ(orders[1].na, 1);
+  EXPECT_EQ(orders[1].nb, 1);
+  EXPECT_EQ(orders[1].nc, orders[0].nc);
+  EXPECT_EQ(orders[1].nd, orders[0].nd);
+}
 
 }  // namespace
 }  // namespace uncertainty_identification
