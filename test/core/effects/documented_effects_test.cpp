@@ -11,7 +11,8 @@
 namespace uncertainty_identification {
 namespace {
 
-/// Data with a covariate and a parameter called as in the table, and one error parameter.
+/// Data with a covariate and a parameter called as in the table, a first-order plant and one error
+/// parameter.
 Effects documented() {
   DataSummary data;
   data.experiments = 10;
@@ -19,7 +20,7 @@ Effects documented() {
   data.regressors = 1;
   data.covariates = {{"COVARIATE", 0}};
   data.stamps = true;
-  data.plant_parameters = {"PARAMETER"};
+  data.plant_parameters = {"PARAMETER", "a1"};
   return catalogue(data);
 }
 
@@ -50,7 +51,10 @@ std::set<std::string> rowsOfTheTable() {
 TEST(DocumentedEffects, AreThoseOfTheCatalogue) {
   const std::set<std::string> found = rowsOfTheTable();
   std::set<std::string> expected;
-  for (const auto& effect : documented()) expected.insert(rowOf(effect->description()));
+  for (const auto& effect : documented()) {
+    if (effect->description().variant != "a1")  // PARAMETER stands for it
+      expected.insert(rowOf(effect->description()));
+  }
   for (const std::string& row : expected) EXPECT_TRUE(found.count(row)) << "missing: " << row;
   for (const std::string& row : found) EXPECT_TRUE(expected.count(row)) << "not so: " << row;
 }

@@ -33,6 +33,14 @@ MatrixXd pointsAt(const ExtendedModel& of, const VectorXd& parameters, std::size
   return points;
 }
 
+/// The same point in each experiment: its error parameters, and the first effect's own.
+MatrixXd alike(const ExtendedModel& of, const VectorXd& xi, double own_point) {
+  MatrixXd points(of.regressors() + 1, kExperiments);
+  points.topRows(of.regressors()) = xi.replicate(1, kExperiments);
+  points.row(of.pointRow(0)).setConstant(own_point);
+  return points;
+}
+
 TEST(ParameterSpread, AtItsPointIsThePlantOfThatParameter) {
   const test::EffectSetup setup;
   const auto model = setup.extended({{"sens_wiener", ""}, {"plant_parameter_spread", "a1"}});
@@ -64,6 +72,46 @@ TEST(ParameterSpread, SignalIsTheDerivativeBehindTheSensor) {
     ASSERT_EQ(chain.random.size(), 1u);
     const Signals expected = (there.expected() - chain.expected()) / kStep;
     EXPECT_LT((chain.random[0].z - expected).abs().maxCoeff(), 1e-4);
+  }
+}
+
+/// Of the first-order plant of setup.at(): a1 = -0.6 = -exp(-1/tau), behind which b is scaled.
+TEST(TimeConstantSpread, AtItsPointIsThePlantOfThatTimeConstantAndTheSameGain) {
+  const test::EffectSetup setup;
+  const auto model = setup.extended({{"plant_parameter_spread", "time_constant"}});
+  const VectorXd at = setup.at(test::vectorOf({0})).parameters;
+  const VectorXd no_error = VectorXd::Zero(model->regressors());
+  for (const double c : {0.0, 0.3, -0.4}) {
+    const double a1 = -std::pow(0.6, 1 / (1 + c));
+    const auto found = setup.simulated(*model->about(alike(*model, no_error, c)), at);
+    for (int r = 0; r < kExperiments; ++r) {
+      const auto i = static_cast<std::size_t>(r);
+      const VectorXd expected = plant(setup.experiments()[i].u, a1) * (1 + a1) / (1 - 0.6);
+      EXPECT_LT((found[i] - expected).cwiseAbs().maxCoeff(), 1e-9) << c << " " << r;
+    }
+  }
+}
+
+/// Of the plant and of its errors: what varies passes the error model as the plant's output does.
+TEST(ParameterSpread, SignalIsTheDerivativeOfThePlantWithItsErrors) {
+  constexpr double kStep = 1e-5, kPoint = 0.2;
+  const test::EffectSetup setup;
+  for (const auto& [variant, unit] : {std::pair{"a1", -0.6}, std::pair{"time_constant", 1.0}}) {
+    const auto model = setup.extended({{"plant_parameter_spread", variant}});
+    const VectorXd at = setup.at(test::vectorOf({0})).parameters;
+    const VectorXd error = VectorXd::LinSpaced(model->regressors(), 0.1, 0.3);
+    const double zero = unit == 1 ? 0 : unit;
+    const MatrixXd xi = error.replicate(1, kExperiments);
+    for (const Block& block : setup.blocks()) {
+      const auto of = [&](double c) {
+        return model->about(alike(*model, error, zero + unit * c))->simulated(block, at, xi);
+      };
+      const Chain chain = of(kPoint), there = of(kPoint + kStep), here = of(kPoint - kStep);
+      ASSERT_EQ(chain.random.size(), 1u);
+      const Signals expected = (there.expected() - here.expected()) / (2 * kStep);
+      EXPECT_LT((chain.random[0].z - expected).abs().maxCoeff(), 1e-6 * expected.abs().maxCoeff())
+          << variant;
+    }
   }
 }
 
