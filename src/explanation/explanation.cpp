@@ -68,7 +68,7 @@ class Explaining {
  private:
   bool report(const std::string& phase, double fraction, double log_likelihood);
   bool isExcluded(const std::string& name) const;
-  std::vector<Signature> takeOutSpoiled(Split* data) const;
+  std::vector<Signature> takeOutSpoiled(Split* data);
   Estimate identify(const std::vector<Experiment>& experiments);
   Attempt bestAttempt(const Split& data, const std::vector<Signature>& signatures);
   void tellOrders(const Estimate& chosen, const Estimate& explained);
@@ -80,6 +80,7 @@ class Explaining {
   void describe(const SearchState& base, const SearchState& found);
 
   Configuration configuration_;
+  const LimitOptions limits_ = configuration_.limits;
   ProgressCallback progress_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   bool cancelled_ = false;
@@ -99,7 +100,8 @@ bool Explaining::isExcluded(const std::string& name) const {
   return std::find(excluded.begin(), excluded.end(), name) != excluded.end();
 }
 
-std::vector<Signature> Explaining::takeOutSpoiled(Split* data) const {
+std::vector<Signature> Explaining::takeOutSpoiled(Split* data) {
+  constexpr double kAny = 0.999;  // what is taken out here was not missing from the recording
   data->train = withoutRest(std::move(data->train));
   data->held = withoutRest(std::move(data->held));
   std::vector<Signature> signatures;
@@ -109,6 +111,7 @@ std::vector<Signature> Explaining::takeOutSpoiled(Split* data) const {
   for (const Signature& signature : signatures) {
     data->train = withoutSpoiled(std::move(data->train), signature);
     data->held = withoutSpoiled(std::move(data->held), signature);
+    if (signature.name != "sens_quant") configuration_.limits.max_missing = kAny;
   }
   return signatures;
 }
@@ -235,6 +238,7 @@ void Explaining::describeModels(const SearchState& base, const SearchState& foun
     explanation_.warnings.push_back("the model that is saved was estimated anew and ends " +
                                     std::to_string(lost) +
                                     " nats lower than the one that the causes were found with");
+  explanation_.before.configuration.limits = explanation_.after.configuration.limits = limits_;
   explanation_.residual_before = residualPicture(base.fit, base.train);
   explanation_.residual_after = residualPicture(found.fit, found.train);
   explanation_.pictures = picturesOf(base.fit, found.fit, found.held);

@@ -139,6 +139,23 @@ TEST(Explain, DoesNotNameWhatIsExcludedThoughTheSamplesShowIt) {
   EXPECT_FALSE(names(without).count("sens_clip"));
 }
 
+/// A sensor that gives a new value at four of ten samples: more are taken out than may be missing
+/// from a recording, which none was.
+TEST(Explain, NamesASensorThatHoldsMostOfItsSamples) {
+  std::vector<Experiment> holding = clean();
+  std::mt19937_64 engine(8);
+  std::bernoulli_distribution holds(0.6);
+  for (Experiment& experiment : holding) {
+    for (int t = 1; t < experiment.samples(); ++t)
+      if (holds(engine)) experiment.y[t] = experiment.y[t - 1];
+  }
+  const Explanation found = explain(configuration(), holding);
+  ASSERT_EQ(found.causes.size(), 1u) << found.message;
+  EXPECT_EQ(found.causes[0].name, "sens_dropout");
+  EXPECT_EQ(found.before.experiment_count, 14);
+  EXPECT_EQ(found.after.configuration.limits.max_missing, configuration().limits.max_missing);
+}
+
 /// A sensor's lag at the edge of its range differences the data, whatever drifts in them.
 TEST(Explain, DoesNotNameALagWhereTheDataDrift) {
   std::vector<Experiment> drifting = clean();
