@@ -8,6 +8,18 @@ namespace {
 
 using Eigen::VectorXd;
 
+/// White, and pairs of poles over the frequencies: from the declared poles alone the climb may end
+/// where these have taken the place of those that are missing.
+std::vector<VectorXd> starts() {
+  constexpr double kRadius = 0.7;
+  std::vector<VectorXd> all{VectorXd::Zero(2)};
+  for (const double frequency : {0.5, 1.0, 1.6, 2.1, 2.6}) {
+    all.emplace_back(2);
+    all.back() << -2 * kRadius * std::cos(frequency), kRadius * kRadius;
+  }
+  return all;
+}
+
 /// D (1 + d1 q^-1 + d2 q^-2).
 class NoiseColour : public Effect {
  public:
@@ -21,7 +33,7 @@ class NoiseColour : public Effect {
              Stage::measurement,
              ScreeningKind::regression,
              {{"d1", "1", 0.2}, {"d2", "1", 0.2}},
-             {VectorXd::Zero(2)}}) {}
+             starts()}) {}
 
   bool admissible(const VectorXd& psi) const override { return isStable(psi, 0.999); }
 

@@ -163,9 +163,13 @@ Screening::Start Screening::best(const std::shared_ptr<const Effect>& effect) co
     with.parameters.tail(1).setZero();
     model = model->about(clockStart(*model, with, data_));
   }
+  const auto& parameters = effect->description().parameters;
+  const bool one_variance = parameters.size() == 1 && parameters.front().log_variance;
   for (const VectorXd& psi : effect->description().starts) {
     Start start = startAt(model, psi);
-    if (start.gain > best.gain) best = std::move(start);
+    const bool falls = !(start.gain > best.gain);
+    if (!falls) best = std::move(start);
+    if (falls && one_variance) break;  // over a variance, in rising order, there is one maximum
   }
   return best;
 }

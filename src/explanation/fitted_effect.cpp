@@ -1,0 +1,94 @@
+#include "fitted_effect.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "screening.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::Index;
+
+double penaltyOf(const Effect& effect, const FitData& data) {
+  const double parameters = effect.parameterCount();
+  const double each = isOfMixture(effect) ? std::log(data.count()) : std::log(data.samples());
+  const double starts =
+      static_cast<double>(std::max<std::size_t>(1, effect.description().starts.size()));
+  return 0.5 * parameters * each + std::log(starts);
+}
+
+FittedEffect screened(const Screening& screening, const std::shared_ptr<const Effect>& effect,
+                      const FitData& data) {
+  Screening::Start start = screening.best(effect);
+  FittedEffect candidate{effect, std::move(start.fit), penaltyOf(*effect, data), 0, {}, false};
+  candidate.score = start.gain - candidate.penalty;
+  candidate.step = std::move(start.step);
+  return candidate;
+}
+
+}  // namespace
+
+bool isOfNoise(const Effect& effect) {
+  return effect.name().rfind("noise_", 0) == 0 || effect.name() == "sens_outliers";
+}
+
+bool isOfMixture(const Effect& effect) {
+  return effect.name() == "exp_mode" || effect.name() == "plant_aging";
+}
+
+Fit approached(const FittedEffect& candidate, const FitData& data, const FitContext& context) {
+  constexpr int kMixtureSteps = 5;
+  Fit best = evaluated(candidate.fit.model, candidate.fit.at, data);
+  if (candidate.step.size() == 0) return best;
+  const auto& parameters = candidate.effect->description().parameters;
+  for (const double share : {1.0, 0.4}) {
+    ModelParameters at = candidate.fit.at;
+    at.parameters += share * candidate.step;
+    auto psi = at.parameters.tail(static_cast<Index>(parameters.size()));
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      psi[static_cast<Index>(i)] =
+          std::clamp(psi[static_cast<Index>(i)], parameters[i].lower, parameters[i].upper);
+    Fit there = mixtureFitted(candidate.fit.model, at, data, context.options, kMixtureSteps);
+    if (there.log_likelihood > best.log_likelihood) best = std::move(there);
+  }
+  return best;
+}
+
+void converge(FittedEffect* candidate, Fit fit, const Fit& base, const FitData& data,
+              const FitContext& context, int steps, bool anew) {
+  fit = improved(std::move(fit), data, context.options, steps, 0.05);
+  if (anew) fit = withNewStart(fit, data, context, steps);
+  candidate->started_anew = candidate->started_anew || anew;
+  if (steps > 5) fit = searched(std::move(fit), data, context);
+  candidate->fit = std::move(fit);
+  candidate->score = candidate->fit.log_likelihood - base.log_likelihood - candidate->penalty;
+}
+
+void sortByScore(std::vector<FittedEffect>* candidates) {
+  std::stable_sort(
+      candidates->begin(), candidates->end(),
+      [](const FittedEffect& left, const FittedEffect& right) { return left.score > right.score; });
+}
+
+void inParallel(const FitContext& context, std::size_t count,
+                const std::function<void(std::size_t)>& task) {
+  context.pool->forEach(static_cast<int>(count), [&](int k) {
+    if (context.going_on()) task(static_cast<std::size_t>(k));
+  });
+}
+
+std::vector<FittedEffect> screenedEffects(const Fit& base, const FitData& data,
+                                          const Effects& effects, const FitContext& context) {
+  const Screening screening(base, data, context.options);
+  std::vector<FittedEffect> candidates(effects.size());
+  inParallel(context, effects.size(),
+             [&](std::size_t k) { candidates[k] = screened(screening, effects[k], data); });
+  const auto left_out = [](const FittedEffect& candidate) { return candidate.effect == nullptr; };
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), left_out),
+                   candidates.end());
+  sortByScore(&candidates);
+  return candidates;
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,89 @@
+#include "from_white_noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "uncertainty_identification/model/polynomial.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double kNone = -std::numeric_limits<double>::infinity();  // until scored over the base
+
+Polynomials polynomialsOf(const Fit& fit) {
+  const NominalModel& nominal = fit.model->nominal();
+  return nominal.polynomials(fit.at.parameters.head(nominal.parameterCount()));
+}
+
+bool hasNoisePoles(const Polynomials& p) {  // of its own: not those of A
+  return p.d.size() > 0 && !(p.d.size() == p.a.size() && p.d == p.a);
+}
+
+/// The last parameters of the nominal model are those of C and D.
+ModelParameters withWhiteNoise(const Fit& base, const Polynomials& p) {
+  const Index noise = p.c.size() + p.d.size();
+  ModelParameters at = base.at;
+  at.parameters.segment(base.model->nominal().parameterCount() - noise, noise).setZero();
+  return at;
+}
+
+/// The most promising of all effects.
+std::vector<FittedEffect> mostPromising(const Fit& white, const Fit& base, const FitData& data,
+                                        const Effects& effects, const FitContext& context) {
+  constexpr std::size_t kFitted = 7;
+  constexpr int kSteps = 15;
+  std::vector<FittedEffect> fitted = screenedEffects(white, data, effects, context);
+  fitted.resize(std::min(kFitted, fitted.size()));
+  for (FittedEffect& each : fitted) each.score = kNone;
+  inParallel(context, fitted.size(), [&](std::size_t k) {
+    converge(&fitted[k], approached(fitted[k], data, context), base, data, context, kSteps, false);
+  });
+  return fitted;
+}
+
+/// An effect from that of its starts which a few steps lead highest from.
+FittedEffect fromBestStart(const FittedEffect& screened, const Fit& white, const Fit& base,
+                           const FitData& data, const FitContext& context) {
+  constexpr int kMixtureSteps = 5, kSteps = 4;
+  const std::vector<VectorXd>& starts = screened.effect->description().starts;
+  std::vector<FittedEffect> all(starts.size(), screened);
+  for (FittedEffect& each : all) each.score = kNone;
+  inParallel(context, starts.size(), [&](std::size_t k) {
+    ModelParameters at = screened.fit.at;
+    at.parameters.head(white.at.parameters.size()) = white.at.parameters;
+    at.parameters.tail(starts[k].size()) = starts[k];
+    converge(&all[k], mixtureFitted(screened.fit.model, at, data, context.options, kMixtureSteps),
+             base, data, context, kSteps, false);
+  });
+  sortByScore(&all);
+  return all.front();
+}
+
+}  // namespace
+
+std::vector<FittedEffect> fittedFromWhiteNoise(const Fit& base, const FitData& data,
+                                               const Effects& effects, const FitContext& context) {
+  constexpr int kMixtureSteps = 20;
+  constexpr double kPersistent = 0.98;
+  const Polynomials p = polynomialsOf(base);
+  if (!hasNoisePoles(p)) return {};
+  const Fit white =
+      mixtureFitted(base.model, withWhiteNoise(base, p), data, context.options, kMixtureSteps);
+  if (!std::isfinite(white.log_likelihood)) return {};
+  std::vector<FittedEffect> fitted;
+  if (roots(p.d).cwiseAbs().maxCoeff() > kPersistent)
+    fitted = mostPromising(white, base, data, effects, context);
+  Effects colour;
+  std::copy_if(effects.begin(), effects.end(), std::back_inserter(colour),
+               [](const auto& effect) { return effect->name() == "noise_colour"; });
+  for (const FittedEffect& screened : screenedEffects(white, data, colour, context))
+    fitted.push_back(fromBestStart(screened, white, base, data, context));
+  return fitted;
+}
+
+}  // namespace uncertainty_identification
