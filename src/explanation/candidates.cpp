@@ -48,6 +48,10 @@ std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
     converge(&candidates[k], approached(candidates[k], data, context), base, data, context, 4,
              leadsFar(*candidates[k].effect));
   });
+  for (std::size_t k = 0; wrong && k < candidates.size(); ++k) {
+    if (candidates[k].effect->name() == "act_delay")  // the error model imitates short ones
+      merge({fittedFromEachStart(candidates[k], base.at, base, data, context)}, &candidates);
+  }
   if (wrong) merge(fittedFromWhiteNoise(base, data, effects, context), &candidates);
   sortByScore(&candidates);
   inParallel(context, std::min(kConverged, candidates.size()), [&](std::size_t k) {

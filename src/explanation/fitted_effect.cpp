@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "screening.h"
 
@@ -63,6 +64,23 @@ void converge(FittedEffect* candidate, Fit fit, const Fit& base, const FitData& 
   if (steps > 5) fit = searched(std::move(fit), data, context);
   candidate->fit = std::move(fit);
   candidate->score = candidate->fit.log_likelihood - base.log_likelihood - candidate->penalty;
+}
+
+FittedEffect fittedFromEachStart(const FittedEffect& screened, const ModelParameters& from,
+                                 const Fit& base, const FitData& data, const FitContext& context) {
+  constexpr int kMixtureSteps = 5, kSteps = 4;
+  const std::vector<Eigen::VectorXd>& starts = screened.effect->description().starts;
+  std::vector<FittedEffect> all(starts.size(), screened);
+  for (FittedEffect& each : all) each.score = -std::numeric_limits<double>::infinity();
+  inParallel(context, starts.size(), [&](std::size_t k) {
+    ModelParameters at = from;
+    at.parameters.conservativeResize(from.parameters.size() + starts[k].size());
+    at.parameters.tail(starts[k].size()) = starts[k];
+    converge(&all[k], mixtureFitted(screened.fit.model, at, data, context.options, kMixtureSteps),
+             base, data, context, kSteps, false);
+  });
+  sortByScore(&all);
+  return all.front();
 }
 
 void sortByScore(std::vector<FittedEffect>* candidates) {

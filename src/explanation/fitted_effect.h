@@ -29,6 +29,11 @@ Fit approached(const FittedEffect& candidate, const FitData& data, const FitCont
 void converge(FittedEffect* candidate, Fit fit, const Fit& base, const FitData& data,
               const FitContext& context, int steps, bool anew);
 
+/// The best of a few steps from all starts of the effect, the model's parameters `from`: where the
+/// likelihood has many maxima that the screening does not see.
+FittedEffect fittedFromEachStart(const FittedEffect& screened, const ModelParameters& from,
+                                 const Fit& base, const FitData& data, const FitContext& context);
+
 /// Best first.
 void sortByScore(std::vector<FittedEffect>* candidates);
 

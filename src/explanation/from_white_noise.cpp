@@ -13,8 +13,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kNone = -std::numeric_limits<double>::infinity();  // until scored over the base
-
 Polynomials polynomialsOf(const Fit& fit) {
   const NominalModel& nominal = fit.model->nominal();
   return nominal.polynomials(fit.at.parameters.head(nominal.parameterCount()));
@@ -39,29 +37,12 @@ std::vector<FittedEffect> mostPromising(const Fit& white, const Fit& base, const
   constexpr int kSteps = 15;
   std::vector<FittedEffect> fitted = screenedEffects(white, data, effects, context);
   fitted.resize(std::min(kFitted, fitted.size()));
-  for (FittedEffect& each : fitted) each.score = kNone;
+  for (FittedEffect& each : fitted)
+    each.score = -std::numeric_limits<double>::infinity();  // until it is one over the base
   inParallel(context, fitted.size(), [&](std::size_t k) {
     converge(&fitted[k], approached(fitted[k], data, context), base, data, context, kSteps, false);
   });
   return fitted;
-}
-
-/// An effect from that of its starts which a few steps lead highest from.
-FittedEffect fromBestStart(const FittedEffect& screened, const Fit& white, const Fit& base,
-                           const FitData& data, const FitContext& context) {
-  constexpr int kMixtureSteps = 5, kSteps = 4;
-  const std::vector<VectorXd>& starts = screened.effect->description().starts;
-  std::vector<FittedEffect> all(starts.size(), screened);
-  for (FittedEffect& each : all) each.score = kNone;
-  inParallel(context, starts.size(), [&](std::size_t k) {
-    ModelParameters at = screened.fit.at;
-    at.parameters.head(white.at.parameters.size()) = white.at.parameters;
-    at.parameters.tail(starts[k].size()) = starts[k];
-    converge(&all[k], mixtureFitted(screened.fit.model, at, data, context.options, kMixtureSteps),
-             base, data, context, kSteps, false);
-  });
-  sortByScore(&all);
-  return all.front();
 }
 
 }  // namespace
@@ -82,7 +63,7 @@ std::vector<FittedEffect> fittedFromWhiteNoise(const Fit& base, const FitData& d
   std::copy_if(effects.begin(), effects.end(), std::back_inserter(colour),
                [](const auto& effect) { return effect->name() == "noise_colour"; });
   for (const FittedEffect& screened : screenedEffects(white, data, colour, context))
-    fitted.push_back(fromBestStart(screened, white, base, data, context));
+    fitted.push_back(fittedFromEachStart(screened, white.at, base, data, context));
   return fitted;
 }
 
