@@ -52,19 +52,6 @@ void runLoop(const Polynomials& go, const ErrorBasis& basis,
   chain->x = output - chain->expected();
 }
 
-/// What multiplies deviations of the plant passes the error model as its output does. Linearised
-/// about the point, in both.
-void passErrorModel(const ErrorBasis& basis, Chain* chain) {
-  std::vector<Signals> of_error;
-  for (RandomSignal& random : chain->random) {
-    basis.apply(random.z, &of_error);
-    for (std::size_t i = 0; i < of_error.size(); ++i)
-      random.z +=
-          of_error[i].colwise() * Lanes(chain->points.row(static_cast<Index>(i)).transpose());
-    chain->x -= random.z.colwise() * random.about;
-  }
-}
-
 class RespondedChain : public PlantResponse {
  public:
   explicit RespondedChain(const Chain& chain) : chain_(chain) {}
@@ -105,7 +92,6 @@ void runChain(const Polynomials& go, const ErrorBasis& basis, const std::vector<
     runLoop(go, basis, loop, chain);
     applyStage(Stage::plant, effects, chain);
   }
-  passErrorModel(basis, chain);
   applyStage(Stage::output, effects, chain);
 }
 

@@ -20,7 +20,7 @@ class PlantParameterSpread : public Effect {
              "Identify with error_model: {basis: parameter_spread, parameters: [" + parameter +
                  "]}.",
              {},
-             Stage::plant,
+             Stage::output,
              ScreeningKind::likelihood,
              {logVariance("deviation", "relative")},
              values({-6, -3, 0, 3, 6}),
@@ -29,7 +29,7 @@ class PlantParameterSpread : public Effect {
         index_(index) {}
 
   /// Linearised about the parameter's own values t_r, as basis: parameter_spread does:
-  ///   x + (Go(t_r) - Go) u, and (theta_j (1 + c_r) - t_r) dGo/dtheta_j(t_r) u at random.
+  ///   x + (Go(t_r) - Go) u + (theta_j (1 + c_r) - t_r) dGo/dtheta_j(t_r) u.
   void apply(const VectorXd& psi, Chain* chain) const override {
     const double common = chain->theta[index_];
     const Lanes own = chain->ownPoint();
@@ -48,7 +48,7 @@ class PlantParameterSpread : public Effect {
       Signals usual;
       filter(go.b, go.a, go.delay, chain->u, &usual);
       spread.about = own / common - 1;
-      chain->x += plant.signal({}) - usual;
+      chain->x += plant.signal({}) - usual - spread.z.colwise() * spread.about;
     }
     chain->random.push_back(std::move(spread));
   }
@@ -68,7 +68,7 @@ class PlantParameterSpread : public Effect {
   int index_;
 };
 
-const EffectRegistration kRegistration(5, [](const DataSummary& data) -> MadeEffects {
+const EffectRegistration kRegistration(50, [](const DataSummary& data) -> MadeEffects {
   MadeEffects all;
   for (const std::string& parameter : data.plant_parameters)
     all.push_back(std::make_shared<PlantParameterSpread>(parameter, static_cast<int>(all.size())));

@@ -36,7 +36,7 @@ class PlantTimeConstantSpread : public Effect {
                 "identify with structure: continuous and error_model: {basis: parameter_spread, "
                 "parameters: [tau1]}.",
                 {},
-                Stage::plant,
+                Stage::output,
                 ScreeningKind::likelihood,
                 {logVariance("deviation", "relative")},
                 values({-6, -3, 0, 3, 6}),
@@ -49,7 +49,10 @@ class PlantTimeConstantSpread : public Effect {
     const Lanes own = chain->ownPoint();
     RandomSignal spread{Signals(), std::exp(psi[0]), own, chain->own_point};
     spread.z = (response(own + kStep, *chain) - response(own - kStep, *chain)) / (2 * kStep);
-    if ((own != 0).any()) chain->x += response(own, *chain) - response(Lanes::Zero(), *chain);
+    if ((own != 0).any()) {
+      chain->x += response(own, *chain) - response(Lanes::Zero(), *chain);
+      chain->x -= spread.z.colwise() * own;
+    }
     chain->random.push_back(std::move(spread));
   }
 
@@ -82,7 +85,7 @@ class PlantTimeConstantSpread : public Effect {
 };
 
 /// Of polynomials; the time constants of a continuous plant are parameters of their own.
-const EffectRegistration kRegistration(6, [](const DataSummary& data) -> MadeEffects {
+const EffectRegistration kRegistration(51, [](const DataSummary& data) -> MadeEffects {
   const auto& names = data.plant_parameters;
   const auto has = [&](const char* name) {
     return std::find(names.begin(), names.end(), name) != names.end();

@@ -16,7 +16,7 @@ enum class Stage {
   measurement,  ///< what the sensor's dynamics and the noise model undo: y and H, before all else
   actuator,     ///< u -> what drives the plant
   loop,         ///< feedback inside Go: input = u - f(x)
-  plant,        ///< Go itself, what is beside and behind it; the error model acts on the sum
+  plant,        ///< linear dynamics beside or behind Go; the error model acts on the sum
   output,       ///< behind plant and error model: x and its regressors
   noise,        ///< variance of the innovations
   data          ///< outside the chain: samples, the mixture, or the experiment itself

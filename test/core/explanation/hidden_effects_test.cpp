@@ -103,7 +103,7 @@ TEST(HiddenEffects, AreNamedThoughTheDeclaredNoisePoleTookTheirPlace) {
 }
 
 // In scripts/benchmark_explanation's run 24 a time constant varies by 28 %, gain and error model
-// staying: pole and numerator vary together, and the errors with them.
+// staying: pole and numerator vary together.
 TEST(HiddenEffects, OfTimeConstantsAreNamedAndMeasured) {
   const Explanation explanation =
       explainedInBenchmark({"plant_parameter_spread"}, 11957383091814770772U);
