@@ -65,8 +65,9 @@ class PlantTimeConstantSpread : public Effect {
   /// Go u with its time constants 1 + c times as long.
   static Signals response(const Lanes& c, const Chain& chain) {
     std::vector<PlantCoefficients> plants;
-    const bool alike = (c == c[0]).all();
-    for (int lane = 0; lane < (alike ? 1 : chain.block.lanes); ++lane)
+    const int different = (c == c[0]).all() ? 1 : chain.block.lanes;
+    plants.reserve(static_cast<std::size_t>(different));
+    for (int lane = 0; lane < different; ++lane)
       plants.emplace_back(chain.nominal, slowed(c[lane], chain));
     return PlantDerivatives(&plants, chain.u).signal({});
   }

@@ -22,6 +22,14 @@ bool hasNoisePoles(const Polynomials& p) {  // of its own: not those of A
   return p.d.size() > 0 && !(p.d.size() == p.a.size() && p.d == p.a);
 }
 
+/// A pole and a zero so near the unit circle hold what does not die out. A pole alone is a noise
+/// that drifts.
+bool holdsWhatPersists(const Polynomials& p) {
+  constexpr double kPole = 0.98, kZero = 0.9;
+  return p.c.size() > 0 && roots(p.d).cwiseAbs().maxCoeff() > kPole &&
+         roots(p.c).cwiseAbs().maxCoeff() > kZero;
+}
+
 /// The last parameters of the nominal model are those of C and D.
 ModelParameters withWhiteNoise(const Fit& base, const Polynomials& p) {
   const Index noise = p.c.size() + p.d.size();
@@ -50,15 +58,13 @@ std::vector<FittedEffect> mostPromising(const Fit& white, const Fit& base, const
 std::vector<FittedEffect> fittedFromWhiteNoise(const Fit& base, const FitData& data,
                                                const Effects& effects, const FitContext& context) {
   constexpr int kMixtureSteps = 20;
-  constexpr double kPersistent = 0.98;
   const Polynomials p = polynomialsOf(base);
   if (!hasNoisePoles(p)) return {};
   const Fit white =
       mixtureFitted(base.model, withWhiteNoise(base, p), data, context.options, kMixtureSteps);
   if (!std::isfinite(white.log_likelihood)) return {};
   std::vector<FittedEffect> fitted;
-  if (roots(p.d).cwiseAbs().maxCoeff() > kPersistent)
-    fitted = mostPromising(white, base, data, effects, context);
+  if (holdsWhatPersists(p)) fitted = mostPromising(white, base, data, effects, context);
   Effects colour;
   std::copy_if(effects.begin(), effects.end(), std::back_inserter(colour),
                [](const auto& effect) { return effect->name() == "noise_colour"; });
