@@ -3,7 +3,7 @@
 
 #include "support/monte_carlo.h"
 #include "uncertainty_identification/bounds/bounds.h"
-#include "uncertainty_identification/bounds/frequency_grid.h"
+#include "bounds/frequency_grid.h"
 
 namespace uncertainty_identification::test {
 namespace {

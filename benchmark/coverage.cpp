@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "math/constants.h"
 #include "paper_study.h"
 
 namespace uncertainty_identification::paper {
@@ -204,7 +205,7 @@ std::vector<Case> cases() {
 int study(int identifications, int systems) {
   Checks checks(true);
   for (const Case& of : cases()) {
-    const double nyquist = M_PI / of.truth.sample_time;
+    const double nyquist = kPi / of.truth.sample_time;
     const VectorXd omega =
         VectorXd::LinSpaced(kFrequencies, std::log(1e-3 * nyquist), std::log(0.9999 * nyquist))
             .array()

@@ -6,8 +6,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "math/constants.h"
+#include "model/box_jenkins.h"
 #include "paper_study.h"
-#include "uncertainty_identification/model/box_jenkins.h"
 
 namespace uncertainty_identification::paper {
 namespace {
@@ -33,7 +34,7 @@ struct Example {
 Example makeExample(const std::string& name, double low, double pole) {
   constexpr int kFrequencies = 60;
   Example example{loadTruth(configPath(name)), {}, {}};
-  const double high = 0.9999 * M_PI / example.truth.sample_time;
+  const double high = 0.9999 * kPi / example.truth.sample_time;
   example.omega = VectorXd::LinSpaced(kFrequencies, std::log(low), std::log(high)).array().exp();
   example.fresh = trueMagnitudes(example.truth, kFreshSystems, example.omega);
   (example.omega.array() - pole).abs().minCoeff(&example.pole);

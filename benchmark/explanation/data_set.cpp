@@ -9,10 +9,10 @@
 #include <map>
 
 #include "reported_parameters.h"
-#include "uncertainty_identification/data/atomic_file.h"
-#include "uncertainty_identification/data/csv.h"
+#include "io/atomic_file.h"
+#include "uncertainty_identification/io/csv.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/io/truth_yaml.h"
+#include "io/truth_yaml.h"
 
 namespace uncertainty_identification::suite {
 namespace {

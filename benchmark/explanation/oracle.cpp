@@ -8,7 +8,7 @@
 #include "explanation/measure.h"
 #include "reported_parameters.h"
 #include "uncertainty_identification/effects/catalogue.h"
-#include "uncertainty_identification/model/sensitivity.h"
+#include "model/sensitivity.h"
 
 namespace uncertainty_identification::suite {
 namespace {

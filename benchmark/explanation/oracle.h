@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "uncertainty_identification/estimation/estimate.h"
-#include "uncertainty_identification/simulation/hidden_effect.h"
+#include "simulation/hidden_effect.h"
 
 /// What there is to be gained: the model with the effect that is hidden, by who knows it.
 namespace uncertainty_identification::suite {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "uncertainty_identification/data/experiment.h"
-#include "uncertainty_identification/simulation/truth.h"
+#include "simulation/truth.h"
 
 namespace uncertainty_identification::suite {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "math/constants.h"
 #include "uncertainty_identification/bounds/bands.h"
 
 namespace uncertainty_identification {
@@ -32,7 +33,7 @@ Polygon clipped(const Polygon& polygon, const Vector2d& normal, double limit) {
 }
 
 Vector2d direction(int k) {
-  const double angle = std::acos(-1.0) * k / kDirections;
+  const double angle = kPi * k / kDirections;
   return {std::cos(angle), std::sin(angle)};
 }
 

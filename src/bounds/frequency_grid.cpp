@@ -1,20 +1,19 @@
-#include "uncertainty_identification/bounds/frequency_grid.h"
+#include "bounds/frequency_grid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <vector>
 
+#include "math/constants.h"
+#include "math/polynomial.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-const double kPi = std::acos(-1.0);
 
 /// A peak or notch of the magnitude: normalised frequency and half width [rad/sample].
 struct Resonance {

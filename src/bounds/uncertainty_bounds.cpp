@@ -5,8 +5,9 @@
 #include <complex>
 #include <sstream>
 
+#include "math/constants.h"
+#include "math/polynomial.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -80,7 +81,7 @@ ResponseBands ratioBands(const PlantSamples& drawn, const PlantSamples& nominal,
 }
 
 void requireBelowNyquist(const VectorXd& omega, double sample_time) {
-  const double nyquist = std::acos(-1.0) / sample_time;
+  const double nyquist = kPi / sample_time;
   if (omega.size() == 0 || omega[omega.size() - 1] <= nyquist * (1 + 1e-9)) return;
   std::ostringstream message;
   message << "bounds.grid: found " << omega[omega.size() - 1]
@@ -96,7 +97,7 @@ void describeNominal(const PlantSamples& nominal, FrequencyBounds* bounds) {
   bounds->magnitude =
       (response.real.array().square() + response.imaginary.array().square()).sqrt().matrix().row(0);
   bounds->phase.resize(points);
-  const double turn = 2 * std::acos(-1.0);
+  const double turn = 2 * kPi;
   double last = 0;
   for (Index k = 0; k < points; ++k) {
     const double angle = std::atan2(response.imaginary(0, k), response.real(0, k));

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "uncertainty_identification/bounds/bands.h"
-#include "uncertainty_identification/bounds/magnitude_fit.h"
+#include "bounds/magnitude_fit.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

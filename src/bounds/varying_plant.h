@@ -5,7 +5,7 @@
 
 #include "uncertainty_identification/estimation/estimate.h"
 #include "uncertainty_identification/model/nominal_model.h"
-#include "uncertainty_identification/model/sensitivity.h"
+#include "model/sensitivity.h"
 
 namespace uncertainty_identification {
 

@@ -3,8 +3,8 @@
 #include <limits>
 #include <optional>
 
-#include "text.h"
-#include "uncertainty_identification/data/check.h"
+#include "io/text.h"
+#include "data/check.h"
 
 namespace uncertainty_identification {
 namespace {

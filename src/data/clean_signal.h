@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "uncertainty_identification/data/recording.h"
-#include "uncertainty_identification/data/sample_grid.h"
+#include "data/sample_grid.h"
 
 namespace uncertainty_identification {
 

@@ -1,9 +1,11 @@
-#include "uncertainty_identification/data/sample_grid.h"
+#include "data/sample_grid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "math/constants.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -60,11 +62,11 @@ Line fitLine(const std::vector<double>& stamps, const std::vector<long>& slots, 
 Line phaseLine(const std::vector<double>& stamps, double period, std::size_t count) {
   double sine = 0, cosine = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const double angle = 2 * M_PI * std::fmod((stamps[i] - stamps.front()) / period, 1.0);
+    const double angle = 2 * kPi * std::fmod((stamps[i] - stamps.front()) / period, 1.0);
     sine += std::sin(angle);
     cosine += std::cos(angle);
   }
-  return {stamps.front() + std::atan2(sine, cosine) / (2 * M_PI) * period, period};
+  return {stamps.front() + std::atan2(sine, cosine) / (2 * kPi) * period, period};
 }
 
 /// The slot on the line nearest to each of the first `count` stamps.

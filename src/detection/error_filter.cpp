@@ -1,4 +1,4 @@
-#include "uncertainty_identification/detection/error_filter.h"
+#include "detection/error_filter.h"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+
+#include "math/constants.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -95,8 +97,8 @@ Score ErrorFilter::update(const WhitenedObservation& observation) {
     const double unknown =
         of_columns.dot(c.covariance.bottomRightCorner(columns_, columns_) * of_columns);
     if (unknown > kUndetermined * noise_variance_) score.diffuse = true;
-    const double density = -0.5 * (std::log(boost::math::constants::two_pi<double>() * c.variance) +
-                                   c.innovation * c.innovation / c.variance);
+    const double density =
+        -0.5 * (std::log((2 * kPi) * c.variance) + c.innovation * c.innovation / c.variance);
     largest = std::max(largest, c.log_weight + density);
     c.log_weight += density;
   }

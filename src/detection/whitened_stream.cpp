@@ -1,10 +1,10 @@
-#include "uncertainty_identification/detection/whitened_stream.h"
+#include "detection/whitened_stream.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/model/sensitivity.h"
+#include "math/polynomial.h"
+#include "model/sensitivity.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -13,36 +13,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-VectorXd padded(const VectorXd& from, Index size) {
-  VectorXd to = VectorXd::Zero(size);
-  to.head(from.size()) = from;
-  return to;
-}
-
 /// q^-delay B as one polynomial.
 VectorXd delayed(int delay, const VectorXd& b) {
   VectorXd numerator = VectorXd::Zero(delay + b.size());
   numerator.tail(b.size()) = b;
   return numerator;
-}
-
-/// Stationary covariance P = F P F' + Q by doubling, as NoiseWhitening starts.
-MatrixXd stationary(MatrixXd F, MatrixXd Q) {
-  for (int step = 0; step < 60; ++step) {
-    const MatrixXd increment = F * Q * F.transpose();
-    Q += increment;
-    if (increment.cwiseAbs().maxCoeff() <= 1e-17 * Q.cwiseAbs().maxCoeff()) break;
-    F = (F * F).eval();
-  }
-  return Q;
-}
-
-/// Observer form of H: F = [-d | shift].
-MatrixXd transition(const VectorXd& d) {
-  MatrixXd F = MatrixXd::Zero(d.size(), d.size());
-  F.diagonal(1).setOnes();
-  F.col(0) = -d;
-  return F;
 }
 
 }  // namespace
@@ -62,32 +37,24 @@ double StreamFilter::step(double in) {
 }
 
 StreamWhitening::StreamWhitening(const VectorXd& c, const VectorXd& d, NoiseStart start,
-                                 Index signals) {
-  const Index order = std::max(c.size(), d.size());
-  c_ = padded(c, order);
-  d_ = padded(d, order);
-  gain_ = c_;
-  state_ = MatrixXd::Zero(order + 1, signals);  // the last row stays 0
-  covariance_ = MatrixXd::Zero(order, order);
-  const VectorXd K = c_ - d_;
-  if (start == NoiseStart::stationary && order > 0)
-    covariance_ = stationary(transition(d_), K * K.transpose());
-  settled_ = order == 0 || covariance_.cwiseAbs().maxCoeff() < 1e-17;
+                                 Index signals)
+    : c_(padded(c, std::max(c.size(), d.size()))),
+      d_(padded(d, c_.size())),
+      gain_(c_),
+      noise_(c_, d_),
+      state_(MatrixXd::Zero(c_.size() + 1, signals)) {  // the last row stays 0
+  if (start == NoiseStart::stationary && c_.size() > 0) noise_.P = noise_.stationaryCovariance();
+  settled_ = c_.size() == 0 || noise_.P.cwiseAbs().maxCoeff() < 1e-17;
 }
 
 void StreamWhitening::step(bool measured, VectorXd* signals) {
   const Index order = d_.size();
   double scale = 1;
   if (!settled_ || (!measured && order > 0)) {
-    const MatrixXd F = transition(d_);
-    const VectorXd K = c_ - d_;
-    const double S = covariance_(0, 0) + 1;
-    const VectorXd gain = (F * covariance_.col(0) + K) / S;
-    covariance_ = (F * covariance_ * F.transpose() + K * K.transpose()).eval();
-    if (measured) covariance_ -= S * gain * gain.transpose();
-    scale = 1 / std::sqrt(S);
-    gain_ = gain + d_;
-    settled_ = covariance_.cwiseAbs().maxCoeff() < 1e-17;
+    noise_.step(measured);
+    scale = 1 / std::sqrt(noise_.S);
+    gain_ = noise_.gain + d_;
+    settled_ = noise_.P.cwiseAbs().maxCoeff() < 1e-17;
   } else if (order > 0) {
     gain_ = c_;
   }

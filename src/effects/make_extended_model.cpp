@@ -2,11 +2,11 @@
 #include <cmath>
 
 #include "uncertainty_identification/effects/catalogue.h"
-#include "uncertainty_identification/effects/extended_model.h"
+#include "effects/extended_model.h"
 #include "uncertainty_identification/enum_names.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/sensitivity.h"
-#include "uncertainty_identification/require.h"
+#include "model/sensitivity.h"
+#include "configuration/require.h"
 
 namespace uncertainty_identification {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "uncertainty_identification/effects/catalogue.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "uncertainty_identification/effects/catalogue.h"
-#include "uncertainty_identification/model/filter.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "uncertainty_identification/effects/catalogue.h"
-#include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/plant_derivatives.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "model/filter.h"
+#include "model/plant_derivatives.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,10 +1,12 @@
-#include "uncertainty_identification/estimation/expectation.h"
+#include "estimation/expectation.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
+
+#include "math/constants.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -66,9 +68,7 @@ double expect(const Statistics& statistics, int r, const Component<n>& component
   out->misfits(column % kappa, column / kappa) =
       s - 2 * v.dot(mean) + mean.dot(S * mean) + S.cwiseProduct(covariance).sum();
   if (lost) return std::numeric_limits<double>::quiet_NaN();
-  return component.log_weight -
-         0.5 * (samples * std::log(boost::math::constants::two_pi<double>()) + log_determinant +
-                quadratic);
+  return component.log_weight - 0.5 * (samples * std::log((2 * kPi)) + log_determinant + quadratic);
 }
 
 template <int n>

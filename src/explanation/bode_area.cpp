@@ -1,7 +1,8 @@
-#include "bode_area.h"
+#include "explanation/bode_area.h"
 
 #include <cmath>
 
+#include "math/constants.h"
 #include "uncertainty_identification/bounds/uncertainty_bounds.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/estimation/estimate.h"
@@ -29,7 +30,7 @@ Estimate linearPart(const Fit& fit) {
 double bodeArea(const Fit& fit) {
   constexpr int kPoints = 40, kDraws = 1000;
   constexpr double kDecades = 3;
-  const double nyquist = std::acos(-1.0);
+  const double nyquist = kPi;
   const Eigen::VectorXd omega =
       Eigen::ArrayXd::LinSpaced(kPoints, -kDecades, 0).unaryExpr([&](double decade) {
         return nyquist * std::pow(10, decade);

@@ -1,4 +1,4 @@
-#include "checks.h"
+#include "explanation/checks.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -8,8 +8,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/constants.h"
+#include "math/polynomial.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -223,13 +224,13 @@ std::string frequencyBand(const VectorXd& correlation, double samples, double sa
     double power = 0;
     for (Index k = 0; k < correlation.size(); ++k)
       power += 2 * correlation[k] / std::sqrt(samples) *
-               std::cos(M_PI * i / kPoints * static_cast<double>(k + 1));
+               std::cos(kPi * i / kPoints * static_cast<double>(k + 1));
     if (std::abs(power) > std::abs(largest)) largest = power, at = i;
   }
   std::ostringstream text;
   text.precision(3);
   text << (largest > 0 ? "too much" : "too little") << " power around "
-       << M_PI * at / kPoints / sample_time << " rad/s";
+       << kPi * at / kPoints / sample_time << " rad/s";
   return text.str();
 }
 

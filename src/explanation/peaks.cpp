@@ -1,6 +1,8 @@
-#include "peaks.h"
+#include "explanation/peaks.h"
 
 #include <cmath>
+
+#include "math/constants.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -16,7 +18,7 @@ constexpr int kLowest = 2 * kRefinement;
 ArrayXd spectrum(const VectorXd& signal, int points) {
   ArrayXd power(points);
   for (int i = 0; i < points; ++i) {
-    const double turn = 2 * std::cos(M_PI * i / points);
+    const double turn = 2 * std::cos(kPi * i / points);
     double now = 0, before = 0;
     for (Index t = 0; t < signal.size(); ++t) {
       const double next = signal[t] + turn * now - before;
@@ -33,14 +35,14 @@ VectorXd windowed(VectorXd signal) {
   const auto length = static_cast<double>(signal.size());
   signal.array() -= signal.mean();
   for (Index t = 0; t < signal.size(); ++t)
-    signal[t] *= 0.5 - 0.5 * std::cos(2 * M_PI * (static_cast<double>(t) + 0.5) / length);
+    signal[t] *= 0.5 - 0.5 * std::cos(2 * kPi * (static_cast<double>(t) + 0.5) / length);
   return signal;
 }
 
 double peakOf(const ArrayXd& power) {
   Index at = 0;
   power.tail(power.size() - kLowest).maxCoeff(&at);
-  return M_PI * static_cast<double>(at + kLowest) / static_cast<double>(power.size());
+  return kPi * static_cast<double>(at + kLowest) / static_cast<double>(power.size());
 }
 
 }  // namespace

@@ -3,7 +3,8 @@
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
-#include "checks.h"
+#include "explanation/checks.h"
+#include "math/constants.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -140,7 +141,7 @@ void fillSpectrum(const std::vector<Traces>& traces, double sample_time, Residua
       const auto band = static_cast<Index>(kBands * (1 + std::log10(share) / kDecades));
       const Index at = std::clamp<Index>(band, 0, kBands - 1);
       powers[at] += std::norm(values[k]) / std::max(1.0, trace.weight.sum());
-      logarithms[at] += std::log(share * M_PI / sample_time);
+      logarithms[at] += std::log(share * kPi / sample_time);
       ++counts[at];
     }
   }

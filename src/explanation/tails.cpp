@@ -1,11 +1,12 @@
-#include "tails.h"
+#include "explanation/tails.h"
 
 #include <algorithm>
 #include <boost/math/distributions/poisson.hpp>
 #include <cmath>
 
-#include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/constants.h"
+#include "math/polynomial.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -13,8 +14,6 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXd;
-
-constexpr double kPi = 3.14159265358979323846;
 
 ArrayXd pooled(const Residuals& residuals, const FitData& data) {
   std::vector<double> values;

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/io/command_line.h"
+#include "io/command_line.h"
 
 #include <iostream>
 #include <sstream>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/io/memory.h"
+#include "io/memory.h"
 #include "uncertainty_identification/version.h"
 
 namespace uncertainty_identification {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/io/explanation_text.h"
+#include "io/explanation_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "uncertainty_identification/enum_names.h"
-#include "uncertainty_identification/io/text_table.h"
+#include "io/text_table.h"
 
 namespace uncertainty_identification {
 namespace {

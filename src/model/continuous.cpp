@@ -1,11 +1,12 @@
-#include "uncertainty_identification/model/continuous.h"
+#include "model/continuous.h"
 
 #include <algorithm>
 #include <cmath>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "math/polynomial.h"
+#include "model/continuous_poles.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -135,51 +136,11 @@ class Continuous : public NominalModel {
 
   /// Time constants and resonances from the poles of A, the gain from Go at zero frequency.
   Eigen::VectorXd fromPolynomials(const Polynomials& p) const override {
-    std::vector<double> real;
-    std::vector<std::complex<double>> pairs;
-    for (const std::complex<double>& root : roots(p.a)) {
-      const std::complex<double> bounded =
-          std::abs(root) > 1e-6 ? root : std::complex<double>(1e-6, 0);
-      const std::complex<double> s = std::log(bounded) / sample_time_;
-      if (std::abs(root.imag()) < 1e-9) {
-        real.push_back(1 / std::max(-s.real(), 1e-6 / sample_time_));
-      } else if (root.imag() > 0) {
-        pairs.push_back(s);
-      }
-    }
-    std::sort(real.rbegin(), real.rend());
+    ContinuousPoles poles = continuousPoles(p.a, sample_time_);
     Eigen::VectorXd theta(parameterCount());
     Eigen::Index next = 0;
-    std::size_t used_real = 0, used_pairs = 0;
-    const double longest =
-        real.empty() ? (pairs.empty() ? sample_time_ : 1 / std::abs(pairs[0])) : real[0];
     for (const Physical& q : physical_) {
-      double start = 0;
-      const std::complex<double> pair =
-          used_pairs < pairs.size() ? pairs[used_pairs] : std::complex<double>(-1, 1) / longest;
-      switch (q.kind) {
-        case Physical::gain:
-          start = p.b.sum() / (1 + p.a.sum());
-          break;
-        case Physical::time_constant:
-          start = used_real < real.size() ? real[used_real]
-                                          : longest / (1.0 + static_cast<double>(used_real));
-          ++used_real;
-          break;
-        case Physical::frequency:
-          start = std::abs(pair);
-          break;
-        case Physical::damping:
-          start = std::max(-pair.real() / std::abs(pair), 1e-3);
-          ++used_pairs;
-          break;
-        case Physical::zero:
-          start = 0;
-          break;
-        case Physical::dead_time:
-          start = std::min(0.5 * sample_time_, 0.5 * maxDeadTime());
-          break;
-      }
+      const double start = startOf(q.kind, p, &poles);
       if (!q.fixed) theta[next++] = start;
     }
     theta.tail(nc_ + nd_).setZero();
@@ -216,6 +177,28 @@ class Continuous : public NominalModel {
                                  "'; this structure has " + allowed);
       }
     }
+  }
+
+  /// Start of the next parameter of this kind; counts the poles that it uses up.
+  double startOf(Physical::Kind kind, const Polynomials& p, ContinuousPoles* poles) const {
+    switch (kind) {
+      case Physical::gain:
+        return p.b.sum() / (1 + p.a.sum());
+      case Physical::time_constant:
+        return poles->nextTimeConstant();
+      case Physical::frequency:
+        return std::abs(poles->pair());
+      case Physical::damping: {
+        const std::complex<double> pair = poles->pair();
+        ++poles->used_pairs;
+        return std::max(-pair.real() / std::abs(pair), 1e-3);
+      }
+      case Physical::dead_time:
+        return std::min(0.5 * sample_time_, 0.5 * maxDeadTime());
+      case Physical::zero:
+        break;
+    }
+    return 0;
   }
 
   static bool isPositive(Physical::Kind kind) {

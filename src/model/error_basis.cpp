@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "model/filter.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

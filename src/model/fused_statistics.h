@@ -4,7 +4,7 @@
 
 #include "uncertainty_identification/model/block.h"
 #include "uncertainty_identification/model/nominal_model.h"
-#include "uncertainty_identification/model/statistics.h"
+#include "model/statistics.h"
 
 namespace uncertainty_identification {
 

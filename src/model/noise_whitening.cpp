@@ -1,9 +1,10 @@
-#include "uncertainty_identification/model/noise_whitening.h"
+#include "model/noise_whitening.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "pack.h"
+#include "math/innovations_form.h"
+#include "model/pack.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -11,48 +12,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-Eigen::VectorXd padded(const VectorXd& from, int size) {
-  VectorXd to = VectorXd::Zero(size);
-  to.head(from.size()) = from;
-  return to;
-}
-
-/// Observer form of H: F = [-d | shift], K = c - d.
-MatrixXd transition(const VectorXd& d) {
-  MatrixXd F = MatrixXd::Zero(d.size(), d.size());
-  F.diagonal(1).setOnes();
-  F.col(0) = -d;
-  return F;
-}
-
-/// Solution of P = F P F' + Q by doubling: after k steps P holds 2^k terms of the sum of F^j Q
-/// F'^j.
-MatrixXd lyapunov(MatrixXd F, MatrixXd Q) {
-  for (int step = 0; step < 60; ++step) {
-    const MatrixXd increment = F * Q * F.transpose();
-    Q += increment;
-    if (increment.cwiseAbs().maxCoeff() <= 1e-17 * Q.cwiseAbs().maxCoeff()) break;
-    F = (F * F).eval();
-  }
-  return Q;
-}
-
-/// The Riccati recursion of the Kalman filter and its derivative in the direction (dF, dK).
-struct Riccati {
-  const MatrixXd& F;
-  const VectorXd& K;
-  MatrixXd P;
-  double S = 1;
-  VectorXd gain;  ///< the Kalman gain
-
-  void step(bool measured) {
-    S = P(0, 0) + 1;
-    gain = (F * P.col(0) + K) / S;
-    P = (F * P * F.transpose() + K * K.transpose()).eval();
-    if (measured) P -= S * gain * gain.transpose();
-  }
-};
-
+/// Derivative of the Riccati recursion of InnovationsForm in the direction (dF, dK).
 struct RiccatiDerivative {
   VectorXd dd, dK;  ///< derivatives of d (F = [-d | shift]) and K
   MatrixXd dP;
@@ -60,7 +20,7 @@ struct RiccatiDerivative {
   VectorXd dgain;
 
   /// To be called before `base.step()`: base holds P of this step; S and gain are recomputed.
-  void step(const Riccati& base, bool measured) {
+  void step(const InnovationsForm& base, bool measured) {
     const MatrixXd& P = base.P;
     const double S = P(0, 0) + 1;
     const VectorXd gain = (base.F * P.col(0) + base.K) / S;
@@ -179,10 +139,10 @@ NoiseWhitening::NoiseWhitening(const VectorXd& c, const VectorXd& d, NoiseStart 
 }
 
 void NoiseWhitening::prepareStart(MatrixXd* P0, std::vector<MatrixXd>* dP0) const {
-  const MatrixXd F = transition(d_);
-  const VectorXd K = c_ - d_;
-  *P0 = MatrixXd::Zero(order_, order_);
-  if (start_ == NoiseStart::stationary) *P0 = lyapunov(F, K * K.transpose());
+  const InnovationsForm form(c_, d_);
+  const MatrixXd& F = form.F;
+  const VectorXd& K = form.K;
+  *P0 = start_ == NoiseStart::stationary ? form.stationaryCovariance() : form.P;
   if (!derivatives_) return;
   for (int j = 0; j < nc_ + nd_; ++j) {
     dP0->push_back(MatrixXd::Zero(order_, order_));
@@ -192,7 +152,8 @@ void NoiseWhitening::prepareStart(MatrixXd* P0, std::vector<MatrixXd>* dP0) cons
         of_c ? VectorXd(VectorXd::Zero(order_)) : VectorXd(VectorXd::Unit(order_, j - nc_));
     const VectorXd dK = of_c ? VectorXd(VectorXd::Unit(order_, j)) : VectorXd(-dd);
     const MatrixXd moved = -dd * (P0->row(0) * F.transpose());
-    dP0->back() = lyapunov(F, moved + moved.transpose() + dK * K.transpose() + K * dK.transpose());
+    dP0->back() =
+        solveLyapunov(F, moved + moved.transpose() + dK * K.transpose() + K * dK.transpose());
   }
 }
 
@@ -213,9 +174,8 @@ void NoiseWhitening::recursion(int lane, const MatrixXd& P0, const std::vector<M
     }
     return;
   }
-  const MatrixXd F = transition(d_);
-  const VectorXd K = c_ - d_;
-  Riccati base{F, K, P0, 1, VectorXd::Zero(order_)};
+  InnovationsForm base(c_, d_);
+  base.P = P0;
   std::vector<RiccatiDerivative> tangents;
   for (int j = 0; derivatives_ && j < nc_ + nd_; ++j) {
     const VectorXd unit = VectorXd::Unit(order_, j < nc_ ? j : j - nc_);

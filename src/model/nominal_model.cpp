@@ -4,9 +4,9 @@
 #include <functional>
 
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/box_jenkins.h"
-#include "uncertainty_identification/model/continuous.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "model/box_jenkins.h"
+#include "model/continuous.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

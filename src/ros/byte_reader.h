@@ -5,7 +5,7 @@
 #include <string>
 
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/ros/message_decoder.h"
+#include "ros/message_decoder.h"
 
 namespace uncertainty_identification {
 

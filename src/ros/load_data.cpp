@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "uncertainty_identification/data/csv.h"
+#include "uncertainty_identification/io/csv.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

@@ -2,14 +2,13 @@
 #include <cmath>
 #include <random>
 
-#include "spread_plant.h"
-#include "uncertainty_identification/simulation/random_stream.h"
-#include "uncertainty_identification/simulation/simulate.h"
+#include "math/constants.h"
+#include "math/random_stream.h"
+#include "simulation/simulate.h"
+#include "simulation/spread_plant.h"
 
 namespace uncertainty_identification {
 namespace {
-
-const double kPi = std::acos(-1.0);
 
 Eigen::VectorXd drawFrom(const Mixture& mixture, std::mt19937_64& random, int* component) {
   std::discrete_distribution<int> pick(mixture.weights.begin(), mixture.weights.end());

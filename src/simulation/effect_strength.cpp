@@ -1,4 +1,4 @@
-#include "effect_strength.h"
+#include "simulation/effect_strength.h"
 
 #include <Eigen/Cholesky>
 #include <boost/math/special_functions/beta.hpp>
@@ -7,10 +7,11 @@
 #include <limits>
 #include <utility>
 
-#include "signals.h"
+#include "math/constants.h"
+#include "math/polynomial.h"
+#include "simulation/signals.h"
+#include "simulation/simulate.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/simulation/simulate.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -53,7 +54,7 @@ double gainOfTails(double degrees) {
       (half + 0.5) * (boost::math::digamma(half + 0.5) - boost::math::digamma(half)) +
       std::log(std::sqrt(degrees) * boost::math::beta(half, 0.5)) +
       0.5 * std::log((degrees - 2) / degrees);
-  return 0.5 * std::log(2 * std::acos(-1.0)) + 0.5 - entropy;
+  return 0.5 * std::log(2 * kPi) + 0.5 - entropy;
 }
 
 /// D'/(D E) w, E the colour, keeps more than var w under the best D' of D's order: linear least

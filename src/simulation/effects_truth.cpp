@@ -1,14 +1,13 @@
-#include "uncertainty_identification/simulation/effects_truth.h"
+#include "simulation/effects_truth.h"
 
 #include <cmath>
 
-#include "require_number.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/constants.h"
+#include "math/polynomial.h"
+#include "simulation/require_number.h"
 
 namespace uncertainty_identification {
 namespace {
-
-const double kPi = std::acos(-1.0);
 
 void requireRadius(const std::string& key, double radius) {
   require(radius >= 0 && radius < 1, key, radius, "at least 0 and below 1");

@@ -1,11 +1,11 @@
-#include "uncertainty_identification/simulation/input.h"
+#include "simulation/input.h"
 
 #include <cmath>
 
+#include "math/constants.h"
+
 namespace uncertainty_identification {
 namespace {
-
-const double kPi = std::acos(-1.0);
 
 // One value per `hold` samples.
 template <class Draw>

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "uncertainty_identification/model/nominal_model.h"
-#include "uncertainty_identification/simulation/truth.h"
+#include "simulation/truth.h"
 
 /// The plant of one experiment where a parameter of Go varies from experiment to experiment.
 namespace uncertainty_identification {

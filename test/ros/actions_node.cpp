@@ -11,8 +11,8 @@
 #include "support/node_client.h"
 #include "support/sent_goal.h"
 #include "uncertainty_identification/identifier.h"
-#include "uncertainty_identification/ros/bag_writer.h"
-#include "uncertainty_identification/ros/parameters.h"
+#include "ros/bag_writer.h"
+#include "ros/parameters.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/explain_request.h"
+#include "ros/explain_request.h"
 
 #include <gtest/gtest.h>
 #include <ros/time.h>
@@ -8,7 +8,7 @@
 
 #include "support/example1.h"
 #include "support/temporary_folder.h"
-#include "uncertainty_identification/ros/bag_writer.h"
+#include "ros/bag_writer.h"
 
 namespace uncertainty_identification {
 namespace {

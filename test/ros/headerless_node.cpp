@@ -9,7 +9,7 @@
 #include "support/node_client.h"
 #include "support/temporary_folder.h"
 #include "uncertainty_identification/ros/bag_reader.h"
-#include "uncertainty_identification/ros/parameters.h"
+#include "ros/parameters.h"
 
 namespace uncertainty_identification {
 namespace {

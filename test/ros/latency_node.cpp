@@ -18,9 +18,9 @@
 #include "support/shared_memory.h"
 #include "support/temporary_folder.h"
 #include "support/timed_queue.h"
-#include "uncertainty_identification/ros/experiment_bag.h"
-#include "uncertainty_identification/ros/identification_server.h"
-#include "uncertainty_identification/ros/parameters.h"
+#include "ros/experiment_bag.h"
+#include "ros/identification_server.h"
+#include "ros/parameters.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -7,7 +7,7 @@
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/ros/bag_writer.h"
+#include "ros/bag_writer.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/message_decoder.h"
+#include "ros/message_decoder.h"
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <random>
 
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/ros/messages.h"
+#include "ros/messages.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -17,8 +17,8 @@
 #include "uncertainty_identification/identifier.h"
 #include "uncertainty_identification/io/result_json.h"
 #include "uncertainty_identification/ros/bag_reader.h"
-#include "uncertainty_identification/ros/bag_writer.h"
-#include "uncertainty_identification/ros/parameters.h"
+#include "ros/bag_writer.h"
+#include "ros/parameters.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -16,8 +16,8 @@
 #include "support/temporary_folder.h"
 #include "support/timed_queue.h"
 #include "support/wait_for.h"
-#include "uncertainty_identification/ros/identification_server.h"
-#include "uncertainty_identification/ros/parameters.h"
+#include "ros/identification_server.h"
+#include "ros/parameters.h"
 
 namespace uncertainty_identification {
 namespace {

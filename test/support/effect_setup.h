@@ -8,8 +8,8 @@
 
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/effects/catalogue.h"
-#include "uncertainty_identification/effects/extended_model.h"
-#include "uncertainty_identification/estimation/likelihood.h"
+#include "effects/extended_model.h"
+#include "estimation/likelihood.h"
 
 /// What tests of effects need around them.
 namespace uncertainty_identification::test {

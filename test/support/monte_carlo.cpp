@@ -5,8 +5,8 @@
 
 #include "uncertainty_identification/identifier.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/io/truth_yaml.h"
-#include "uncertainty_identification/simulation/simulate.h"
+#include "io/truth_yaml.h"
+#include "simulation/simulate.h"
 
 namespace uncertainty_identification::test {
 

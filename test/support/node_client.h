@@ -6,7 +6,7 @@
 #include <string>
 
 #include "support/wait_for.h"
-#include "uncertainty_identification/ros/messages.h"
+#include "ros/messages.h"
 
 namespace uncertainty_identification {
 

@@ -7,7 +7,7 @@
 
 #include "support/node_client.h"
 #include "uncertainty_identification/data/experiment.h"
-#include "uncertainty_identification/ros/messages.h"
+#include "ros/messages.h"
 
 namespace uncertainty_identification {
 

@@ -8,7 +8,7 @@
 #include "support/core_setup.h"
 #include "support/plain_estimate.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -10,8 +10,8 @@
 #include "uncertainty_identification/bounds/plant_distribution.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/model/nominal_model.h"
-#include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/model/sensitivity.h"
+#include "math/polynomial.h"
+#include "model/sensitivity.h"
 
 namespace uncertainty_identification {
 namespace {

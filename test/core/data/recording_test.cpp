@@ -4,54 +4,17 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 
+#include "support/recording_setup.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-/// value(i) = base + i at start + i * period.
-StampedSignal ramp(double start, double period, int count, double base) {
-  StampedSignal signal;
-  for (int i = 0; i < count; ++i) {
-    signal.stamps.push_back(start + i * period);
-    signal.values.push_back(base + i);
-  }
-  return signal;
-}
-
-Recording recordingOf(StampedSignal input, StampedSignal output) {
-  Recording recording;
-  recording.id = "run";
-  recording.input = std::move(input);
-  recording.output = std::move(output);
-  return recording;
-}
-
-StampedSignal random(double start, double period, int count, std::uint64_t seed) {
-  std::mt19937_64 engine(seed);
-  std::normal_distribution<double> normal;
-  StampedSignal signal = ramp(start, period, count, 0);
-  for (double& value : signal.values) value = normal(engine);
-  return signal;
-}
-
-std::string messageOf(const Recording& recording, double sample_time,
-                      const ResamplingOptions& options = {}) {
-  try {
-    resample(recording, sample_time, options);
-  } catch (const DataError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-bool mentions(const std::string& message, const std::string& part) {
-  return message.find(part) != std::string::npos;
-}
+using test::kNaN;
+using test::ramp;
+using test::random;
+using test::recordingOf;
 
 class UniformStamps
     : public testing::TestWithParam<std::tuple<OutputResampling, double, double, bool>> {};
@@ -284,134 +247,6 @@ TEST(Resample, ConstantCovariatesAreScalarsOthersSignals) {
   ASSERT_EQ(experiment.signals.size(), 1u);
   EXPECT_EQ(experiment.signals.at("slow"),
             (Eigen::VectorXd(6) << 10, 10, 10, 11, 11, 11).finished());
-}
-
-TEST(Resample, DuplicateStampsAreLeftOutAndCounted) {
-  StampedSignal output = ramp(0, 1, 30, 0);
-  output.stamps.insert(output.stamps.begin() + 5, 5);
-  output.values.insert(output.values.begin() + 5, 5);
-  output.stamps.insert(output.stamps.begin() + 6, 5);
-  output.values.insert(output.values.begin() + 6, -1);
-  ResamplingReport report;
-  const Experiment experiment = resample(recordingOf(ramp(0, 1, 30, 0), output), 1, {}, &report);
-  EXPECT_EQ(experiment.samples(), 30);
-  EXPECT_EQ(experiment.y(5), 5);
-  EXPECT_EQ(report.duplicate_stamps, 2);
-  ASSERT_EQ(report.warnings().size(), 1u);
-  EXPECT_TRUE(mentions(report.warnings()[0], "'run': 2 samples repeat"));
-}
-
-TEST(Resample, OfInputsWithOneStampTheLastIsInForce) {
-  const StampedSignal input{{0, 2, 2, 4}, {0, 1, 9, 5}};
-  const Experiment experiment = resample(recordingOf(input, ramp(0, 1, 5, 0)), 1, {});
-  EXPECT_EQ(experiment.u, (Eigen::VectorXd(5) << 0, 0, 9, 9, 5).finished());
-}
-
-TEST(Resample, BackwardStampsAreRefused) {
-  StampedSignal output = ramp(0, 1, 30, 0);
-  output.stamps[12] = 3;
-  const std::string message = messageOf(recordingOf(ramp(0, 1, 30, 0), output), 1);
-  EXPECT_TRUE(
-      mentions(message, "experiment 'run': output stamps go back from 11 s to 3 s at sample 12"))
-      << message;
-}
-
-TEST(Resample, NonFiniteStampsAreRefused) {
-  StampedSignal input = ramp(0, 1, 30, 0);
-  input.stamps[2] = kNaN;
-  EXPECT_TRUE(mentions(messageOf(recordingOf(input, ramp(0, 1, 30, 0)), 1),
-                       "input has the stamp nan s at sample 2"));
-}
-
-TEST(Resample, UnequalNumbersOfStampsAndValuesAreRefused) {
-  StampedSignal input = ramp(0, 1, 30, 0);
-  input.values.pop_back();
-  EXPECT_TRUE(
-      mentions(messageOf(recordingOf(input, ramp(0, 1, 30, 0)), 1), "30 stamps for 29 values"));
-}
-
-TEST(Resample, EmptySignalsAreRefused) {
-  EXPECT_TRUE(
-      mentions(messageOf(recordingOf({}, ramp(0, 1, 9, 0)), 1), "'run': input has no samples"));
-  EXPECT_TRUE(
-      mentions(messageOf(recordingOf(ramp(0, 1, 9, 0), {}), 1), "'run': output has no samples"));
-}
-
-TEST(Resample, OneStampGivesNoSampleTime) {
-  const Recording recording = recordingOf(ramp(0, 1, 9, 0), {{0, 0, 0}, {1, 2, 3}});
-  EXPECT_TRUE(mentions(messageOf(recording, 0), "single stamp (0 s, 2 duplicates)"));
-  EXPECT_EQ(resample(recording, 1, {}).samples(), 1);
-}
-
-TEST(Resample, DisjointSignalsAreRefused) {
-  const std::string message = messageOf(recordingOf(ramp(100, 1, 9, 0), ramp(0, 1, 9, 0)), 1);
-  EXPECT_TRUE(mentions(message, "the last output (8 s) precedes the first input (100 s)"))
-      << message;
-}
-
-TEST(Resample, JitterAboveTheLimitIsRefused) {
-  StampedSignal output = ramp(0, 1, 30, 0);
-  output.stamps[10] += 0.2;
-  ResamplingOptions options;
-  options.max_jitter = 0.1;
-  const std::string message = messageOf(recordingOf(ramp(0, 1, 30, 0), output), 1, options);
-  EXPECT_TRUE(mentions(message, "depart by up to 0.2 s")) << message;
-  options.max_jitter = 0.3;
-  EXPECT_EQ(messageOf(recordingOf(ramp(0, 1, 30, 0), output), 1, options), "");
-}
-
-TEST(Resample, OldInputEndsTheExperimentAtItsEdgesAndIsRefusedInBetween) {
-  ResamplingOptions options;
-  options.max_age = 3;
-  StampedSignal input = ramp(-10, 1, 1, 0);
-  const StampedSignal later = ramp(4, 1, 17, 4);  // up to 20 s
-  input.stamps.insert(input.stamps.end(), later.stamps.begin(), later.stamps.end());
-  input.values.insert(input.values.end(), later.values.begin(), later.values.end());
-  const Experiment experiment = resample(recordingOf(input, ramp(0, 1, 30, 0)), 1, options);
-  EXPECT_EQ(experiment.start_time, 4);
-  EXPECT_EQ(experiment.samples(), 20);  // 4 s to 23 s
-  EXPECT_EQ(experiment.y(0), 4);
-
-  input.stamps.push_back(28);
-  input.values.push_back(0);
-  const std::string message = messageOf(recordingOf(input, ramp(0, 1, 30, 0)), 1, options);
-  EXPECT_TRUE(mentions(message, "the input is 4 s old at 24 s")) << message;
-
-  options.max_age = 0;  // a command published once is held for good, and its age told
-  ResamplingReport report;
-  resample(recordingOf(input, ramp(0, 1, 30, 0)), 1, options, &report);
-  EXPECT_EQ(report.max_age, 13);
-}
-
-TEST(Resample, StampsFarApartAreRefusedBeforeTheyFillTheMemory) {
-  StampedSignal output = ramp(1.7e9, 0.01, 100, 0);
-  output.stamps[0] = 0;
-  const std::string message = messageOf(recordingOf(ramp(0, 0.01, 100, 0), output), 0.01);
-  EXPECT_TRUE(mentions(message, "(1 stamped 0)")) << message;
-}
-
-TEST(Resample, LostSamplesDoNotDisturbTheGrid) {
-  std::mt19937_64 engine(6);
-  std::uniform_real_distribution<double> uniform(0, 1);
-  StampedSignal output;
-  for (int k = 0; k < 3000; ++k) {
-    if (k > 0 && k < 2999 && uniform(engine) < 0.3) continue;
-    output.stamps.push_back(50 + 0.02 * k + 0.004 * uniform(engine));
-    output.values.push_back(k);
-  }
-  ResamplingOptions options;
-  ResamplingReport report;
-  StampedSignal input = ramp(50, 0.02, 3000, 0);
-  options.max_age = 0.01;  // half a sample time: nothing is held
-  const Experiment experiment = resample(recordingOf(input, output), 0, options, &report);
-  EXPECT_EQ(experiment.sample_time, 0.02);
-  ASSERT_EQ(experiment.samples(), 3000);
-  EXPECT_EQ(experiment.validSamples(), static_cast<int>(output.stamps.size()));
-  for (int k = 0; k < 3000; ++k) {
-    if (experiment.isValid(k)) {
-      ASSERT_EQ(experiment.y(k), k);
-    }
-  }
 }
 
 }  // namespace

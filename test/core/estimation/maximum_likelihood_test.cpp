@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "support/core_setup.h"
-#include "uncertainty_identification/estimation/observed_information.h"
+#include "estimation/observed_information.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/fit_setup.h"
-#include "uncertainty_identification/estimation/initial_guess.h"
+#include "estimation/initial_guess.h"
 
 namespace uncertainty_identification {
 namespace {

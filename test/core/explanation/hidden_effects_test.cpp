@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "uncertainty_identification/explanation/explanation.h"
-#include "uncertainty_identification/simulation/hidden_effect.h"
+#include "simulation/hidden_effect.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/io/report.h"
+#include "io/report.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "support/temporary_folder.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/explanation_json.h"
-#include "uncertainty_identification/io/read_file.h"
+#include "io/read_file.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/io/read_file.h"
+#include "io/read_file.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "support/core_setup.h"
-#include "uncertainty_identification/model/model.h"
+#include "model/model.h"
 
 namespace uncertainty_identification {
 namespace {

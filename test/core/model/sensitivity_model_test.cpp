@@ -1,4 +1,4 @@
-#include "uncertainty_identification/model/sensitivity_model.h"
+#include "model/sensitivity_model.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "support/core_setup.h"
-#include "uncertainty_identification/model/noise_whitening.h"
+#include "model/noise_whitening.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/simulation/experiment_effects.h"
+#include "simulation/experiment_effects.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "support/hidden.h"
 #include "support/temporary_folder.h"
-#include "uncertainty_identification/data/csv.h"
+#include "uncertainty_identification/io/csv.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

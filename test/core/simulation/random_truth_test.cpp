@@ -1,4 +1,4 @@
-#include "uncertainty_identification/simulation/random_truth.h"
+#include "simulation/random_truth.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <set>
 
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/io/truth_yaml.h"
-#include "uncertainty_identification/simulation/simulate.h"
+#include "io/truth_yaml.h"
+#include "simulation/simulate.h"
 
 namespace uncertainty_identification {
 namespace {
