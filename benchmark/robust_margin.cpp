@@ -5,12 +5,12 @@
 #include <cstdio>
 #include <vector>
 
-#include "support/monte_carlo.h"
 #include "bounds/frequency_grid.h"
-#include "uncertainty_identification/bounds/uncertainty_weight.h"
-#include "uncertainty_identification/identifier.h"
 #include "math/polynomial.h"
 #include "simulation/simulate.h"
+#include "support/monte_carlo.h"
+#include "uncertainty_identification/bounds/uncertainty_weight.h"
+#include "uncertainty_identification/identifier.h"
 
 /// Integral controllers of rising gain on Example 1: the margin and the probability of instability
 /// from identified models, beside the share of true systems that the loop is unstable with. Exits

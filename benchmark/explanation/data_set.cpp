@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <map>
 
-#include "reported_parameters.h"
 #include "io/atomic_file.h"
-#include "uncertainty_identification/io/csv.h"
-#include "uncertainty_identification/io/configuration_yaml.h"
 #include "io/truth_yaml.h"
+#include "reported_parameters.h"
+#include "uncertainty_identification/io/configuration_yaml.h"
+#include "uncertainty_identification/io/csv.h"
 
 namespace uncertainty_identification::suite {
 namespace {

@@ -6,11 +6,11 @@
 #include <mutex>
 #include <thread>
 
-#include "parts.h"
 #include "io/atomic_file.h"
-#include "uncertainty_identification/errors.h"
 #include "io/command_line.h"
 #include "io/output_file.h"
+#include "parts.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification::suite {
 namespace {

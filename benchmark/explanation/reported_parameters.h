@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "uncertainty_identification/data/experiment.h"
 #include "simulation/truth.h"
+#include "uncertainty_identification/data/experiment.h"
 
 namespace uncertainty_identification::suite {
 

@@ -7,12 +7,12 @@
 #include <numeric>
 #include <random>
 
-#include "uncertainty_identification/errors.h"
+#include "bounds/varying_plant.h"
 #include "estimation/plant_coordinates.h"
 #include "math/polynomial.h"
-#include "model/rational_basis.h"
 #include "math/random_stream.h"
-#include "bounds/varying_plant.h"
+#include "model/rational_basis.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

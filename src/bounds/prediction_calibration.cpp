@@ -6,12 +6,12 @@
 #include <limits>
 #include <sstream>
 
-#include "uncertainty_identification/bounds/plant_distribution.h"
-#include "uncertainty_identification/errors.h"
 #include "estimation/simulation_fit.h"
-#include "model/held_plant.h"
 #include "math/polynomial.h"
 #include "math/random_stream.h"
+#include "model/held_plant.h"
+#include "uncertainty_identification/bounds/plant_distribution.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

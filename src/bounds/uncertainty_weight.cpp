@@ -5,10 +5,10 @@
 #include <complex>
 #include <vector>
 
-#include "uncertainty_identification/bounds/bands.h"
 #include "bounds/magnitude_fit.h"
-#include "uncertainty_identification/errors.h"
 #include "math/polynomial.h"
+#include "uncertainty_identification/bounds/bands.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

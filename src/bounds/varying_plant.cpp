@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <complex>
 
+#include "math/polynomial.h"
 #include "uncertainty_identification/enum_names.h"
 #include "uncertainty_identification/errors.h"
-#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

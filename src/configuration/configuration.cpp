@@ -5,8 +5,8 @@
 #include <limits>
 #include <set>
 
-#include "uncertainty_identification/enum_names.h"
 #include "configuration/require.h"
+#include "uncertainty_identification/enum_names.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "uncertainty_identification/data/recording.h"
 #include "data/sample_grid.h"
+#include "uncertainty_identification/data/recording.h"
 
 namespace uncertainty_identification {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "data/stamped_buffer.h"
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/recording.h"
 #include "uncertainty_identification/data/rejected_experiment.h"
-#include "data/stamped_buffer.h"
 
 namespace uncertainty_identification {
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <memory>
 
-#include "uncertainty_identification/errors.h"
-#include "model/sensitivity.h"
 #include "configuration/require.h"
+#include "model/sensitivity.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

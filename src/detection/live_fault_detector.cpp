@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "data/sample_grid.h"
 #include "configuration/require.h"
+#include "data/sample_grid.h"
 
 namespace uncertainty_identification {
 namespace {

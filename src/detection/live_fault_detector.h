@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "detection/fault_detector.h"
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/recording.h"
-#include "detection/fault_detector.h"
 
 namespace uncertainty_identification {
 

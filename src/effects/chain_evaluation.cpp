@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/polynomial.h"
 #include "model/filter.h"
 #include "model/linear_model.h"
-#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "effects/extended_model.h"
-#include "uncertainty_identification/model/error_basis.h"
 #include "model/evaluation.h"
+#include "uncertainty_identification/model/error_basis.h"
 
 namespace uncertainty_identification {
 

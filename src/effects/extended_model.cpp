@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "effects/chain_evaluation.h"
-#include "model/filter.h"
 #include "math/polynomial.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 namespace {

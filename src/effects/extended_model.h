@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "uncertainty_identification/effects/effect.h"
 #include "model/linear_model.h"
 #include "model/noise_whitening.h"
+#include "uncertainty_identification/effects/effect.h"
 
 namespace uncertainty_identification {
 

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "uncertainty_identification/effects/catalogue.h"
+#include "configuration/require.h"
 #include "effects/extended_model.h"
+#include "model/sensitivity.h"
+#include "uncertainty_identification/effects/catalogue.h"
 #include "uncertainty_identification/enum_names.h"
 #include "uncertainty_identification/errors.h"
-#include "model/sensitivity.h"
-#include "configuration/require.h"
 
 namespace uncertainty_identification {
 

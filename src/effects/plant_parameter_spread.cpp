@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "uncertainty_identification/effects/catalogue.h"
 #include "model/filter.h"
 #include "model/plant_derivatives.h"
+#include "uncertainty_identification/effects/catalogue.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "uncertainty_identification/effects/catalogue.h"
 #include "model/filter.h"
+#include "uncertainty_identification/effects/catalogue.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "uncertainty_identification/effects/catalogue.h"
+#include "math/polynomial.h"
 #include "model/filter.h"
 #include "model/plant_derivatives.h"
-#include "math/polynomial.h"
+#include "uncertainty_identification/effects/catalogue.h"
 
 namespace uncertainty_identification {
 namespace {

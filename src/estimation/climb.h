@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "estimation/likelihood.h"
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/estimation/estimate.h"
-#include "estimation/likelihood.h"
 
 namespace uncertainty_identification {
 

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 
 #include "math/worker_pool.h"
-#include "uncertainty_identification/math/mixture.h"
 #include "model/statistics.h"
+#include "uncertainty_identification/math/mixture.h"
 
 namespace uncertainty_identification {
 

@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "estimation/scoring.h"
 #include "estimation/climb.h"
 #include "estimation/parametrisation.h"
+#include "estimation/scoring.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "uncertainty_identification/configuration.h"
 #include "estimation/climb.h"
 #include "model/linear_model.h"
+#include "uncertainty_identification/configuration.h"
 
 namespace uncertainty_identification {
 

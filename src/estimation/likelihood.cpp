@@ -1,7 +1,7 @@
 #include "estimation/likelihood.h"
 
-#include "model/filter.h"
 #include "math/pseudo_inverse.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 namespace {

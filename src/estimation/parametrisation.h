@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "uncertainty_identification/configuration.h"
 #include "estimation/expectation.h"
-#include "uncertainty_identification/math/mixture_coordinates.h"
 #include "model/model.h"
+#include "uncertainty_identification/configuration.h"
+#include "uncertainty_identification/math/mixture_coordinates.h"
 
 namespace uncertainty_identification {
 

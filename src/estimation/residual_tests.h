@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "model/model.h"
 #include "uncertainty_identification/estimation/estimate.h"
 #include "uncertainty_identification/model/block.h"
-#include "model/model.h"
 
 namespace uncertainty_identification {
 

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
-#include "uncertainty_identification/errors.h"
 #include "estimation/excerpt.h"
 #include "estimation/initial_guess.h"
 #include "estimation/least_squares_start.h"
 #include "estimation/simulation_fit.h"
-#include "model/linear_model.h"
 #include "math/polynomial.h"
+#include "model/linear_model.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -3,9 +3,9 @@
 #include <functional>
 #include <vector>
 
+#include "estimation/climb.h"
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/experiment.h"
-#include "estimation/climb.h"
 #include "uncertainty_identification/estimation/estimate.h"
 
 namespace uncertainty_identification {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "uncertainty_identification/data/experiment.h"
 #include "model/linear_model.h"
+#include "uncertainty_identification/data/experiment.h"
 
 namespace uncertainty_identification {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "explanation/bode_area.h"
 #include "estimation/simulation_fit.h"
-#include "model/filter.h"
+#include "explanation/bode_area.h"
 #include "math/polynomial.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 namespace {

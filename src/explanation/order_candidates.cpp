@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "explanation/estimate_fit.h"
-#include "uncertainty_identification/errors.h"
 #include "math/polynomial.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

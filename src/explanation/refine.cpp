@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "uncertainty_identification/errors.h"
 #include "estimation/initial_guess.h"
 #include "model/filter.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "explanation/clock.h"
-#include "model/filter.h"
 #include "math/pseudo_inverse.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -9,13 +9,13 @@
 
 #include "data/check.h"
 #include "effects/extended_model.h"
-#include "uncertainty_identification/errors.h"
 #include "estimation/initial_guess.h"
 #include "estimation/linearisation.h"
 #include "estimation/selection.h"
 #include "estimation/simulation_fit.h"
 #include "model/held_plant.h"
 #include "model/sensitivity_model.h"
+#include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/version.h"
 
 namespace uncertainty_identification {

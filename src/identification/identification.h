@@ -7,8 +7,8 @@
 
 #include "estimation/climb.h"
 #include "estimation/parametrisation.h"
-#include "uncertainty_identification/identifier.h"
 #include "model/linear_model.h"
+#include "uncertainty_identification/identifier.h"
 
 namespace uncertainty_identification {
 

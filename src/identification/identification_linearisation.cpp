@@ -1,5 +1,5 @@
-#include "identification/identification.h"
 #include "estimation/linearisation.h"
+#include "identification/identification.h"
 
 /// Models that are linear in the error parameters only near a point for each experiment: the points
 /// are the posterior means (docs/method.md, section on parameters that vary).

@@ -1,11 +1,11 @@
 #include <limits>
 
-#include "identification/identification.h"
 #include "estimation/excerpt.h"
 #include "estimation/initial_guess.h"
 #include "estimation/plant_coordinates.h"
 #include "estimation/selection.h"
 #include "estimation/standard_errors.h"
+#include "identification/identification.h"
 #include "model/held_plant.h"
 
 /// Go fitted to its free simulation (nominal_model.fit: simulation), before H and the error model.

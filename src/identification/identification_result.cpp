@@ -2,12 +2,12 @@
 #include <cmath>
 #include <limits>
 
-#include "identification/identification.h"
 #include "effects/extended_model.h"
 #include "estimation/plant_coordinates.h"
 #include "estimation/residual_tests.h"
 #include "estimation/selection.h"
 #include "estimation/standard_errors.h"
+#include "identification/identification.h"
 #include "model/sensitivity.h"
 
 namespace uncertainty_identification {

@@ -1,11 +1,11 @@
 #include <limits>
 #include <map>
 
-#include "identification/identification.h"
 #include "effects/extended_model.h"
-#include "uncertainty_identification/errors.h"
 #include "estimation/initial_guess.h"
 #include "estimation/selection.h"
+#include "identification/identification.h"
+#include "uncertainty_identification/errors.h"
 
 /// Where the climb starts, and with how many components.
 namespace uncertainty_identification {

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "uncertainty_identification/errors.h"
 #include "io/memory.h"
+#include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/version.h"
 
 namespace uncertainty_identification {

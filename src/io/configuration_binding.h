@@ -1,7 +1,7 @@
 #pragma once
 
-#include "uncertainty_identification/configuration.h"
 #include "io/tree_values.h"
+#include "uncertainty_identification/configuration.h"
 
 /// The keys of a configuration, each stated once: TreeReader fills the structs through these
 /// functions, TreeWriter writes them. config/reference.yaml explains the keys.

@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "data/covariates.h"
+#include "data/sample_grid.h"
 #include "io/csv_table.h"
 #include "io/text.h"
 #include "uncertainty_identification/io/csv.h"
-#include "data/sample_grid.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -4,10 +4,10 @@
 #include <memory>
 #include <set>
 
-#include "io/text.h"
 #include "io/atomic_file.h"
-#include "uncertainty_identification/io/csv.h"
+#include "io/text.h"
 #include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/csv.h"
 
 namespace uncertainty_identification {
 namespace {

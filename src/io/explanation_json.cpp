@@ -2,9 +2,9 @@
 
 #include "io/estimate_binding.h"
 #include "io/json_file.h"
-#include "uncertainty_identification/io/result_json.h"
 #include "io/tree_reader.h"
 #include "io/tree_writer.h"
+#include "uncertainty_identification/io/result_json.h"
 
 namespace uncertainty_identification {
 

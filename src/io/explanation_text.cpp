@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "uncertainty_identification/enum_names.h"
 #include "io/text_table.h"
+#include "uncertainty_identification/enum_names.h"
 
 namespace uncertainty_identification {
 namespace {

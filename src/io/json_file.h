@@ -4,8 +4,8 @@
 #include <string>
 
 #include "io/atomic_file.h"
-#include "uncertainty_identification/errors.h"
 #include "io/read_file.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "uncertainty_identification/explanation/explanation.h"
 #include "io/report_files.h"
+#include "uncertainty_identification/explanation/explanation.h"
 #include "uncertainty_identification/io/result_json.h"
 
 namespace uncertainty_identification {

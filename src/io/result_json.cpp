@@ -2,11 +2,11 @@
 
 #include <limits>
 
-#include "io/estimate_binding.h"
-#include "io/json_file.h"
 #include "io/baseline_json.h"
 #include "io/bounds_json.h"
 #include "io/configuration_binding.h"
+#include "io/estimate_binding.h"
+#include "io/json_file.h"
 #include "io/tree_reader.h"
 #include "io/tree_writer.h"
 

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "uncertainty_identification/enum_names.h"
 #include "io/text_table.h"
 #include "math/polynomial.h"
 #include "model/sensitivity.h"
+#include "uncertainty_identification/enum_names.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "uncertainty_identification/errors.h"
 #include "io/read_file.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

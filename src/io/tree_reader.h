@@ -9,9 +9,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "uncertainty_identification/enum_names.h"
 #include "io/tree.h"
 #include "io/tree_values.h"
+#include "uncertainty_identification/enum_names.h"
 
 namespace uncertainty_identification {
 

@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "uncertainty_identification/enum_names.h"
 #include "io/tree_values.h"
+#include "uncertainty_identification/enum_names.h"
 
 namespace uncertainty_identification {
 

@@ -1,7 +1,7 @@
 #include "io/truth_yaml.h"
 
-#include "io/effects_binding.h"
 #include "io/configuration_binding.h"
+#include "io/effects_binding.h"
 #include "io/tree.h"
 #include "io/tree_reader.h"
 #include "io/tree_writer.h"

@@ -1,7 +1,7 @@
 #include "model/box_jenkins.h"
 
-#include "uncertainty_identification/errors.h"
 #include "math/polynomial.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

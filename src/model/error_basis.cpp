@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "uncertainty_identification/errors.h"
-#include "model/filter.h"
 #include "math/polynomial.h"
+#include "model/filter.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "model/fused_statistics.h"
+#include "math/polynomial.h"
 #include "model/evaluation.h"
 #include "model/filter.h"
-#include "math/polynomial.h"
+#include "model/fused_statistics.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "uncertainty_identification/model/error_basis.h"
 #include "model/model.h"
+#include "uncertainty_identification/model/error_basis.h"
 #include "uncertainty_identification/model/nominal_model.h"
 
 namespace uncertainty_identification {

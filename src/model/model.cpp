@@ -3,8 +3,8 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "model/filter.h"
 #include "math/pseudo_inverse.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 namespace {

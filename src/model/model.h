@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "uncertainty_identification/model/block.h"
 #include "model/statistics.h"
+#include "uncertainty_identification/model/block.h"
 
 namespace uncertainty_identification {
 

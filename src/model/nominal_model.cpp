@@ -3,10 +3,10 @@
 #include <cmath>
 #include <functional>
 
-#include "uncertainty_identification/errors.h"
+#include "math/polynomial.h"
 #include "model/box_jenkins.h"
 #include "model/continuous.h"
-#include "math/polynomial.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -4,10 +4,10 @@
 #include <complex>
 #include <map>
 
-#include "uncertainty_identification/errors.h"
-#include "model/plant_derivatives.h"
-#include "math/polynomial.h"
 #include "configuration/require.h"
+#include "math/polynomial.h"
+#include "model/plant_derivatives.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

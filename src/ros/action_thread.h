@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "uncertainty_identification/identifier.h"
 #include "ros/service_thread.h"
 #include "ros/work_queue.h"
+#include "uncertainty_identification/identifier.h"
 
 namespace uncertainty_identification {
 

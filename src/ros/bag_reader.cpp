@@ -3,11 +3,11 @@
 #include <set>
 
 #include "ros/bag_file.h"
-#include "uncertainty_identification/errors.h"
 #include "ros/deserialise.h"
 #include "ros/experiment_bag.h"
 #include "ros/message_conversions.h"
 #include "ros/topic_router.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -7,8 +7,8 @@
 #include <map>
 
 #include "io/atomic_file.h"
-#include "uncertainty_identification/errors.h"
 #include "ros/message_conversions.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "uncertainty_identification/bounds/bounds.h"
 #include "ros/message_conversions.h"
 #include "ros/messages.h"
+#include "uncertainty_identification/bounds/bounds.h"
 
 namespace uncertainty_identification {
 

@@ -9,8 +9,8 @@
 #include <optional>
 #include <thread>
 
-#include "uncertainty_identification/io/result_json.h"
 #include "ros/bounds_message.h"
+#include "uncertainty_identification/io/result_json.h"
 
 namespace uncertainty_identification {
 

@@ -4,8 +4,8 @@
 #include <cstring>
 #include <string>
 
-#include "uncertainty_identification/errors.h"
 #include "ros/message_decoder.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "uncertainty_identification/errors.h"
 #include "ros/signal_decoder.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 

@@ -10,8 +10,8 @@
 #include <fstream>
 
 #include "io/atomic_file.h"
-#include "uncertainty_identification/errors.h"
 #include "ros/message_conversions.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

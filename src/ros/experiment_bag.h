@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "ros/messages.h"
 #include "uncertainty_identification/data/experiment.h"
 #include "uncertainty_identification/data/loaded_data.h"
-#include "ros/messages.h"
 
 namespace uncertainty_identification {
 

@@ -6,9 +6,9 @@
 #include <thread>
 #include <variant>
 
+#include "ros/work_queue.h"
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/loaded_data.h"
-#include "ros/work_queue.h"
 
 namespace uncertainty_identification {
 

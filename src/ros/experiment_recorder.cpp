@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "uncertainty_identification/errors.h"
 #include "ros/deserialise.h"
 #include "ros/message_conversions.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "uncertainty_identification/configuration.h"
 #include "ros/identification_worker.h"
 #include "ros/topic_router.h"
+#include "uncertainty_identification/configuration.h"
 
 namespace uncertainty_identification {
 

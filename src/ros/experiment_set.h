@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "data/recorded_before.h"
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/experiment.h"
 #include "uncertainty_identification/data/loaded_data.h"
-#include "data/recorded_before.h"
 
 namespace uncertainty_identification {
 

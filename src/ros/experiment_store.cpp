@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "io/atomic_file.h"
+#include "ros/experiment_bag.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "ros/experiment_bag.h"
 
 /// What is written; experiment_store_load.cpp reads it.
 namespace uncertainty_identification {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "uncertainty_identification/configuration.h"
-#include "uncertainty_identification/data/rejected_experiment.h"
 #include "ros/experiment_set.h"
 #include "ros/stored_result.h"
+#include "uncertainty_identification/configuration.h"
+#include "uncertainty_identification/data/rejected_experiment.h"
 
 namespace uncertainty_identification {
 

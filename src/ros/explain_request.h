@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "ros/messages.h"
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/explanation/explanation.h"
-#include "ros/messages.h"
 
 namespace uncertainty_identification {
 

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "uncertainty_identification/explanation/explanation.h"
 #include "ros/messages.h"
+#include "uncertainty_identification/explanation/explanation.h"
 
 namespace uncertainty_identification {
 

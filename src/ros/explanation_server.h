@@ -13,10 +13,10 @@
 #include <thread>
 #include <vector>
 
-#include "uncertainty_identification/explanation/explanation.h"
 #include "ros/action_thread.h"
 #include "ros/messages.h"
 #include "ros/service_thread.h"
+#include "uncertainty_identification/explanation/explanation.h"
 
 namespace uncertainty_identification {
 

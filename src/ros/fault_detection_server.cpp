@@ -4,10 +4,10 @@
 
 #include <utility>
 
-#include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/io/result_json.h"
 #include "ros/deserialise.h"
 #include "ros/message_conversions.h"
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/result_json.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "configuration/edit_distance.h"
-#include "uncertainty_identification/errors.h"
 #include "io/tree.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

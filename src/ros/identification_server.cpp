@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#include "uncertainty_identification/errors.h"
 #include "ros/checked_service.h"
 #include "ros/identify_request.h"
 #include "ros/mebibytes.h"
 #include "ros/message_conversions.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "uncertainty_identification/configuration.h"
 #include "ros/action_thread.h"
 #include "ros/bounds_publisher.h"
 #include "ros/experiment_recorder.h"
@@ -23,6 +22,7 @@
 #include "ros/service_thread.h"
 #include "ros/status_publisher.h"
 #include "ros/store_writer.h"
+#include "uncertainty_identification/configuration.h"
 
 namespace uncertainty_identification {
 

@@ -11,9 +11,9 @@
 #include <thread>
 #include <vector>
 
-#include "uncertainty_identification/identifier.h"
 #include "ros/experiment_intake.h"
 #include "ros/experiment_set.h"
+#include "uncertainty_identification/identifier.h"
 
 namespace uncertainty_identification {
 

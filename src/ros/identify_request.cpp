@@ -6,10 +6,10 @@
 #include <iterator>
 #include <utility>
 
-#include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/identifier.h"
 #include "ros/message_conversions.h"
 #include "ros/request.h"
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/identifier.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "ros/messages.h"
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/identifier.h"
-#include "ros/messages.h"
 
 namespace uncertainty_identification {
 

@@ -2,10 +2,10 @@
 
 #include <cstdint>
 
-#include "uncertainty_identification/data/experiment.h"
-#include "uncertainty_identification/estimation/estimate.h"
 #include "ros/experiment_set.h"
 #include "ros/messages.h"
+#include "uncertainty_identification/data/experiment.h"
+#include "uncertainty_identification/estimation/estimate.h"
 
 /// Between the package's types and its messages: the only place where one becomes the other.
 namespace uncertainty_identification {

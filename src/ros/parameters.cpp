@@ -7,9 +7,9 @@
 #include <locale>
 #include <sstream>
 
+#include "io/tree.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "io/tree.h"
 
 namespace uncertainty_identification {
 namespace {

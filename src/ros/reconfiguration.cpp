@@ -4,10 +4,10 @@
 #include <iterator>
 #include <utility>
 
-#include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/io/configuration_yaml.h"
 #include "io/untrusted_yaml.h"
 #include "ros/bag_name.h"
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/configuration_yaml.h"
 
 namespace uncertainty_identification {
 namespace {

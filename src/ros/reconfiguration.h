@@ -4,10 +4,10 @@
 #include <mutex>
 #include <optional>
 
-#include "uncertainty_identification/configuration.h"
 #include "ros/experiment_store.h"
 #include "ros/identification_worker.h"
 #include "ros/messages.h"
+#include "uncertainty_identification/configuration.h"
 
 namespace uncertainty_identification {
 

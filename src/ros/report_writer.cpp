@@ -1,8 +1,8 @@
 #include "ros/report_writer.h"
 
-#include "uncertainty_identification/errors.h"
 #include "io/report.h"
 #include "ros/file_name.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

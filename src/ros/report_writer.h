@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "ros/messages.h"
 #include "uncertainty_identification/explanation/explanation.h"
 #include "uncertainty_identification/io/result_json.h"
-#include "ros/messages.h"
 
 namespace uncertainty_identification {
 

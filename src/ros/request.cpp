@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "uncertainty_identification/io/configuration_yaml.h"
 #include "io/untrusted_yaml.h"
 #include "ros/bag_name.h"
-#include "uncertainty_identification/ros/load_data.h"
 #include "ros/mebibytes.h"
+#include "uncertainty_identification/io/configuration_yaml.h"
+#include "uncertainty_identification/ros/load_data.h"
 
 namespace uncertainty_identification {
 

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "ros/bag_name.h"
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/loaded_data.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/identifier.h"
-#include "ros/bag_name.h"
 
 /// What requests to identify and to explain have in common.
 namespace uncertainty_identification {

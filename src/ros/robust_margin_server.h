@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "uncertainty_identification/control/robust_margin.h"
 #include "ros/messages.h"
+#include "uncertainty_identification/control/robust_margin.h"
 
 namespace uncertainty_identification {
 

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "data/check.h"
-#include "uncertainty_identification/errors.h"
 #include "ros/bag_name.h"
-#include "uncertainty_identification/ros/bag_reader.h"
 #include "ros/experiment_bag.h"
 #include "ros/file_name.h"
 #include "ros/mebibytes.h"
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/ros/bag_reader.h"
 
 namespace uncertainty_identification {
 namespace {

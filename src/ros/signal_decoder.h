@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "uncertainty_identification/data/signal_timing.h"
 #include "ros/message_decoder.h"
+#include "uncertainty_identification/data/signal_timing.h"
 
 namespace uncertainty_identification {
 

@@ -3,9 +3,9 @@
 #include <memory>
 #include <string>
 
+#include "ros/message_conversions.h"
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/estimation/estimate.h"
-#include "ros/message_conversions.h"
 
 namespace uncertainty_identification {
 

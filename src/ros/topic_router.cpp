@@ -4,9 +4,9 @@
 
 #include <utility>
 
-#include "uncertainty_identification/errors.h"
 #include "ros/deserialise.h"
 #include "ros/messages.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "uncertainty_identification/configuration.h"
 #include "data/experiment_cutter.h"
 #include "ros/signal_decoder.h"
 #include "ros/topic_activity.h"
+#include "uncertainty_identification/configuration.h"
 
 namespace uncertainty_identification {
 

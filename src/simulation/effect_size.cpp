@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/draw.h"
 #include "configuration/require.h"
+#include "simulation/draw.h"
 
 namespace uncertainty_identification {
 

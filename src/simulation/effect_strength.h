@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "uncertainty_identification/data/experiment.h"
 #include "simulation/truth.h"
+#include "uncertainty_identification/data/experiment.h"
 
 namespace uncertainty_identification {
 

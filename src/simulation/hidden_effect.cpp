@@ -4,10 +4,10 @@
 #include <cmath>
 #include <optional>
 
+#include "configuration/require.h"
 #include "simulation/draw.h"
 #include "simulation/effect_size.h"
 #include "simulation/effect_strength.h"
-#include "configuration/require.h"
 #include "simulation/simulate.h"
 
 namespace uncertainty_identification {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "uncertainty_identification/data/experiment.h"
 #include "simulation/random_truth.h"
+#include "uncertainty_identification/data/experiment.h"
 
 /// Effects hidden at random in random systems, for who looks for them to be tried on.
 namespace uncertainty_identification {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
+#include "math/polynomial.h"
 #include "simulation/chain.h"
 #include "simulation/signals.h"
-#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <vector>
 
-#include "simulation/draw.h"
-#include "math/polynomial.h"
 #include "configuration/require.h"
+#include "math/polynomial.h"
+#include "simulation/draw.h"
 #include "simulation/simulate.h"
 
 namespace uncertainty_identification {

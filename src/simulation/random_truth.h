@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <random>
 
-#include "uncertainty_identification/configuration.h"
 #include "simulation/truth.h"
+#include "uncertainty_identification/configuration.h"
 
 /// Systems drawn at random, to try methods on many that nobody has chosen.
 namespace uncertainty_identification {

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "simulation/chain.h"
-#include "uncertainty_identification/errors.h"
 #include "simulation/input.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "simulation/truth.h"
 #include "uncertainty_identification/data/experiment.h"
 #include "uncertainty_identification/model/nominal_model.h"
-#include "simulation/truth.h"
 
 namespace uncertainty_identification {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "math/polynomial.h"
 #include "configuration/require.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

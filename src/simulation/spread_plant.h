@@ -3,8 +3,8 @@
 #include <random>
 #include <string>
 
-#include "uncertainty_identification/model/nominal_model.h"
 #include "simulation/truth.h"
+#include "uncertainty_identification/model/nominal_model.h"
 
 /// The plant of one experiment where a parameter of Go varies from experiment to experiment.
 namespace uncertainty_identification {

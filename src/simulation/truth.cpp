@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/polynomial.h"
+#include "model/sensitivity.h"
 #include "simulation/require_number.h"
 #include "simulation/spread_plant.h"
 #include "uncertainty_identification/model/error_basis.h"
-#include "math/polynomial.h"
-#include "model/sensitivity.h"
 
 namespace uncertainty_identification {
 namespace {

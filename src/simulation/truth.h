@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "simulation/effects_truth.h"
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/enum_names.h"
 #include "uncertainty_identification/math/mixture.h"
-#include "simulation/effects_truth.h"
 
 /// A system whose every parameter is known, to simulate experiments from. Signals pass a chain in
 /// physical order: input, actuator, plant (with its relative error), sensor; the noise is added at

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "uncertainty_identification/errors.h"
 #include "io/command_line.h"
-#include "uncertainty_identification/io/explanation_json.h"
 #include "io/output_file.h"
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/explanation_json.h"
 
 namespace {
 

@@ -5,13 +5,13 @@
 #include <string>
 
 #include "bounds/frequency_grid.h"
+#include "configuration/require.h"
 #include "io/atomic_file.h"
-#include "uncertainty_identification/errors.h"
 #include "io/command_line.h"
 #include "io/output_file.h"
+#include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/result_json.h"
 #include "uncertainty_identification/io/samples_json.h"
-#include "configuration/require.h"
 
 namespace {
 

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "io/atomic_file.h"
-#include "uncertainty_identification/io/csv.h"
 #include "io/command_line.h"
 #include "io/output_file.h"
 #include "io/truth_yaml.h"
 #include "ros/bag_writer.h"
+#include "uncertainty_identification/io/csv.h"
 
 namespace {
 

@@ -5,16 +5,16 @@
 #include <filesystem>
 #include <fstream>
 
+#include "data/check.h"
+#include "ros/store_writer.h"
 #include "support/error_message.h"
 #include "support/example1.h"
 #include "support/temporary_folder.h"
 #include "support/wait_for.h"
-#include "data/check.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/identifier.h"
 #include "uncertainty_identification/io/result_json.h"
 #include "uncertainty_identification/ros/load_data.h"
-#include "ros/store_writer.h"
 
 namespace uncertainty_identification {
 namespace {

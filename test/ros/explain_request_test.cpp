@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "ros/bag_writer.h"
 #include "support/example1.h"
 #include "support/temporary_folder.h"
-#include "ros/bag_writer.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -13,12 +13,12 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "support/example1.h"
-#include "support/temporary_folder.h"
-#include "uncertainty_identification/identifier.h"
 #include "io/read_file.h"
 #include "ros/bag_writer.h"
 #include "ros/message_conversions.h"
+#include "support/example1.h"
+#include "support/temporary_folder.h"
+#include "uncertainty_identification/identifier.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -8,10 +8,10 @@
 #include <mutex>
 #include <vector>
 
-#include "support/temporary_folder.h"
-#include "support/wait_for.h"
 #include "io/read_file.h"
 #include "ros/message_conversions.h"
+#include "support/temporary_folder.h"
+#include "support/wait_for.h"
 
 namespace uncertainty_identification {
 namespace {

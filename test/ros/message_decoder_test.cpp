@@ -10,8 +10,8 @@
 
 #include <random>
 
-#include "uncertainty_identification/errors.h"
 #include "ros/messages.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

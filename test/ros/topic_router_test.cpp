@@ -8,9 +8,9 @@
 
 #include <cmath>
 
+#include "ros/messages.h"
 #include "support/error_message.h"
 #include "uncertainty_identification/errors.h"
-#include "ros/messages.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "uncertainty_identification/configuration.h"
-#include "uncertainty_identification/effects/catalogue.h"
 #include "effects/extended_model.h"
 #include "estimation/likelihood.h"
+#include "uncertainty_identification/configuration.h"
+#include "uncertainty_identification/effects/catalogue.h"
 
 /// What tests of effects need around them.
 namespace uncertainty_identification::test {

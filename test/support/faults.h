@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "detection/fault_detector.h"
-#include "uncertainty_identification/estimation/estimate.h"
 #include "simulation/truth.h"
+#include "uncertainty_identification/estimation/estimate.h"
 
 /// Experiments with faults in them, and what a detector makes of them.
 namespace uncertainty_identification::test {

@@ -5,8 +5,8 @@
 #include <mutex>
 #include <string>
 
-#include "support/wait_for.h"
 #include "ros/messages.h"
+#include "support/wait_for.h"
 
 namespace uncertainty_identification {
 

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <complex>
 
+#include "io/baseline_json.h"
+#include "io/truth_yaml.h"
+#include "simulation/simulate.h"
 #include "support/core_setup.h"
 #include "support/error_message.h"
 #include "uncertainty_identification/errors.h"
-#include "io/baseline_json.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "io/truth_yaml.h"
-#include "simulation/simulate.h"
 
 namespace uncertainty_identification {
 namespace {

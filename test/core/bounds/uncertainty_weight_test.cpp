@@ -5,12 +5,12 @@
 #include <cmath>
 #include <complex>
 
-#include "support/core_setup.h"
-#include "support/plain_estimate.h"
 #include "bounds/frequency_grid.h"
 #include "bounds/magnitude_fit.h"
-#include "uncertainty_identification/errors.h"
 #include "math/polynomial.h"
+#include "support/core_setup.h"
+#include "support/plain_estimate.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -7,13 +7,13 @@
 #include <complex>
 #include <limits>
 
+#include "math/polynomial.h"
+#include "simulation/simulate.h"
 #include "support/core_setup.h"
 #include "support/error_message.h"
 #include "support/faults.h"
 #include "support/monte_carlo.h"
 #include "uncertainty_identification/errors.h"
-#include "math/polynomial.h"
-#include "simulation/simulate.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <limits>
 
+#include "simulation/simulate.h"
 #include "support/error_message.h"
 #include "support/faults.h"
 #include "support/monte_carlo.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/identifier.h"
-#include "simulation/simulate.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "support/core_setup.h"
 #include "math/polynomial.h"
+#include "support/core_setup.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -6,12 +6,12 @@
 
 #include <cmath>
 
-#include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/identifier.h"
-#include "uncertainty_identification/io/configuration_yaml.h"
 #include "io/truth_yaml.h"
 #include "model/sensitivity_model.h"
 #include "simulation/simulate.h"
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/identifier.h"
+#include "uncertainty_identification/io/configuration_yaml.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "support/core_setup.h"
 #include "estimation/observed_information.h"
+#include "support/core_setup.h"
 
 namespace uncertainty_identification {
 namespace {

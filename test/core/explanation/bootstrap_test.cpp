@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/fit_setup.h"
 #include "estimation/initial_guess.h"
+#include "support/fit_setup.h"
 
 namespace uncertainty_identification {
 namespace {

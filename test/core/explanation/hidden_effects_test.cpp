@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "uncertainty_identification/explanation/explanation.h"
 #include "simulation/hidden_effect.h"
+#include "uncertainty_identification/explanation/explanation.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <set>
 
+#include "data/check.h"
 #include "support/core_setup.h"
 #include "support/error_message.h"
-#include "data/check.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

@@ -5,11 +5,11 @@
 #include <memory>
 #include <string>
 
+#include "model/box_jenkins.h"
 #include "support/error_message.h"
 #include "support/example1.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/identifier.h"
-#include "model/box_jenkins.h"
 
 namespace uncertainty_identification {
 namespace {

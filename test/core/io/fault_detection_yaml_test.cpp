@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "io/tree.h"
 #include "support/error_message.h"
 #include "uncertainty_identification/errors.h"
-#include "io/tree.h"
 
 namespace uncertainty_identification {
 namespace {

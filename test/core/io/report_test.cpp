@@ -5,6 +5,7 @@
 #include <fstream>
 #include <regex>
 
+#include "io/read_file.h"
 #include "support/core_setup.h"
 #include "support/error_message.h"
 #include "support/example_explanation.h"
@@ -13,7 +14,6 @@
 #include "support/temporary_folder.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/explanation_json.h"
-#include "io/read_file.h"
 
 namespace uncertainty_identification {
 namespace {

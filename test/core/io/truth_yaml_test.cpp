@@ -6,10 +6,10 @@
 #include <sstream>
 #include <string>
 
-#include "uncertainty_identification/errors.h"
 #include "io/read_file.h"
 #include "io/tree.h"
 #include "simulation/simulate.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

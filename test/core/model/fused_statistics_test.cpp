@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
-#include "support/core_setup.h"
 #include "model/model.h"
+#include "support/core_setup.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/core_setup.h"
 #include "model/noise_whitening.h"
+#include "support/core_setup.h"
 
 namespace uncertainty_identification {
 namespace {

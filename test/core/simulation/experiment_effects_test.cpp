@@ -6,8 +6,8 @@
 
 #include "support/hidden.h"
 #include "support/temporary_folder.h"
-#include "uncertainty_identification/io/csv.h"
 #include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/csv.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "uncertainty_identification/errors.h"
 #include "io/truth_yaml.h"
 #include "simulation/simulate.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

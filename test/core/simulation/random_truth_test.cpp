@@ -5,9 +5,9 @@
 #include <cmath>
 #include <set>
 
-#include "uncertainty_identification/errors.h"
 #include "io/truth_yaml.h"
 #include "simulation/simulate.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -8,18 +8,18 @@
 #include <string>
 #include <vector>
 
+#include "io/explanation_text.h"
+#include "io/read_file.h"
+#include "io/report.h"
+#include "io/truth_yaml.h"
+#include "simulation/simulate.h"
 #include "support/example1.h"
 #include "support/example_explanation.h"
 #include "support/process.h"
 #include "support/temporary_folder.h"
 #include "uncertainty_identification/io/csv.h"
 #include "uncertainty_identification/io/explanation_json.h"
-#include "io/explanation_text.h"
-#include "io/read_file.h"
-#include "io/report.h"
 #include "uncertainty_identification/io/result_json.h"
-#include "io/truth_yaml.h"
-#include "simulation/simulate.h"
 
 namespace uncertainty_identification {
 namespace {
