@@ -23,8 +23,8 @@ MadeEffects actuatorOffset(const DataSummary& data) {
       {"act_offset",
        "",
        "constant added to the actuator's command",
-       "Read the actuator with the command at zero; a step of the command from rest tells it from "
-       "a bias of the sensor.",
+       "Read the actuator with the command at zero; a step of the command from rest distinguishes "
+       "it from a bias of the sensor.",
        {"sens_bias"},
        Stage::actuator,
        ScreeningKind::regression,
@@ -148,7 +148,7 @@ MadeEffects actuatorSaturation(const DataSummary& data) {
       {"act_saturation",
        "",
        "saturation of the actuator",
-       "Compare the largest commands with the actuator's rating, or command less.",
+       "Compare the largest commands with the actuator's rating, or use smaller commands.",
        {},
        Stage::actuator,
        ScreeningKind::regression,
@@ -183,8 +183,8 @@ MadeEffects actuatorLoss(const DataSummary& data) {
   return {chainEffect({"act_loss",
                        "",
                        "actuator that loses effectiveness during the experiment",
-                       "Look at the actuator at the time named: a part that came loose, a supply "
-                       "that broke down.",
+                       "Look for what happened to the actuator at the estimated time: a part that "
+                       "came loose, a supply that broke down.",
                        {},
                        Stage::actuator,
                        ScreeningKind::regression,

@@ -19,7 +19,7 @@ class ClockOffset : public Effect {
   ClockOffset()
       : Effect({"exp_clock",
                 "",
-                "clocks of input and output that differ by experiment",
+                "offset between the clocks of input and output that differs by experiment",
                 "Stamp command and measurement by one clock, or send a common trigger.",
                 {},
                 Stage::output,
@@ -56,7 +56,7 @@ std::shared_ptr<Effect> secondInputOf(const std::string& covariate, const DataSu
     starts.push_back(Eigen::Vector2d(0.2 * data.output_deviation, pole));
   return chainEffect({"exp_input2",
                       covariate,
-                      covariate + " drives the output too",
+                      covariate + " acts on the output as a second input",
                       "Take " + covariate + " into the model as an input, or keep it constant.",
                       {},
                       Stage::output,
@@ -90,7 +90,7 @@ MadeEffects samplingJitter(const DataSummary& data) {
   return {chainEffect(
       {"exp_jitter",
        "",
-       "output sampled at the stamped instants, off the grid",
+       "output that was sampled at irregular instants, as its stamps say",
        "Sample on a timer, or resample by the stamps (resampling.output: linear).",
        {},
        Stage::output,

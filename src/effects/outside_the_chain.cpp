@@ -30,7 +30,7 @@ MadeEffects effectsOutsideTheChain(const DataSummary& /*data*/) {
                 "Estimate robustly; look for shocks and switching.",
                 {"sens_outliers"}},
            Text{"exp_mode",
-                "one more kind of plant behaviour among the experiments",
+                "another kind of plant among the experiments (one more mixture component)",
                 "Find out what the experiments of this component have in common.",
                 {}},
            Text{"exp_feedback",

@@ -102,7 +102,7 @@ MadeEffects plantResonance(const DataSummary& data) {
   return {chainEffect({"plant_resonance",
                        "",
                        "resonance of the plant that the model lacks",
-                       "Excite at the frequency named and watch what vibrates.",
+                       "Excite the plant at the estimated frequency and see what vibrates.",
                        {},
                        Stage::plant,
                        ScreeningKind::regression,

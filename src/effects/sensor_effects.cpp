@@ -45,7 +45,7 @@ class SensorLag : public Effect {
 constexpr const char* kDriftAdvice =
     "Let the sensor warm up; record it with the plant at rest for as long as an experiment.";
 constexpr const char* kHumAdvice =
-    "Look for the mains, a fan or a pump at the frequency named; shield or filter the sensor.";
+    "Look for the mains, a fan or a pump at the estimated frequency; shield or filter the sensor.";
 
 /// Standard deviations of a random signal to try, as logarithms of the relative variance.
 std::vector<VectorXd> deviationStarts() { return values({-4, -2, 1, 4}); }
@@ -86,7 +86,7 @@ std::shared_ptr<Effect> ownHum(const DataSummary& data) {
   }
   return chainEffect({"sens_hum",
                       "per_experiment",
-                      "hum on the measurement, its phase differing by experiment",
+                      "hum on the measurement with a phase that differs by experiment",
                       kHumAdvice,
                       {},
                       Stage::output,
@@ -130,7 +130,7 @@ MadeEffects sensorClipping(const DataSummary& data) {
   return {chainEffect({"sens_clip",
                        "",
                        "sensor that runs into its limit",
-                       "Choose a wider range of the sensor, or excite less.",
+                       "Choose a sensor with a wider range, or excite the plant less.",
                        {},
                        Stage::output,
                        ScreeningKind::regression,

@@ -18,19 +18,19 @@ using Eigen::VectorXd;
 class PlantParameterSpread : public Effect {
  public:
   PlantParameterSpread(const std::string& parameter, int index)
-      : Effect(
-            {"plant_parameter_spread",
-             parameter,
-             parameter + " varies from experiment to experiment, beyond what the error model holds",
-             "Identify with error_model: {basis: parameter_spread, parameters: [" + parameter +
-                 "]}.",
-             {},
-             Stage::output,
-             ScreeningKind::likelihood,
-             {logVariance("deviation", "relative")},
-             values({-6, -3, 0, 3, 6}),
-             /*nonlinear=*/true,
-             /*own_point=*/true}),
+      : Effect({"plant_parameter_spread",
+                parameter,
+                parameter +
+                    " varies from experiment to experiment more than the error model can describe",
+                "Identify with error_model: {basis: parameter_spread, parameters: [" + parameter +
+                    "]}.",
+                {},
+                Stage::output,
+                ScreeningKind::likelihood,
+                {logVariance("deviation", "relative")},
+                values({-6, -3, 0, 3, 6}),
+                /*nonlinear=*/true,
+                /*own_point=*/true}),
         index_(index) {}
 
   /// Linearised about the parameter's value t_r in each experiment, as the error basis
@@ -93,7 +93,8 @@ class PlantTimeConstantSpread : public Effect {
   explicit PlantTimeConstantSpread(const std::string& variant)
       : Effect({"plant_parameter_spread",
                 variant,
-                variant + " of the plant varies from experiment to experiment, its gain does not",
+                variant +
+                    " of the plant varies from experiment to experiment while its gain is constant",
                 "Look for what makes the plant slower in some runs: temperature, load, wear; or "
                 "identify with structure: continuous and error_model: {basis: parameter_spread, "
                 "parameters: [tau1]}.",
