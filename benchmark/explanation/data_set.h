@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "oracle.h"
+#include "simulation/hidden_effect.h"
 #include "uncertainty_identification/explanation/explanation.h"
-#include "uncertainty_identification/simulation/hidden_effect.h"
 
 /// Data sets with effects hidden at random, and what explain() says of them.
 namespace uncertainty_identification::suite {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "simulation/hidden_effect.h"
 #include "uncertainty_identification/estimation/estimate.h"
-#include "uncertainty_identification/simulation/hidden_effect.h"
 
 /// What there is to be gained: the model with the effect that is hidden, by who knows it.
 namespace uncertainty_identification::suite {

@@ -2,7 +2,7 @@
 
 #include "effects/built_in_effects.h"
 #include "effects/effect_functions.h"
-#include "uncertainty_identification/model/filter.h"
+#include "model/filter.h"
 
 /// What an actuator may do to its command u before the plant receives it.
 namespace uncertainty_identification {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "configuration/edit_distance.h"
 #include "effects/built_in_effects.h"
-#include "uncertainty_identification/edit_distance.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

@@ -3,7 +3,7 @@
 
 #include "effects/built_in_effects.h"
 #include "effects/effect_functions.h"
-#include "uncertainty_identification/model/filter.h"
+#include "model/filter.h"
 
 /// What may be wrong with an experiment rather than with the rig: an input that was left out, and
 /// instants of sampling other than assumed.

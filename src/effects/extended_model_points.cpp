@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "uncertainty_identification/effects/extended_model.h"
-#include "uncertainty_identification/model/pseudo_inverse.h"
+#include "effects/extended_model.h"
+#include "math/pseudo_inverse.h"
 
 /// The points about which an extended model is linearised in each experiment: xi, and the points
 /// of effects in whose random size the output is not linear.

@@ -2,7 +2,7 @@
 
 #include "effects/built_in_effects.h"
 #include "effects/effect_functions.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/polynomial.h"
 
 /// How the noise may differ from what the noise model says: in its spectrum and in its size.
 namespace uncertainty_identification {

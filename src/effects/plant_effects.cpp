@@ -2,7 +2,7 @@
 
 #include "effects/built_in_effects.h"
 #include "effects/effect_functions.h"
-#include "uncertainty_identification/model/filter.h"
+#include "model/filter.h"
 
 /// What may make the plant differ from its linear model: a gain that is not constant, feedback
 /// inside the plant, dynamics that the model lacks, and an initial state.

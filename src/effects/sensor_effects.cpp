@@ -2,7 +2,7 @@
 
 #include "effects/built_in_effects.h"
 #include "effects/effect_functions.h"
-#include "uncertainty_identification/model/filter.h"
+#include "model/filter.h"
 
 /// What a sensor may do to the plant's output x.
 namespace uncertainty_identification {

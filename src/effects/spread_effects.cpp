@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "effects/built_in_effects.h"
-#include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/plant_derivatives.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/polynomial.h"
+#include "model/filter.h"
+#include "model/plant_derivatives.h"
 
 /// Parameters of Go that vary at random from experiment to experiment.
 namespace uncertainty_identification {

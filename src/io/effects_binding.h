@@ -1,7 +1,7 @@
 #pragma once
 
-#include "uncertainty_identification/io/tree_values.h"
-#include "uncertainty_identification/simulation/effects_truth.h"
+#include "io/tree_values.h"
+#include "simulation/effects_truth.h"
 
 /// The keys of the effects that a truth hides, each stated once; config/truth_reference.yaml
 /// explains them.

@@ -1,10 +1,10 @@
-#include "uncertainty_identification/simulation/actuator_effects.h"
+#include "simulation/actuator_effects.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "require_number.h"
-#include "signals.h"
+#include "simulation/require_number.h"
+#include "simulation/signals.h"
 
 namespace uncertainty_identification {
 namespace {

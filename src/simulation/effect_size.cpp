@@ -1,10 +1,10 @@
-#include "effect_size.h"
+#include "simulation/effect_size.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "draw.h"
-#include "uncertainty_identification/require.h"
+#include "configuration/require.h"
+#include "simulation/draw.h"
 
 namespace uncertainty_identification {
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "uncertainty_identification/simulation/random_truth.h"
+#include "simulation/random_truth.h"
 
 /// How random effects get their parameters: all but the size are drawn, the size is left open.
 namespace uncertainty_identification {

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "draw.h"
-#include "effect_size.h"
+#include "simulation/draw.h"
+#include "simulation/effect_size.h"
 
 /// Sizes of what lies behind the plant: sensor, noise, experiments, and effects of no catalogue.
 namespace uncertainty_identification {

@@ -1,4 +1,4 @@
-#include "effect_strength.h"
+#include "simulation/effect_strength.h"
 
 #include <Eigen/Cholesky>
 #include <boost/math/special_functions/beta.hpp>
@@ -7,10 +7,10 @@
 #include <limits>
 #include <utility>
 
-#include "signals.h"
+#include "math/polynomial.h"
+#include "simulation/signals.h"
+#include "simulation/simulate.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/simulation/simulate.h"
 
 namespace uncertainty_identification {
 namespace {

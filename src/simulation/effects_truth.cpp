@@ -1,9 +1,9 @@
-#include "uncertainty_identification/simulation/effects_truth.h"
+#include "simulation/effects_truth.h"
 
 #include <cmath>
 
-#include "require_number.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/polynomial.h"
+#include "simulation/require_number.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,14 +1,14 @@
-#include "uncertainty_identification/simulation/hidden_effect.h"
+#include "simulation/hidden_effect.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "draw.h"
-#include "effect_size.h"
-#include "effect_strength.h"
-#include "uncertainty_identification/require.h"
-#include "uncertainty_identification/simulation/simulate.h"
+#include "configuration/require.h"
+#include "simulation/draw.h"
+#include "simulation/effect_size.h"
+#include "simulation/effect_strength.h"
+#include "simulation/simulate.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/simulation/input.h"
+#include "simulation/input.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/simulation/random_truth.h"
+#include "simulation/random_truth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 #include <limits>
 #include <vector>
 
-#include "draw.h"
-#include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/require.h"
-#include "uncertainty_identification/simulation/simulate.h"
+#include "configuration/require.h"
+#include "math/polynomial.h"
+#include "simulation/draw.h"
+#include "simulation/simulate.h"
 
 namespace uncertainty_identification {
 namespace {

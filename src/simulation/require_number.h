@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "uncertainty_identification/require.h"
+#include "configuration/require.h"
 
 /// Ranges that many keys of a truth share.
 namespace uncertainty_identification {

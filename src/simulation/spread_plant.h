@@ -3,8 +3,8 @@
 #include <random>
 #include <string>
 
+#include "simulation/truth.h"
 #include "uncertainty_identification/model/nominal_model.h"
-#include "uncertainty_identification/simulation/truth.h"
 
 /// The plant of one experiment where a parameter of Go varies from experiment to experiment.
 namespace uncertainty_identification {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "simulation/hidden_effect.h"
 #include "uncertainty_identification/effects/catalogue.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/simulation/hidden_effect.h"
 
 namespace uncertainty_identification {
 namespace {

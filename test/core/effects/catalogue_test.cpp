@@ -6,10 +6,10 @@
 #include <cmath>
 #include <set>
 
+#include "simulation/hidden_effect.h"
 #include "support/effect_setup.h"
 #include "support/error_message.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/simulation/hidden_effect.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "simulation/hidden_effect.h"
 #include "uncertainty_identification/explanation/explanation.h"
-#include "uncertainty_identification/simulation/hidden_effect.h"
 
 namespace uncertainty_identification {
 namespace {

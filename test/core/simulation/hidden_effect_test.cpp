@@ -1,12 +1,12 @@
-#include "uncertainty_identification/simulation/hidden_effect.h"
+#include "simulation/hidden_effect.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "io/truth_yaml.h"
+#include "simulation/simulate.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/io/truth_yaml.h"
-#include "uncertainty_identification/simulation/simulate.h"
 
 namespace uncertainty_identification {
 namespace {
