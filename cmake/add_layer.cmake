@@ -27,4 +27,5 @@ function(add_layer name)
   target_include_directories(${name} SYSTEM PUBLIC ${LAYER_SYSTEM_INCLUDE})
   target_link_libraries(${name} PUBLIC ${LAYER_LINK})
   set_property(GLOBAL APPEND PROPERTY LAYERS ${name})
+  set(${name}_OBJECTS ${objects} PARENT_SCOPE)  # for a static library of the same objects
 endfunction()

@@ -1,5 +1,5 @@
-// An effect of one's own: an actuator that pulls less than it pushes, as a cylinder does whose rod
-// takes part of the piston's area. docs/adding_an_effect.md goes through it.
+// An effect of one's own: an actuator that pulls less than it pushes. A hydraulic cylinder does so,
+// because its rod covers part of the piston. docs/adding_an_effect.md explains each part.
 
 #include <memory>
 
@@ -28,9 +28,10 @@ class WeakReturn : public ui::Effect {
   }
 };
 
-/// Behind a dead zone (40) and in front of a saturation (70).
-const ui::EffectRegistration kRegistration(45, [](const ui::DataSummary&) -> ui::MadeEffects {
-  return {std::make_shared<WeakReturn>()};
-});
+/// The rod's side of the piston pulls less, but the valve in front of it may have a dead zone.
+const ui::EffectRegistration kRegistration(ui::After{"act_deadzone"},
+                                           [](const ui::DataSummary&) -> ui::MadeEffects {
+                                             return {std::make_shared<WeakReturn>()};
+                                           });
 
 }  // namespace

@@ -164,7 +164,7 @@ struct BoundsOptions {
   void validate() const;
 };
 
-/// An effect of the catalogue (explanation/catalogue.h) that extends the linear model, its
+/// An effect of the catalogue (effects/catalogue.h) that extends the linear model, its
 /// parameters estimated with the others.
 struct EffectOptions {
   std::string name;  ///< e.g. "act_deadzone"

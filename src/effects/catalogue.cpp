@@ -1,32 +1,129 @@
 #include "uncertainty_identification/effects/catalogue.h"
 
 #include <algorithm>
-#include <map>
+#include <utility>
 
 #include "configuration/edit_distance.h"
+#include "effects/built_in_effects.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {
 
-std::multimap<int, EffectFactory>& factories() {
-  static std::multimap<int, EffectFactory> all;
+struct BuiltIn {
+  const char* name;
+  MadeEffects (*make)(const DataSummary&);
+};
+
+/// The catalogue in physical order: effects of one stage act in this order.
+constexpr BuiltIn kCatalogue[] = {
+    // Stage::measurement
+    {"sens_lag", sensorLag},
+    {"noise_colour", noiseColour},
+    // Stage::actuator
+    {"act_offset", actuatorOffset},
+    {"act_delay", actuatorDelay},
+    {"act_quantisation", actuatorQuantisation},
+    {"act_deadzone", actuatorDeadZone},
+    {"act_backlash", actuatorBacklash},
+    {"act_ratelimit", actuatorRateLimit},
+    {"act_saturation", actuatorSaturation},
+    {"act_hammerstein", actuatorCurve},
+    {"act_loss", actuatorLoss},
+    {"plant_drift", plantDrift},
+    {"plant_temp", plantTemperature},
+    // Stage::loop
+    {"plant_cubic", plantCubicStiffness},
+    {"plant_coulomb", plantCoulombFriction},
+    // Stage::plant
+    {"plant_resonance", plantResonance},
+    {"plant_pole", plantPole},
+    // Stage::output
+    {"plant_aging", plantAging},
+    {"plant_init", plantInitialState},
+    {"plant_parameter_spread", plantParameterSpread},
+    {"plant_parameter_spread", plantTimeConstantSpread},
+    {"exp_input2", secondInput},
+    {"exp_jitter", samplingJitter},
+    {"exp_clock", clockOffset},
+    {"sens_wiener", sensorCurve},
+    {"sens_clip", sensorClipping},
+    {"sens_bias", sensorBias},
+    {"sens_drift", sensorDrift},
+    {"sens_hum", sensorHum},
+    // Stage::noise
+    {"noise_hetero", noiseLevel},
+    {"noise_step", noiseStep},
+    // Stage::data, where order does not matter
+    {"", effectsOutsideTheChain},
+};
+
+struct Entry {
+  std::string name;  ///< empty for effects that a user registered
+  EffectFactory make;
+};
+
+/// An effect that a user registered. Its place is found when the catalogue is made, not while
+/// static objects are constructed, where nobody could catch an exception.
+struct Registered {
+  enum class Place { last, before, after } place;
+  std::string neighbour;
+  EffectFactory factory;
+};
+
+std::vector<Registered>& registeredEffects() {
+  static std::vector<Registered> all;
   return all;
+}
+
+void insert(const Registered& effect, std::vector<Entry>* all) {
+  if (effect.place == Registered::Place::last) {
+    all->push_back({"", effect.factory});
+    return;
+  }
+  const auto is_neighbour = [&](const Entry& entry) { return entry.name == effect.neighbour; };
+  const auto first = std::find_if(all->begin(), all->end(), is_neighbour);
+  if (first == all->end() || effect.neighbour.empty())
+    throw ConfigurationError("effects: one of your own is to act before or after '" +
+                             effect.neighbour +
+                             "', which is no effect of the chain; docs/explanation.md lists them");
+  auto place = first;
+  if (effect.place == Registered::Place::after) {
+    place = std::find_if_not(first, all->end(), is_neighbour);
+    // Effects registered earlier at the same place keep their order.
+    while (place != all->end() && place->name.empty()) ++place;
+  }
+  all->insert(place, {"", effect.factory});
 }
 
 }  // namespace
 
-EffectRegistration::EffectRegistration(int position, EffectFactory factory) {
-  factories().emplace(position, std::move(factory));
+EffectRegistration::EffectRegistration(EffectFactory factory) {
+  registeredEffects().push_back({Registered::Place::last, "", std::move(factory)});
+}
+
+EffectRegistration::EffectRegistration(Before place, EffectFactory factory) {
+  registeredEffects().push_back(
+      {Registered::Place::before, std::move(place.effect), std::move(factory)});
+}
+
+EffectRegistration::EffectRegistration(After place, EffectFactory factory) {
+  registeredEffects().push_back(
+      {Registered::Place::after, std::move(place.effect), std::move(factory)});
 }
 
 Effects catalogue(const DataSummary& data) {
+  std::vector<Entry> entries;
+  for (const BuiltIn& effect : kCatalogue) entries.push_back({effect.name, effect.make});
+  for (const Registered& effect : registeredEffects()) insert(effect, &entries);
   Effects all;
-  for (const auto& [position, factory] : factories()) {
-    for (auto& effect : factory(data)) {
+  int position = 0;
+  for (const Entry& entry : entries) {
+    for (auto& effect : entry.make(data)) {
       effect->setPosition(position);
       all.push_back(std::move(effect));
     }
+    ++position;
   }
   std::stable_sort(all.begin(), all.end(), [](const auto& left, const auto& right) {
     return left->stage() < right->stage();

@@ -12,18 +12,19 @@ using Eigen::Index;
 
 namespace {
 
-/// Weights of x(-1), x(0), x(1), x(2) in the cubic through them at f, 0 <= f < 1.
+/// Weights of x(-1), x(0), x(1), x(2) in the value at f, 0 <= f < 1, of the cubic through them.
 std::array<double, 4> cubicWeights(double f) {
   return {-f * (f - 1) * (f - 2) / 6, (f + 1) * (f - 1) * (f - 2) / 2, -(f + 1) * f * (f - 2) / 2,
           (f + 1) * f * (f - 1) / 6};
 }
 
-/// x at a whole instant, the first and last value beyond the ends.
-double held(const Signals& x, int lane, double at) {
+/// x at a sample; beyond the ends, its first or last value.
+double extended(const Signals& x, int lane, double at) {
   return x(lane, static_cast<Index>(std::clamp(at, 0.0, static_cast<double>(x.cols() - 1))));
 }
 
-/// Index of a value in a rising sequence, between two of them by interpolation.
+/// Index of a value in a rising sequence, interpolated between its neighbours and clamped at the
+/// ends.
 double placeAmong(const Eigen::VectorXd& rising, double value) {
   const double* next = std::upper_bound(rising.data(), rising.data() + rising.size(), value);
   const Index k = std::clamp<Index>(next - rising.data(), 1, rising.size() - 1);
@@ -121,7 +122,7 @@ Signals interpolated(const Signals& x, const Signals& shift) {
       const auto weights = cubicWeights(at - whole);
       out(lane, t) = 0;
       for (int k = 0; k < 4; ++k)
-        out(lane, t) += weights[static_cast<std::size_t>(k)] * held(x, lane, whole + k - 1);
+        out(lane, t) += weights[static_cast<std::size_t>(k)] * extended(x, lane, whole + k - 1);
     }
   }
   return out;
@@ -134,7 +135,7 @@ Signals interpolated(const Signals& x, const Lanes& shift) {
   for (int lane = 0; lane < kLanes; ++lane) {
     const double whole = std::floor(shift[lane]);
     for (Index k = 0; k < from.size(); ++k)
-      from[k] = held(x, lane, static_cast<double>(k - 1) + whole);
+      from[k] = extended(x, lane, static_cast<double>(k - 1) + whole);
     const auto weights = cubicWeights(shift[lane] - whole);
     for (int k = 0; k < 4; ++k)
       out.row(lane) += weights[static_cast<std::size_t>(k)] * from.segment(k, samples);

@@ -13,7 +13,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// x = Go (u - sum f(x)), sample by sample; what would run away stays finite.
+/// x = Go (u - sum f(x)), simulated sample by sample. Where the loop is unstable, x is clipped so
+/// that it stays finite.
 Signals loopOutput(const Polynomials& go, const std::vector<const SetEffect*>& loop,
                    const Signals& u) {
   constexpr double kLargest = 1e150;
@@ -33,7 +34,8 @@ Signals loopOutput(const Polynomials& go, const std::vector<const SetEffect*>& l
   return x;
 }
 
-/// The plant with effects in its loop, and the derivatives of its output to xi at the point.
+/// The output of a plant with effects in its loop, and its derivatives with respect to xi at the
+/// point, as finite differences.
 void runLoop(const Polynomials& go, const ErrorBasis& basis,
              const std::vector<const SetEffect*>& loop, Chain* chain) {
   constexpr double kStep = 1e-5;
@@ -52,6 +54,8 @@ void runLoop(const Polynomials& go, const ErrorBasis& basis,
   chain->x = output - chain->expected();
 }
 
+/// A simulated chain as the response of a plant. It has no derivatives: those of an extended model
+/// are differences of whole evaluations.
 class RespondedChain : public PlantResponse {
  public:
   explicit RespondedChain(const Chain& chain) : chain_(chain) {}
@@ -100,7 +104,8 @@ std::unique_ptr<PlantResponse> ChainEvaluation::respond(const Signals& input) co
   return std::make_unique<RespondedChain>(chain_);
 }
 
-/// As the linear model's: q^-k/(A D_F), D_F the basis' denominator.
+/// The free response of unknown initial states is that of the linear model: columns q^-k/(A D_F)
+/// with D_F the denominator of the error basis.
 void ChainEvaluation::addFreeResponse(Response* response) const {
   const VectorXd of_basis = basis_.denominator();
   const int directions =

@@ -8,16 +8,19 @@
 
 namespace uncertainty_identification {
 
+/// Applies the effects of one stage, in the order given.
 void applyStage(Stage stage, const std::vector<SetEffect>& effects, Chain* chain);
 
-/// Runs an input through actuator, plant (with the error model) and output stages of a chain.
+/// Simulates a chain from its input through the stages actuator, loop, plant and output, with the
+/// error model behind the plant.
 void runChain(const Polynomials& go, const ErrorBasis& basis, const std::vector<SetEffect>& effects,
               const Signals& input, Chain* chain);
 
-/// The whitened response of a chain, value only.
+/// The whitened response of a chain at given parameters, without derivatives.
 class ChainEvaluation : public Evaluation {
  public:
-  /// All must outlive this object; `polynomials` and `block` after the measurement stage.
+  /// All arguments must outlive this object. `polynomials` and `block` are those after the
+  /// measurement stage, with its factor of D and its measurement.
   ChainEvaluation(const Polynomials& polynomials, const ErrorBasis& basis,
                   const EstimationOptions& options, const Block& block,
                   std::shared_ptr<const NoiseWhitening> whitening,
@@ -27,7 +30,7 @@ class ChainEvaluation : public Evaluation {
         effects_(effects),
         chain_(*chain) {}
 
-  /// What Evaluation::run() leaves, with the random signals and the noise stage.
+  /// Adds to the response of Evaluation::run() the random signals and the noise stage.
   void complete(Response* response) const;
 
  protected:

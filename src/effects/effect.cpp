@@ -20,7 +20,7 @@ double deviation(const std::vector<double>& values) {
   return values.empty() ? 1.0 : std::sqrt((all - all.mean()).square().mean());
 }
 
-/// Covariates of all experiments that are not constant over the data, with their means.
+/// The starting times of the experiments; empty unless they rise from each to the next.
 VectorXd risingStarts(const std::vector<Experiment>& experiments) {
   VectorXd starts(static_cast<Eigen::Index>(experiments.size()));
   for (Eigen::Index r = 0; r < starts.size(); ++r) {
@@ -30,6 +30,7 @@ VectorXd risingStarts(const std::vector<Experiment>& experiments) {
   return starts;
 }
 
+/// The means of the covariates that every experiment has and that vary over the data set.
 std::map<std::string, double> covariateMeans(const std::vector<Experiment>& experiments) {
   struct Sums {
     double sum = 0, count = 0, lowest = HUGE_VAL, highest = -HUGE_VAL;

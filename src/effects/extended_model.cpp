@@ -15,7 +15,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// (to - from)/step; without samples where nothing changed.
+/// (to - from)/step; empty where nothing changed, so that zeros are neither stored nor multiplied.
 Signals difference(const Signals& from, const Signals& to, double step) {
   Signals change = (to - from) / step;
   if ((change == 0).all()) change.resize(kLanes, 0);
@@ -232,7 +232,7 @@ double ExtendedModel::step(const VectorXd& parameters, int j) const {
 
 void ExtendedModel::evaluate(const Block& block, const VectorXd& parameters,
                              const std::vector<int>& derivatives, Response* response) const {
-  KeptWhitening whitening;  // most parameters leave it as it is
+  KeptWhitening whitening;  // computed again only for parameters that change the noise model
   value(block, parameters, &whitening, response);
   if (derivatives.empty()) return;
   response->derivatives.resize(static_cast<std::size_t>(count_));

@@ -10,33 +10,33 @@
 
 namespace uncertainty_identification {
 
-/// An effect with its parameters.
+/// An effect with values for its parameters.
 struct SetEffect {
   const Effect* effect;
   Eigen::VectorXd psi;
-  Eigen::Index own_point = -1;  ///< row of its point, where it has one
+  Eigen::Index own_point = -1;  ///< row of its point; -1 where it has none
 };
 
-/// The linear model extended by effects, in the physical order actuator, plant, sensor, noise.
-/// Parameters: those of the linear model, then the effects' in the order given. Nuisances (initial
-/// state, offset, missing outputs) as in the linear model. Derivatives by differences of the whole
-/// chain: effects compose without knowing of each other.
+/// The linear model extended by effects, which act in physical order. Its parameters are those of
+/// the linear model, then those of the effects in the order given. Initial states, offsets and
+/// missing outputs are treated as in the linear model. Derivatives are finite differences of the
+/// whole chain, so that effects combine without knowing of each other.
 class ExtendedModel : public LinearModel {
  public:
-  /// `scales` chooses the steps of differences; `experiments` is M of the data set that blocks come
-  /// from. `points` as of linearisedAbout(); empty: about zero.
+  /// The steps of finite differences follow from `scales`. `experiments` is the number M of
+  /// experiments in the data set of the blocks. `points` as for linearisedAbout(); empty: zero.
   ExtendedModel(std::shared_ptr<const NominalModel> nominal, const ErrorBasis& basis,
                 const EstimationOptions& options, Effects effects, const DataSummary& scales,
                 int experiments, Eigen::MatrixXd points = {});
 
   const Effects& effects() const { return effects_; }
 
-  /// Where effect k's parameters begin among all.
+  /// Index of the first parameter of effect k among all parameters.
   int offsetOf(std::size_t k) const { return offsets_[k]; }
   int effectParameterCount() const { return count_ - static_cast<int>(own()); }
   Eigen::VectorXd psi(const Eigen::VectorXd& parameters, std::size_t k) const;
 
-  /// The same with other effects, of another data set, or linearised about other points.
+  /// The same model with other effects, or for a data set of another number of experiments.
   std::unique_ptr<ExtendedModel> with(Effects effects) const;
   std::unique_ptr<ExtendedModel> forExperiments(int experiments) const;
 
@@ -50,12 +50,14 @@ class ExtendedModel : public LinearModel {
   Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& unbounded) const override;
   Eigen::MatrixXd unboundedJacobian(const Eigen::VectorXd& unbounded) const override;
 
-  /// Most likely coefficients of all columns (of one lane) where Phi xi leaves `unexplained`.
+  /// Posterior means of the coefficients of all columns in one lane, given the part of the
+  /// residual that the regressors leave `unexplained`.
   static Eigen::VectorXd columnCoefficients(const Response& response, const Signals& unexplained,
                                             int lane);
 
-  /// Points are xi (n rows), then a row for each effect with a point of its own, in the order of
-  /// effects(). points() keeps those where they stand, pointsOf() takes them from the data.
+  /// Points have a column per experiment and n rows for xi, then a row for each effect with a point
+  /// of its own, in the order of effects(). points() takes xi as given and leaves the effects' own
+  /// points unchanged; pointsOf() estimates them from the data.
   bool isLocallyLinear() const override;
   Eigen::MatrixXd points(const Eigen::VectorXd& parameters,
                          const Eigen::MatrixXd& xi) const override;
@@ -64,31 +66,33 @@ class ExtendedModel : public LinearModel {
   Eigen::VectorXd pointDeviations(const Eigen::VectorXd& parameters, double noise_variance,
                                   const Eigen::VectorXd& of_xi) const override;
 
-  /// The row of effect k's point; -1 where it has none.
+  /// The row with the point of effect k; -1 where it has none.
   Eigen::Index pointRow(std::size_t k) const;
   std::unique_ptr<LinearModel> linearisedAbout(const Eigen::MatrixXd& points) const override;
   std::unique_ptr<ExtendedModel> about(const Eigen::MatrixXd& points) const;
   const Eigen::MatrixXd& currentPoints() const { return points_; }
 
-  /// What drives the linear part of the plant, once the actuator's effects and extra lags have
-  /// acted.
+  /// The input of the plant's linear part: the command after the actuator's effects, filtered by
+  /// the additional lags of plant and sensor.
   Signals drivingInput(const Block& block, const Eigen::VectorXd& parameters) const;
 
-  /// Free simulation of the measurement: what the chain makes of the input at given error
-  /// parameters of each experiment (n x M), from rest, with its regressors and random signals.
+  /// Free simulation of the measurement from rest, at the error parameters `xi` of each experiment
+  /// (n x M), with its derivatives and random signals.
   Chain simulated(const Block& block, const Eigen::VectorXd& parameters,
                   const Eigen::MatrixXd& xi) const;
 
-  /// What is added to that from an initial state (InitialState::estimate) and an offset of the
-  /// experiment's own (Offsets::per_experiment), of sizes unknown: samples x their number.
+  /// Signals of unknown size that an experiment adds to its simulation: the free responses to
+  /// initial states (InitialState::estimate) and a constant (Offsets::per_experiment). A row per
+  /// sample, a column per signal.
   Eigen::MatrixXd unknownSignals(const Eigen::VectorXd& parameters, int samples) const;
 
-  /// Value and the derivatives to the parameters listed only; the other derivatives stay empty.
+  /// The value, and its derivatives with respect to the parameters listed; the other derivatives
+  /// stay empty.
   void evaluate(const Block& block, const Eigen::VectorXd& parameters,
                 const std::vector<int>& derivatives, Response* response) const;
 
  private:
-  /// The whitening filter of a block, for as long as C and D stay what they are.
+  /// The whitening filter of a block, reused while C and D do not change.
   struct KeptWhitening {
     Eigen::VectorXd c, d;
     std::shared_ptr<const NoiseWhitening> filter;
@@ -111,8 +115,8 @@ class ExtendedModel : public LinearModel {
   int count_ = 0;  ///< of all parameters
 };
 
-/// The model that a configuration with effects names. Throws ConfigurationError for an effect that
-/// does not exist or does not fit the data, or a parameter that it does not have.
+/// The model with the effects that a configuration names. Throws ConfigurationError for an effect
+/// that does not exist, does not fit the data or does not act in the chain.
 std::unique_ptr<ExtendedModel> makeExtendedModel(std::shared_ptr<const NominalModel> nominal,
                                                  const Configuration& configuration,
                                                  const std::vector<Experiment>& experiments);
@@ -123,7 +127,7 @@ std::unique_ptr<ExtendedModel> makeExtendedModel(std::shared_ptr<const NominalMo
 double told(const EffectParameter& parameter, double kept, double noise_variance);
 double kept(const EffectParameter& parameter, double told, double noise_variance);
 
-/// Names of the parameters of nominal model `nominal` that move Go, the first of theta.
+/// Names of the parameters of `nominal` on which Go depends, which are the first of theta.
 std::vector<std::string> plantParameters(const NominalModel& nominal, const Eigen::VectorXd& theta);
 
 /// Starting values of the effects' parameters as the model keeps them: those that the options give,

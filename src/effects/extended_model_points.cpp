@@ -4,8 +4,8 @@
 #include "effects/extended_model.h"
 #include "math/pseudo_inverse.h"
 
-/// What an extended model is linearised about in each experiment: xi, and the points of effects
-/// whose random size the output is not linear in.
+/// The points about which an extended model is linearised in each experiment: xi, and the points
+/// of effects in whose random size the output is not linear.
 namespace uncertainty_identification {
 
 using Eigen::Index;
@@ -24,7 +24,8 @@ Index ExtendedModel::pointRow(std::size_t k) const {
                                       [](const auto& of) { return of->description().own_point; });
 }
 
-/// The points as `other`, with some of the same effects, has them; NaN where they are not known.
+/// The points of this model in the rows that they have in `other`, a model with other effects. NaN
+/// in the rows of effects that this model does not have.
 MatrixXd ExtendedModel::pointsFor(const ExtendedModel& other) const {
   Index rows = regressors();
   for (const auto& effect : other.effects_) rows += effect->description().own_point;

@@ -1,22 +1,22 @@
-#include "uncertainty_identification/effects/catalogue.h"
+#include "effects/built_in_effects.h"
 
 namespace uncertainty_identification {
-namespace {
 
-/// Effects that are no part of the chain: found in the samples themselves, in the mixture, or in
-/// the way the input was made (explanation/).
-MadeEffects outsideTheChain() {
+/// Effects that are not part of the chain. The explanation looks for them in the samples, in the
+/// residual distribution, in the mixture of plants and in the dependence of the input on the
+/// output.
+MadeEffects effectsOutsideTheChain(const DataSummary& /*data*/) {
   struct Text {
     const char *name, *meaning, *advice;
     std::vector<std::string> equivalent;
   };
   MadeEffects all;
   for (const Text& text : {
-           Text{"sens_quant",
-                "sensor that reads in steps",
-                "Use more bits or a smaller range, or let the dither of some noise pass before the "
-                "converter.",
-                {}},
+           Text{
+               "sens_quant",
+               "sensor that reads in steps",
+               "Use more bits or a smaller range, or add some noise (dither) before the converter.",
+               {}},
            Text{"sens_dropout",
                 "sensor that holds its last value",
                 "Look for lost messages or a sensor slower than the sampling.",
@@ -30,7 +30,7 @@ MadeEffects outsideTheChain() {
                 "Estimate robustly; look for shocks and switching.",
                 {"sens_outliers"}},
            Text{"exp_mode",
-                "one more kind of plant behaviour among the experiments",
+                "another kind of plant among the experiments (one more mixture component)",
                 "Find out what the experiments of this component have in common.",
                 {}},
            Text{"exp_feedback",
@@ -50,7 +50,4 @@ MadeEffects outsideTheChain() {
   return all;
 }
 
-const EffectRegistration kRegistration(10, [](const DataSummary&) { return outsideTheChain(); });
-
-}  // namespace
 }  // namespace uncertainty_identification

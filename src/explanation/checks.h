@@ -17,8 +17,8 @@ constexpr double kCheckThreshold = 1e-6;
 
 bool allPassed(const std::vector<Check>& checks);
 
-/// Whether the innovations correlate with what of later inputs those inputs' own past does not
-/// predict: a closed loop (effects.md, section on feedback). Returns the p-value.
+/// The p-value of a test for a closed loop: whether the innovations correlate with the part of
+/// later inputs that the inputs' own past does not predict (docs/explanation.md, exp_feedback).
 double feedbackProbability(const Residuals& residuals, const FitData& data);
 
 /// What the report draws.

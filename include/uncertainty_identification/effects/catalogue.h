@@ -7,26 +7,40 @@
 
 namespace uncertainty_identification {
 
-/// Makes the forms of one effect that fit a data set.
+/// Makes the forms of one effect that fit a data set; none where the data lack what it needs.
 using MadeEffects = std::vector<std::shared_ptr<Effect>>;
 using EffectFactory = std::function<MadeEffects(const DataSummary&)>;
 
-/// Adds an effect to the catalogue when it is constructed: one static object in the effect's file.
-/// `position`: effects of one stage act in rising order of it.
-struct EffectRegistration {
-  EffectRegistration(int position, EffectFactory factory);
+/// Where an effect of your own acts among the catalogue's effects of the same stage, by the name of
+/// the effect that it directly precedes or follows.
+struct Before {
+  std::string effect;
+};
+struct After {
+  std::string effect;
 };
 
-/// All effects for a data set, in physical order.
+/// Adds an effect of your own to the catalogue: one static object in the effect's source file.
+/// Without a place the effect acts after all others of its stage. The file must be part of the
+/// program or of a shared library: of a static library the linker drops files that nothing refers
+/// to, and the effect would be missing without a message.
+struct EffectRegistration {
+  explicit EffectRegistration(EffectFactory factory);
+  EffectRegistration(Before place, EffectFactory factory);
+  EffectRegistration(After place, EffectFactory factory);
+};
+
+/// All effects for a data set, in physical order. Throws ConfigurationError where an effect was
+/// registered before or after one that does not exist.
 Effects catalogue(const DataSummary& data);
 
-/// The effect of this name and variant. Throws ConfigurationError naming the nearest where there is
-/// none.
+/// The effect of this name and variant. Throws ConfigurationError, which names the nearest effect,
+/// where there is none.
 std::shared_ptr<const Effect> findEffect(const Effects& catalogue, const std::string& name,
                                          const std::string& variant);
 
-/// The name nearest to this one among the effects that such data, or data that told more
-/// (covariates, stamps), may have.
+/// The effect whose name is nearest to this one. Effects that need covariates, time stamps or more
+/// experiments are considered even where these data have none.
 std::string nearestEffect(const std::string& name, DataSummary data);
 
 }  // namespace uncertainty_identification

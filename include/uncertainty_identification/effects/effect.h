@@ -11,80 +11,90 @@
 
 namespace uncertainty_identification {
 
-/// Where in the physical chain an effect sits; stages follow each other in this order.
+/// Where in the physical chain an effect acts. The likelihood is computed stage by stage, in this
+/// order.
 enum class Stage {
-  measurement,  ///< what the sensor's dynamics and the noise model undo: y and H, before all else
-  actuator,     ///< u -> what drives the plant
-  loop,         ///< feedback inside Go: input = u - f(x)
-  plant,        ///< linear dynamics beside or behind Go; the error model acts on the sum
-  output,       ///< behind plant and error model: x and its regressors
-  noise,        ///< variance of the innovations
-  data          ///< outside the chain: samples, the mixture, or the experiment itself
+  measurement,  ///< the sensor's dynamics and the noise model, which are inverted before all else
+  actuator,     ///< from the command u to the input of the plant
+  loop,         ///< feedback inside Go: the plant's input is u - f(x)
+  plant,        ///< linear dynamics in parallel to or in series with Go; the error model acts on x
+  output,       ///< behind plant and error model: x and its derivatives
+  noise,        ///< the variance of the innovations
+  data          ///< outside the chain: the samples, the mixture, or the experiment itself
 };
 
-/// How the start of a candidate's fit is chosen among its starting values.
+/// How screening predicts what an effect would gain from each of its starting values.
 enum class ScreeningKind {
-  regression,  ///< the effect moves the simulated output: a scoring step predicts its gain
-  likelihood   ///< it moves variances, to which theta is nearly orthogonal: the likelihood itself
+  regression,  ///< by a scoring step: for effects that change the simulated output
+  likelihood   ///< by the likelihood with theta fixed: for effects that change variances, with
+               ///< which estimates of theta hardly correlate
 };
 
 /// A parameter of an effect.
 struct EffectParameter {
   std::string name, unit;
-  double scale = 1;  ///< a typical size, the unit of steps
+  double scale = 1;  ///< a typical size; steps of finite differences are a share of it
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
-  bool smooth = true;  ///< whether the likelihood has a useful derivative to it; if not: a search
-  /// Kept as the logarithm of a variance relative to sigma^2, told as a standard deviation.
+  bool smooth = true;  ///< whether the likelihood is differentiable in it; otherwise it is found by
+                       ///< a search without derivatives
+  /// Whether the model has the logarithm of a variance relative to sigma^2 as its parameter, and
+  /// results state the standard deviation instead.
   bool log_variance = false;
 };
 
-/// What of a data set an effect chooses its scales and starting values by.
+/// What effects need to know of a data set to choose their scales and starting values.
 struct DataSummary {
   double input_deviation = 1;   ///< standard deviation of u over all experiments
   double output_deviation = 1;  ///< of y
   double sample_time = 1;       ///< [s]
   int experiments = 0;          ///< M
-  int samples = 0;              ///< of the longest experiment
+  int samples = 0;              ///< N of the longest experiment
   int regressors = 0;           ///< n of the error model
   Eigen::VectorXd input_sizes, input_steps, output_sizes;  ///< sorted |u|, |u_t - u_(t-1)| > 0, |y|
-  std::map<std::string, double> covariates;  ///< means of those that every experiment has and that
-                                             ///< are not the same throughout
-  Eigen::VectorXd starts;  ///< [s] beginnings of the experiments; empty unless they rise
-  bool stamps = false;     ///< whether sampling instants off the grid are known
-  std::vector<std::string> plant_parameters;  ///< theta's names as far as they move Go
-  /// [rad/sample] largest peaks of the residual's spectrum: of its mean over the experiments, and
-  /// of the mean of the experiments' own.
+  std::map<std::string, double> covariates;  ///< means of the covariates that every experiment has
+                                             ///< and that vary over the data set
+  Eigen::VectorXd starts;  ///< [s] when the experiments began; empty unless the times rise
+  bool stamps = false;     ///< whether stamps tell that samples were taken off the grid
+  std::vector<std::string> plant_parameters;  ///< names of the parameters of Go, which come first
+                                              ///< in theta
+  /// [rad/sample] frequency of the largest peak in the spectrum of the mean residual over all
+  /// experiments, and of that in the mean of the spectra of the experiments' residuals.
   double common_peak = 1, own_peak = 1;
 };
 
-/// The summary, but for what comes from a residual and from the model.
+/// Summarises the recorded data. What depends on a model keeps its default: `regressors`,
+/// `plant_parameters` and the peaks of the residuals' spectra.
 DataSummary summarise(const std::vector<Experiment>& experiments);
 
-/// q-quantile of sorted values; 0 without any.
+/// q-quantile of sorted values; 0 if there are none.
 double sortedQuantile(const Eigen::VectorXd& sorted, double q);
 
 /// What an effect is, in words and numbers.
 struct EffectDescription {
-  std::string name;     ///< in the catalogue, e.g. "act_deadzone"; the group is what precedes "_"
-  std::string variant;  ///< where one name has several forms, which this is, e.g. "per_experiment"
-  std::string meaning;  ///< e.g. "dead zone of the actuator"
-  std::string advice;   ///< what to look at on the rig, or to record next
-  std::vector<std::string> equivalent;  ///< names that data may not be able to tell from it
+  std::string name;     ///< group, "_" and what it is, e.g. "act_deadzone"
+  std::string variant;  ///< which form of the effect this is, e.g. "per_experiment"; empty where
+                        ///< the name has only one
+  std::string meaning;  ///< what is wrong, as a noun phrase, e.g. "dead zone of the actuator"
+  std::string advice;   ///< what to check on the rig, or to record next, as a sentence
+  std::vector<std::string> equivalent;  ///< names of effects that the data may not distinguish
   Stage stage = Stage::output;
   ScreeningKind screening = ScreeningKind::regression;
   std::vector<EffectParameter> parameters;
-  std::vector<Eigen::VectorXd> starts;  ///< of which screening takes the best; none: cannot be seen
-  /// Whether the output is no longer linear in the error parameters, so that it is linearised about
-  /// a point for each experiment.
+  std::vector<Eigen::VectorXd> starts;  ///< parameter vectors from which fits may start; screening
+                                        ///< chooses the best; empty for Stage::data
+  /// Whether the effect makes the output nonlinear in the error parameters xi. The output is then
+  /// linearised about a value of xi in each experiment.
   bool nonlinear = false;
-  /// Whether the output is not linear in the effect's own random size either: it is linearised
-  /// about a point of its own in each experiment. Its first parameter is the size's log-variance.
+  /// Whether the output is not linear in the effect's random size either, which is then linearised
+  /// about a point of its own in each experiment. The effect's first parameter must be the
+  /// log-variance of that size.
   bool own_point = false;
 };
 
-/// A physical effect that may be missing from a model: a decorator of the linear model at its stage
-/// of the chain. Immutable. docs/adding_an_effect.md shows how to add one.
+/// A physical effect that may be missing from a model. It changes the signals of the chain at its
+/// stage and knows nothing of other effects. Immutable. docs/adding_an_effect.md shows how to add
+/// one.
 class Effect {
  public:
   explicit Effect(EffectDescription description) : description_(std::move(description)) {}
@@ -95,29 +105,31 @@ class Effect {
   Stage stage() const { return description_.stage; }
   int parameterCount() const { return static_cast<int>(description_.parameters.size()); }
 
-  /// Place in the physical order: effects of one stage act in rising order of it.
+  /// Place in the catalogue. Effects of one stage act in rising order of it.
   int position() const { return position_; }
   void setPosition(int position) { position_ = position; }
 
   /// "sens_bias", or with its variant "sens_bias (per_experiment)".
   std::string label() const;
 
-  /// Whether the parameters lie in the effect's range.
+  /// Whether the parameters lie within their limits.
   virtual bool admissible(const Eigen::VectorXd& psi) const;
 
-  /// Takes part in the chain at the effect's stage (all but Stage::loop and Stage::data).
+  /// Changes the signals of the chain at the effect's stage. Effects of Stage::loop and Stage::data
+  /// do not have it.
   virtual void apply(const Eigen::VectorXd& psi, Chain* chain) const;
 
-  /// The point of an experiment in which the random size is `size`, as near as the effect can
-  /// follow (own_point).
+  /// The point about which an effect with own_point is linearised in an experiment where its random
+  /// size is `size`; limited to what the effect can compute. It need not be in the unit of `size`:
+  /// the point may be the value of the parameter that varies.
   virtual double pointAt(double size, const NominalModel& nominal,
                          const Eigen::VectorXd& theta) const;
 
-  /// Stage::measurement: what the sensor makes of a simulated signal.
+  /// Stage::measurement: applies the sensor's dynamics to a simulated signal.
   virtual void sense(const Eigen::VectorXd& /*psi*/, Signals* /*signal*/) const {}
 
-  /// Stage::loop: what is taken from the plant's input, given its output x now and one sample
-  /// before.
+  /// Stage::loop: f(x), which is subtracted from the plant's input, given the plant's output x now
+  /// and one sample `before`.
   virtual Lanes feedback(const Eigen::VectorXd& psi, const Lanes& x, const Lanes& before) const;
 
  private:
@@ -130,7 +142,7 @@ using Effects = std::vector<std::shared_ptr<const Effect>>;
 /// Starting values of an effect with one parameter, `factor` times those given.
 std::vector<Eigen::VectorXd> values(const std::vector<double>& starts, double factor = 1);
 
-/// The parameter of a random signal: kept as the logarithm of its variance relative to sigma^2.
+/// The size of a random signal as a parameter: the logarithm of its variance relative to sigma^2.
 EffectParameter logVariance(const std::string& name, const std::string& unit);
 
 }  // namespace uncertainty_identification

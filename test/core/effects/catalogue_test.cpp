@@ -82,7 +82,34 @@ TEST(Catalogue, EffectsOfTheChainHaveAdmissibleStartsOfTheirSize) {
   }
 }
 
-TEST(Catalogue, FollowsThePhysicalOrder) {
+/// Data with a constant and a recorded covariate, time stamps, and a plant with b1 and a1. The
+/// order of the list is part of what the effects mean: a saturation behind a dead zone is another
+/// actuator than one in front of it.
+TEST(Catalogue, KeepsItsPhysicalOrder) {
+  const std::vector<std::string> expected{
+      "sens_lag", "noise_colour",
+      // what drives the plant
+      "act_offset", "act_delay", "act_quantisation", "act_deadzone", "act_backlash",
+      "act_ratelimit", "act_saturation", "act_hammerstein", "act_loss", "plant_drift",
+      "plant_temp (flow)", "plant_temp (temp)",
+      // in the loop, beside and behind the plant
+      "plant_cubic", "plant_coulomb", "plant_resonance", "plant_pole",
+      // the output
+      "plant_aging", "plant_init", "plant_parameter_spread (b1)", "plant_parameter_spread (a1)",
+      "plant_parameter_spread (time_constant)", "exp_input2 (flow)", "exp_input2 (temp)",
+      "exp_jitter", "exp_clock", "sens_wiener", "sens_clip", "sens_bias",
+      "sens_bias (per_experiment)", "sens_drift", "sens_drift (per_experiment)", "sens_hum",
+      "sens_hum (per_experiment)",
+      // the noise
+      "noise_hetero (u)", "noise_hetero (x)", "noise_step",
+      // outside the chain
+      "sens_quant", "sens_dropout", "sens_outliers", "noise_tails", "exp_mode", "exp_feedback"};
+  std::vector<std::string> found;
+  for (const auto& effect : all()) found.push_back(effect->label());
+  EXPECT_EQ(found, expected);
+}
+
+TEST(Catalogue, PositionsRiseWithinAStage) {
   for (std::size_t k = 1; k < all().size(); ++k) {
     EXPECT_LE(all()[k - 1]->stage(), all()[k]->stage());
     if (all()[k - 1]->stage() == all()[k]->stage()) {

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "uncertainty_identification/effects/catalogue.h"
 
@@ -34,29 +34,27 @@ std::string rowOf(const EffectDescription& of) {
 }
 
 /// What precedes the definition in each row of the table.
-std::set<std::string> rowsOfTheTable() {
+std::vector<std::string> rowsOfTheTable() {
   std::ifstream in(std::string(PROJECT_FOLDER) + "/docs/explanation.md");
-  std::set<std::string> rows;
+  std::vector<std::string> rows;
   bool inside = false;
   for (std::string line; std::getline(in, line);) {
     if (line.rfind("## ", 0) == 0) inside = line == "## The effects";
     if (!inside || line.rfind("| `", 0) != 0) continue;
     const std::size_t definition = line.rfind(" | ");
     EXPECT_GT(line.size(), definition + 5) << "no definition: " << line;
-    rows.insert(line.substr(0, definition + 2));
+    rows.push_back(line.substr(0, definition + 2));
   }
   return rows;
 }
 
-TEST(DocumentedEffects, AreThoseOfTheCatalogue) {
-  const std::set<std::string> found = rowsOfTheTable();
-  std::set<std::string> expected;
+TEST(DocumentedEffects, AreThoseOfTheCatalogueInItsOrder) {
+  std::vector<std::string> expected;
   for (const auto& effect : documented()) {
     if (effect->description().variant != "a1")  // PARAMETER stands for it
-      expected.insert(rowOf(effect->description()));
+      expected.push_back(rowOf(effect->description()));
   }
-  for (const std::string& row : expected) EXPECT_TRUE(found.count(row)) << "missing: " << row;
-  for (const std::string& row : found) EXPECT_TRUE(expected.count(row)) << "not so: " << row;
+  EXPECT_EQ(rowsOfTheTable(), expected);
 }
 
 }  // namespace
