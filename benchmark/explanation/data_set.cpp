@@ -47,7 +47,7 @@ std::string joined(const std::vector<std::string>& names) {
   return text.empty() ? "nothing" : text;
 }
 
-Configuration configurationOf(const Task& task, const HiddenEffect& hidden) {
+Configuration configurationOf(const Task& task, const test::HiddenEffect& hidden) {
   Configuration configuration = hidden.declared;
   configuration.nominal_model.orders_auto = task.orders_auto;
   configuration.estimation.threads = task.threads;
@@ -142,15 +142,15 @@ std::string Outcome::line() const {
   return task.title() + ": " + joined(names) + " [" + verdict_text + "] " + judged + " " + time;
 }
 
-HiddenEffect hide(const Task& task) {
-  return randomHiddenEffect(task.hidden, task.options, task.seed());
+test::HiddenEffect hide(const Task& task) {
+  return test::randomHiddenEffect(task.hidden, task.options, task.seed());
 }
 
 Outcome carryOut(const Task& task) {
   Outcome outcome;
   outcome.task = task;
   outcome.hidden = hide(task);
-  const HiddenEffectData data = simulateHidden(outcome.hidden, task.options);
+  const test::HiddenEffectData data = test::simulateHidden(outcome.hidden, task.options);
   const Configuration configuration = configurationOf(task, outcome.hidden);
   const auto begin = std::chrono::steady_clock::now();
   Estimate before;
@@ -166,7 +166,7 @@ Outcome carryOut(const Task& task) {
   outcome.parameters =
       recovered(outcome.causes, reportedParameters(outcome.hidden.truth, data.training));
   if (task.fresh > 0 && outcome.failure.empty()) {
-    const std::vector<Experiment> fresh = simulateFresh(outcome.hidden, task.fresh);
+    const std::vector<Experiment> fresh = test::simulateFresh(outcome.hidden, task.fresh);
     outcome.fresh_gain = freshGain(configuration, outcome, data.training, fresh);
     outcome.true_gain = trueGain(outcome.hidden, before, data.training, fresh);
   }
@@ -174,8 +174,8 @@ Outcome carryOut(const Task& task) {
 }
 
 void writeData(const Task& task, const std::string& folder) {
-  const HiddenEffect hidden = hide(task);
-  const HiddenEffectData data = simulateHidden(hidden, task.options);
+  const test::HiddenEffect hidden = hide(task);
+  const test::HiddenEffectData data = test::simulateHidden(hidden, task.options);
   const std::filesystem::path path(folder);
   std::filesystem::create_directories(path);
   writeCsv(path / "training.csv", data.training);

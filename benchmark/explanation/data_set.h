@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "oracle.h"
+#include "support/hidden_effects/hidden_effect.h"
 #include "uncertainty_identification/explanation/explanation.h"
-#include "uncertainty_identification/simulation/hidden_effect.h"
 
 /// Data sets with effects hidden at random, and what explain() says of them.
 namespace uncertainty_identification::suite {
@@ -17,7 +17,7 @@ struct Task {
   std::string part;                 ///< of the suite: "single", "clean", ...
   std::vector<std::string> hidden;  ///< names; empty: nothing
   int run = 1;                      ///< with the names the seed of everything that is random
-  HiddenEffectOptions options;
+  test::HiddenEffectOptions options;
   bool removed = false;      ///< the hidden effects and their equivalents are not in the catalogue
   bool orders_auto = false;  ///< the orders of the nominal model are not told
   int threads = kAutomatic;
@@ -43,7 +43,7 @@ struct RecoveredParameter {
 /// What became of a task.
 struct Outcome {
   Task task;
-  HiddenEffect hidden;
+  test::HiddenEffect hidden;
   std::string failure;  ///< what explain() threw; empty: nothing
   Verdict verdict = Verdict::none;
   std::vector<Cause> causes;
@@ -69,7 +69,7 @@ struct Outcome {
 const std::vector<std::vector<std::string>>& equivalenceClasses();
 
 /// The data of a task.
-HiddenEffect hide(const Task& task);
+test::HiddenEffect hide(const Task& task);
 
 /// Simulates, explains and compares.
 Outcome carryOut(const Task& task);

@@ -86,7 +86,7 @@ Scale scaleOf(const po::variables_map& arguments) {
 std::vector<Task> chosenTasks(const po::variables_map& arguments) {
   const Runs runs = parseRuns(arguments["seeds"].as<std::string>());
   const Scale scale = scaleOf(arguments);
-  std::vector<std::string> effects = catalogueEffects();
+  std::vector<std::string> effects = test::catalogueEffects();
   if (arguments.count("effects") > 0) effects = arguments["effects"].as<std::vector<std::string>>();
   std::vector<Task> tasks;
   if (arguments.count("clean") > 0) {
@@ -111,7 +111,8 @@ std::vector<Task> chosenTasks(const po::variables_map& arguments) {
 void judgeSingleEffects(Runner& runner, Runs runs, bool full, Scale scale, Targets* targets) {
   constexpr int kFresh = 1000;
   if (full) scale.fresh = kFresh;
-  const std::vector<Outcome> strong = runner.run(singleTasks(catalogueEffects(), runs, scale));
+  const std::vector<Outcome> strong =
+      runner.run(singleTasks(test::catalogueEffects(), runs, scale));
   printConfusion(strong);
   printParameters(strong);
   judgeSingles(strong, "5 %", 0.93, 0.88, 0.8, targets);
@@ -121,7 +122,7 @@ void judgeSingleEffects(Runner& runner, Runs runs, bool full, Scale scale, Targe
   if (!full) return;
   scale.fresh = 0;
   scale.options.strength = 0.01;
-  const std::vector<Outcome> weak = runner.run(singleTasks(catalogueEffects(), runs, scale));
+  const std::vector<Outcome> weak = runner.run(singleTasks(test::catalogueEffects(), runs, scale));
   printConfusion(weak);
   judgeSingles(weak, "1 %", 0.85, 0, 0, targets);
   scale.options.strength = 0.1;
@@ -141,13 +142,13 @@ int suite(Runner& runner, bool full, const Scale& scale) {
   judgeClean(clean, 0.99, &targets);
   judgeTimes(clean, "clean data", 0.5, &targets);
   const std::vector<std::string> removed =
-      full ? catalogueEffects()
+      full ? test::catalogueEffects()
            : std::vector<std::string>{"act_deadzone", "plant_pole", "sens_hum"};
   const std::vector<Outcome> without = runner.run(removedTasks(removed, {1, full ? 3 : 1}, scale));
   printConfusion(without);
   judgeUnknown(without, "removed from the catalogue", &targets);
   const std::vector<Outcome> foreign =
-      runner.run(singleTasks(unnamedEffects(), {1, full ? 10 : 1}, scale));
+      runner.run(singleTasks(test::unnamedEffects(), {1, full ? 10 : 1}, scale));
   printConfusion(foreign);
   judgeUnknown(foreign, "in no catalogue", &targets);
   const std::vector<Outcome> pairs = runner.run(pairTasks(full ? 20 : 4, {1, full ? 3 : 1}, scale));
@@ -155,7 +156,7 @@ int suite(Runner& runner, bool full, const Scale& scale) {
   judgePairs(pairs, &targets);
   if (full) {
     const std::vector<Outcome> blind =
-        runner.run(withoutOrders(singleTasks(catalogueEffects(), {1, 3}, scale)));
+        runner.run(withoutOrders(singleTasks(test::catalogueEffects(), {1, 3}, scale)));
     printConfusion(blind);
     judgeSingles(blind, "orders auto", 0.85, 0, 0, &targets);
     const std::vector<Outcome> blind_clean = runner.run(withoutOrders(cleanTasks({1, 100}, scale)));

@@ -30,7 +30,7 @@ std::string variantOf(const EffectsTruth& effects, const std::string& name) {
   return "";
 }
 
-std::shared_ptr<const Effect> hiddenEffect(const HiddenEffect& hidden, const Fit& before,
+std::shared_ptr<const Effect> hiddenEffect(const test::HiddenEffect& hidden, const Fit& before,
                                            const FitData& data) {
   DataSummary summary = summarise(data.experiments());
   summary.regressors = before.model->regressors();
@@ -75,7 +75,7 @@ Fit atTruth(const Fit& before, const std::shared_ptr<const Effect>& effect, cons
 
 }  // namespace
 
-std::optional<double> trueGain(const HiddenEffect& hidden, const Estimate& before,
+std::optional<double> trueGain(const test::HiddenEffect& hidden, const Estimate& before,
                                const std::vector<Experiment>& training,
                                const std::vector<Experiment>& fresh) {
   const bool stated = hidden.truth.plant.structure == PlantStructure::polynomials;

@@ -41,7 +41,7 @@ bool isAbsorbed(const Outcome& outcome) {
 
 std::vector<std::string> drawPair(int number) {
   std::vector<std::string> names;
-  for (const std::string& name : catalogueEffects()) {
+  for (const std::string& name : test::catalogueEffects()) {
     if (!contains(kHardlySeen, name)) names.push_back(name);
   }
   std::mt19937_64 random(static_cast<std::uint64_t>(number));

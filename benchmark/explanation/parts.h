@@ -16,7 +16,7 @@ struct Runs {
 
 /// What is common to the tasks of a part.
 struct Scale {
-  HiddenEffectOptions options;
+  test::HiddenEffectOptions options;
   int threads = kAutomatic;
   int fresh = 0;
 };

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/simulation/hidden_effect.h"
+#include "support/hidden_effects/hidden_effect.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "uncertainty_identification/io/truth_yaml.h"
 #include "uncertainty_identification/simulation/simulate.h"
 
-namespace uncertainty_identification {
+namespace uncertainty_identification::test {
 namespace {
 
 using nlohmann::json;
@@ -160,4 +160,4 @@ TEST(HiddenEffect, UnknownNamesAndImpossibleStrengthsAreRefused) {
 }
 
 }  // namespace
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test

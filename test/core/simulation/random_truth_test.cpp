@@ -1,4 +1,4 @@
-#include "uncertainty_identification/simulation/random_truth.h"
+#include "support/hidden_effects/random_truth.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "uncertainty_identification/io/truth_yaml.h"
 #include "uncertainty_identification/simulation/simulate.h"
 
-namespace uncertainty_identification {
+namespace uncertainty_identification::test {
 namespace {
 
 Truth drawn(std::uint64_t seed) {
@@ -83,4 +83,4 @@ TEST(RandomTruth, TooFewSamplesAreRefused) {
 }
 
 }  // namespace
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test

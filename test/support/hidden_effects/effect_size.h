@@ -5,10 +5,10 @@
 #include <random>
 #include <string>
 
-#include "uncertainty_identification/simulation/random_truth.h"
+#include "support/hidden_effects/random_truth.h"
 
 /// How random effects get their parameters: all but the size are drawn, the size is left open.
-namespace uncertainty_identification {
+namespace uncertainty_identification::test {
 
 /// Puts an effect of a size into a truth: just above 0 hardly any, 1 the largest that is sensible.
 using SetSize = std::function<void(double size, Truth* truth)>;
@@ -35,4 +35,4 @@ SetSize drawExperimentEffect(const std::string& name, const SignalScale& scale,
 SetSize drawUnnamedEffect(const std::string& name, const SignalScale& scale,
                           std::mt19937_64& random);
 
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/simulation/random_truth.h"
+#include "support/hidden_effects/random_truth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,12 +6,12 @@
 #include <limits>
 #include <vector>
 
-#include "draw.h"
+#include "support/hidden_effects/draw.h"
 #include "uncertainty_identification/model/polynomial.h"
 #include "uncertainty_identification/require.h"
 #include "uncertainty_identification/simulation/simulate.h"
 
-namespace uncertainty_identification {
+namespace uncertainty_identification::test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -175,4 +175,4 @@ SignalScale signalScale(Truth truth, std::uint64_t seed) {
   return scale;
 }
 
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test

@@ -7,7 +7,7 @@
 #include "uncertainty_identification/simulation/random_stream.h"
 
 /// Single draws.
-namespace uncertainty_identification {
+namespace uncertainty_identification::test {
 
 inline double uniform(double low, double high, std::mt19937_64& random) {
   return std::uniform_real_distribution<double>(low, high)(random);
@@ -39,4 +39,4 @@ inline Eigen::VectorXd directionOf(int dimension, std::mt19937_64& random) {
   return gaussian(dimension, 1, random).normalized();
 }
 
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test

@@ -1,12 +1,12 @@
-#include "effect_size.h"
+#include "support/hidden_effects/effect_size.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "draw.h"
+#include "support/hidden_effects/draw.h"
 #include "uncertainty_identification/require.h"
 
-namespace uncertainty_identification {
+namespace uncertainty_identification::test {
 
 SetSize drawActuatorEffect(const std::string& name, const SignalScale& scale,
                            std::mt19937_64& random, const Truth& truth) {
@@ -103,4 +103,4 @@ SetSize drawEffect(const std::string& name, const SignalScale& scale, std::mt199
                            "'; allowed: a name of config/truth_reference.yaml");
 }
 
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test

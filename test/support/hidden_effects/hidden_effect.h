@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "support/hidden_effects/random_truth.h"
 #include "uncertainty_identification/data/experiment.h"
-#include "uncertainty_identification/simulation/random_truth.h"
 
 /// Effects hidden at random in random systems, for who looks for them to be tried on.
-namespace uncertainty_identification {
+namespace uncertainty_identification::test {
 
 /// Names of the catalogue: the 35 effects and plant_parameter_spread.
 const std::vector<std::string>& catalogueEffects();
@@ -64,4 +64,4 @@ HiddenEffectData simulateHidden(const HiddenEffect& hidden, const HiddenEffectOp
 /// Fresh experiments on the same system within the same span of time, which is where aging counts.
 std::vector<Experiment> simulateFresh(const HiddenEffect& hidden, int count);
 
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test

@@ -7,7 +7,7 @@
 #include "uncertainty_identification/simulation/truth.h"
 
 /// Systems drawn at random, to try methods on many that nobody has chosen.
-namespace uncertainty_identification {
+namespace uncertainty_identification::test {
 
 /// How much is measured of a drawn system.
 struct RandomTruthOptions {
@@ -40,4 +40,4 @@ struct SignalScale {
 
 SignalScale signalScale(Truth truth, std::uint64_t seed);
 
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test

@@ -1,16 +1,16 @@
-#include "uncertainty_identification/simulation/hidden_effect.h"
+#include "support/hidden_effects/hidden_effect.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "draw.h"
-#include "effect_size.h"
-#include "effect_strength.h"
+#include "support/hidden_effects/draw.h"
+#include "support/hidden_effects/effect_size.h"
+#include "support/hidden_effects/effect_strength.h"
 #include "uncertainty_identification/require.h"
 #include "uncertainty_identification/simulation/simulate.h"
 
-namespace uncertainty_identification {
+namespace uncertainty_identification::test {
 namespace {
 
 constexpr int kAttempts = 2000;      // systems drawn before giving up
@@ -166,4 +166,4 @@ std::vector<Experiment> simulateFresh(const HiddenEffect& hidden, int count) {
   return fresh;
 }
 
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test

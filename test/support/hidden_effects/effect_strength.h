@@ -7,7 +7,7 @@
 #include "uncertainty_identification/data/experiment.h"
 #include "uncertainty_identification/simulation/truth.h"
 
-namespace uncertainty_identification {
+namespace uncertainty_identification::test {
 
 /// How strong the named effect in `with` is, as randomHiddenEffect() measures it; `without` is the
 /// same truth without it, its experiments simulated with the same seed. Infinite where the output
@@ -31,4 +31,4 @@ class EffectStrength {
   double input_variance_ = 0;
 };
 
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test

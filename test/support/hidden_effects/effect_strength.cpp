@@ -1,4 +1,4 @@
-#include "effect_strength.h"
+#include "support/hidden_effects/effect_strength.h"
 
 #include <Eigen/Cholesky>
 #include <boost/math/special_functions/beta.hpp>
@@ -7,12 +7,12 @@
 #include <limits>
 #include <utility>
 
-#include "signals.h"
+#include "simulation/signals.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/model/polynomial.h"
 #include "uncertainty_identification/simulation/simulate.h"
 
-namespace uncertainty_identification {
+namespace uncertainty_identification::test {
 namespace {
 
 using Eigen::VectorXd;
@@ -135,4 +135,4 @@ double EffectStrength::varianceGain(const Truth& with) const {
   return gainOfVariances(variances);
 }
 
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test
