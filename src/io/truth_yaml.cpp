@@ -11,49 +11,9 @@
 namespace uncertainty_identification {
 
 template <class Archive>
-void bind(Archive& archive, InputTruth& input) {
-  archive("kind", input.kind);
-  archive("mean", input.mean);
-  archive("variance", input.variance);
-  archive("hold", input.hold);
-  archive("tones", input.tones);
-  archive("amplitude_spread", input.amplitude_spread);
-}
-
-template <class Archive>
-void bind(Archive& archive, PlantTruth& plant) {
-  archive("structure", plant.structure);
-  archive("b", plant.b);
-  archive("a", plant.a);
-  archive("delay", plant.delay);
-  archive("gain", plant.gain);
-  archive("time_constant", plant.time_constant);
-  archive("time_constant_spread", plant.time_constant_spread);
-}
-
-template <class Archive>
 void bind(Archive& archive, ErrorModelTruth& error_model) {
   bindBasis(archive, error_model.basis);
   bindMixture(archive, error_model.mixture);
-}
-
-template <class Archive>
-void bind(Archive& archive, SensorTruth& sensor) {
-  archive("missing", sensor.missing);
-}
-
-template <class Archive>
-void bind(Archive& archive, NoiseTruth& noise) {
-  archive("variance", noise.variance);
-  archive("c", noise.c);
-  archive("d", noise.d);
-  archive("start", noise.start);
-}
-
-template <class Archive>
-void bind(Archive& archive, CovariatesTruth& covariates) {
-  archive("temp", covariates.temp);
-  archive("d", covariates.d);
 }
 
 template <class Archive>

@@ -55,11 +55,6 @@ VectorXd withError(const ChainContext& context, const VectorXd& nominal) {
   return output;
 }
 
-bool feedsBack(const EffectsTruth& effects) {
-  return effects.plant.cubic || effects.plant.coulomb || effects.unnamed.bilinear ||
-         effects.unnamed.gravity || effects.unnamed.outflow;
-}
-
 /// f: what drives the linear part at output x, `before` one sample earlier.
 double loopDrive(const EffectsTruth& effects, double u, double x, double before) {
   double f = u;
@@ -98,7 +93,7 @@ VectorXd resonant(const ResonanceTruth& mode, const VectorXd& u) {
 VectorXd linearOutput(const ChainContext& context, const VectorXd& u) {
   const Polynomials& plant = context.system.polynomials;
   const auto& resonance = context.truth.effects.plant.resonance;
-  if (feedsBack(context.truth.effects)) {
+  if (context.truth.effects.feedsBack()) {
     const VectorXd with_error = withError(context, u);
     VectorXd x = loopOutput(context.truth.effects, plant, with_error);
     if (resonance) x += resonant(*resonance, with_error);

@@ -3,30 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
-#include "require_number.h"
 #include "spread_plant.h"
 #include "uncertainty_identification/model/error_basis.h"
 #include "uncertainty_identification/model/polynomial.h"
 #include "uncertainty_identification/model/sensitivity.h"
+#include "uncertainty_identification/require.h"
 
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kOnTheCircle = 1 + 1e-9;  // an integrator is a plant too
+constexpr double kOnTheCircle = 1 + 1e-9;  // an integrator has a pole at 1 and is allowed
 
-void requirePolynomial(const std::string& key, const Eigen::VectorXd& monic, double radius) {
-  require(monic.allFinite(), key, "an entry that is not finite", "finite numbers");
+void requireRoots(const std::string& key, const Eigen::VectorXd& monic, double radius) {
   require(monic.size() == 0 || isStable(monic, radius), key, "roots outside the unit circle",
           radius > 1 ? "roots inside or on it" : "roots inside it");
 }
 
-/// What effects need of the rest of the truth.
-void validateNeeds(const Truth& truth) {
+/// Checks the effects against the rest of the truth.
+void validateTogether(const Truth& truth) {
   const PlantEffects& plant = truth.effects.plant;
-  const UnnamedEffects& unnamed = truth.effects.unnamed;
-  const bool loop =
-      plant.cubic || plant.coulomb || unnamed.bilinear || unnamed.gravity || unnamed.outflow;
-  require(!loop || truth.plant.delay >= 1, "plant.delay", truth.plant.delay,
+  require(!truth.effects.feedsBack() || truth.plant.delay >= 1, "plant.delay", truth.plant.delay,
           "1 or above with an effect that feeds the output back within the plant");
   const auto requireDimension = [&](const std::string& key, const Eigen::VectorXd& value) {
     const int dimension = truth.error_model.mixture.dimension();
@@ -57,22 +53,36 @@ const EnumNames<PlantStructure>& enumNames(PlantStructure) {
   return kNames;
 }
 
-void InputTruth::validate() const {
-  requireFinite("input.mean", mean);
-  requireNotNegative("input.variance", variance);
-  requireRange("input.hold", hold, 1, 1000000);
-  requireRange("input.tones", tones, 1, 1000000);
-  requireProbability("input.amplitude_spread", amplitude_spread);
+Fields InputTruth::fields() {
+  static constexpr Range kCount{[](double value) { return value >= 1 && value <= 1000000; },
+                                "1 to 1000000"};
+  return {{"kind", &kind},
+          {"mean", &mean},
+          {"variance", &variance, range::kNotNegative},
+          {"hold", &hold, kCount},
+          {"tones", &tones, kCount},
+          {"amplitude_spread", &amplitude_spread, range::kBelowOne}};
 }
 
-void PlantTruth::validate() const {
-  require(b.size() >= 1 && b.allFinite(), "plant.b", b.transpose(), "at least one finite number");
-  requirePolynomial("plant.a", a, kOnTheCircle);
-  requireRange("plant.delay", delay, 0, 100000);
-  requireFinite("plant.gain", gain);
-  requirePositive("plant.time_constant", time_constant);
-  requireProbability("plant.time_constant_spread", time_constant_spread);
+Fields PlantTruth::fields() {
+  static constexpr Range kDelay{[](double value) { return value >= 0 && value <= 100000; },
+                                "0 to 100000"};
+  return {{"structure", &structure},
+          {"b", &b},
+          {"a", &a},
+          {"delay", &delay, kDelay},
+          {"gain", &gain},
+          {"time_constant", &time_constant, range::kPositive},
+          {"time_constant_spread", &time_constant_spread, range::kBelowOne}};
 }
+
+Fields SensorTruth::fields() { return {{"missing", &missing, range::kBelowOne}}; }
+
+Fields NoiseTruth::fields() {
+  return {{"variance", &variance, range::kNotNegative}, {"c", &c}, {"d", &d}, {"start", &start}};
+}
+
+Fields CovariatesTruth::fields() { return {{"temp", &temp}, {"d", &d}}; }
 
 void ErrorModelTruth::validate() const {
   if (mixture.components() == 0) return;
@@ -88,20 +98,12 @@ void ErrorModelTruth::validate() const {
               ", the free error parameters of these taps and constraint");
 }
 
-void SensorTruth::validate() const { requireProbability("sensor.missing", missing); }
-
-void NoiseTruth::validate() const {
-  requireNotNegative("noise.variance", variance);
-  require(c.allFinite(), "noise.c", "an entry that is not finite", "finite numbers");
-  requirePolynomial("noise.d", d, start == NoiseStart::stationary ? 1 - 1e-9 : kOnTheCircle);
-}
-
 int Truth::samplesOf(int r) const {
   return samples.size() == 1 ? samples.front() : samples[static_cast<std::size_t>(r)];
 }
 
 void Truth::validate() const {
-  requirePositive("sample_time", sample_time);
+  range::kPositive.check("sample_time", sample_time);
   requireRange("experiments.count", experiments, 1, 100000000);
   require(samples.size() == 1 || samples.size() == static_cast<std::size_t>(experiments),
           "experiments.samples", std::to_string(samples.size()) + " numbers",
@@ -111,13 +113,16 @@ void Truth::validate() const {
   require(
       input.kind != InputKind::multisine || 2 * input.tones < shortest, "input.tones", input.tones,
       "fewer than half the " + std::to_string(shortest) + " samples of the shortest experiment");
-  input.validate();
-  plant.validate();
+  checkFields("input", input);
+  checkFields("plant", plant);
+  require(plant.b.size() >= 1, "plant.b", "no number", "at least one");
+  requireRoots("plant.a", plant.a, kOnTheCircle);
   error_model.validate();
-  sensor.validate();
-  noise.validate();
+  checkFields("sensor", sensor);
+  checkFields("noise", noise);
+  requireRoots("noise.d", noise.d, noise.start == NoiseStart::stationary ? 1 - 1e-9 : kOnTheCircle);
   effects.validate();
-  validateNeeds(*this);
+  validateTogether(*this);
 }
 
 }  // namespace uncertainty_identification
