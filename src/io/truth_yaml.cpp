@@ -71,8 +71,8 @@ nlohmann::json answerJson(const Truth& truth, std::uint64_t seed) {
         {"id", experimentId(r)}, {"component", nullptr}, {"time_constant", nullptr}};
     entry["xi"] = std::vector<double>(system.xi.data(), system.xi.data() + system.xi.size());
     entry["effects"] = draws.tree();
-    if (system.component >= 0) entry["component"] = system.component;
-    if (system.time_constant > 0) entry["time_constant"] = system.time_constant;
+    if (system.component) entry["component"] = *system.component;
+    if (system.time_constant) entry["time_constant"] = *system.time_constant;
     experiments.push_back(entry);
   }
   return {{"format", "uncertainty_identification/answer/1"},

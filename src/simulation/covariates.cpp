@@ -6,7 +6,7 @@
 namespace uncertainty_identification {
 namespace {
 
-/// First-order noise of unit variance with this time constant [samples], stationary from the start.
+/// Stationary first-order noise of unit variance with this time constant [samples].
 Eigen::VectorXd wandering(int samples, double time_constant, std::mt19937_64& random) {
   const double pole = std::exp(-1 / time_constant);
   Eigen::VectorXd steps = gaussian(samples, 1, random);

@@ -7,7 +7,7 @@ namespace {
 
 const double kPi = std::acos(-1.0);
 
-// One value per `hold` samples.
+/// A signal that takes a new value from draw() every `hold` samples.
 template <class Draw>
 Eigen::VectorXd held(int samples, int hold, Draw draw) {
   Eigen::VectorXd signal(samples);
@@ -19,8 +19,8 @@ Eigen::VectorXd held(int samples, int hold, Draw draw) {
   return signal;
 }
 
-// Unit variance: harmonic j has amplitude sqrt(2/tones), and harmonics are orthogonal over the
-// record.
+/// Sum of the harmonics 1..tones of the record with random phases. Harmonics are orthogonal over
+/// the record, so that the amplitude sqrt(2/tones) gives it unit variance.
 Eigen::VectorXd multisine(int samples, int tones, std::mt19937_64& random) {
   std::uniform_real_distribution<double> phase(0, 2 * kPi);
   const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(samples, 0, samples - 1) / samples;
@@ -29,7 +29,7 @@ Eigen::VectorXd multisine(int samples, int tones, std::mt19937_64& random) {
   return std::sqrt(2.0 / tones) * sum;
 }
 
-// Zero mean, unit variance.
+/// The input before its mean and variance are set: zero mean, unit variance.
 Eigen::VectorXd standardInput(const InputTruth& input, int samples, std::mt19937_64& random) {
   if (input.kind == InputKind::multisine) return multisine(samples, input.tones, random);
   std::normal_distribution<double> normal;

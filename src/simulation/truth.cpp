@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kOnTheCircle = 1 + 1e-9;  // an integrator has a pole at 1 and is allowed
 
+/// Throws unless all roots of the polynomial, given without its leading 1, lie within the radius.
 void requireRoots(const std::string& key, const Eigen::VectorXd& monic, double radius) {
   require(monic.size() == 0 || isStable(monic, radius), key, "roots outside the unit circle",
           radius > 1 ? "roots inside or on it" : "roots inside it");

@@ -77,9 +77,9 @@ struct NoiseTruth {
 /// The covariates that are recorded. plant_temp and exp_input2 use them, and record theirs in any
 /// case; nothing else depends on them.
 struct CovariatesTruth {
-  bool temp = false;  ///< a temperature: 20 + N(0, 5^2) for each experiment, and within it a random
-                      ///< walk of variance 3^2 that returns with a time constant of 100 samples
-  bool d = false;     ///< a second input: N(0, 1) with a time constant of 3 samples
+  bool temp = false;  ///< a temperature: 20 + N(0, 5^2) for each experiment, and within it
+                      ///< first-order noise N(0, 3^2) with a time constant of 100 samples
+  bool d = false;     ///< a second input: first-order noise N(0, 1), time constant 3 samples
   Fields fields();
 };
 
