@@ -22,7 +22,8 @@ HiddenEffectOptions small() {
 
 std::vector<std::string> allNames() {
   std::vector<std::string> names = catalogueEffects();
-  names.insert(names.end(), unnamedEffects().begin(), unnamedEffects().end());
+  const std::vector<std::string> unnamed = unnamedEffects();
+  names.insert(names.end(), unnamed.begin(), unnamed.end());
   return names;
 }
 

@@ -3,7 +3,7 @@
 #include "support/hidden_effects/draw.h"
 #include "support/hidden_effects/effect_size.h"
 
-/// Sizes of what lies behind the plant: sensor, noise, experiments, and effects of no catalogue.
+/// The effects of the sensor, the noise and the experiments, and those in no catalogue.
 namespace uncertainty_identification::test {
 
 SetSize drawSensorEffect(const std::string& name, const SignalScale& scale,

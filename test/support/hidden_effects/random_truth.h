@@ -6,10 +6,10 @@
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/simulation/truth.h"
 
-/// Systems drawn at random, to try methods on many that nobody has chosen.
+/// Random systems, so that methods are tested on many systems that nobody has chosen for them.
 namespace uncertainty_identification::test {
 
-/// How much is measured of a drawn system.
+/// How many experiments are made on a random system.
 struct RandomTruthOptions {
   int experiments = 30;  ///< M
   int samples = 300;     ///< N
@@ -17,27 +17,34 @@ struct RandomTruthOptions {
   void validate() const;
 };
 
-/// A system without hidden effects: sample time 1 s; Go of order 1 to 3, delay 1, poles between 0.3
-/// and 0.95 and zeros away from them, static gain 0.5 to 3; output error or Box-Jenkins (one pole,
-/// at most one zero, stationary from the start); one or two free FIR error parameters without
-/// static gain, in a mixture of one to three components at least six standard deviations apart;
-/// white noise, PRBS, steps or a multisine as input, in half of the systems with an amplitude that
-/// differs between experiments; a signal-to-noise ratio of 20 to 30 dB; covariates `temp` and `d`,
-/// which do nothing.
+/// Draws a system without effects:
+///  - sample time 1 s;
+///  - Go of order 1 to 3 with delay 1, poles up to 0.95, zeros away from the poles, static gain 0.5
+///    to 3;
+///  - output error or Box-Jenkins noise with one pole and at most one zero, stationary from the
+///    start, at a signal-to-noise ratio of 20 to 30 dB;
+///  - an FIR error model with one or two free parameters and no static gain, and a mixture of one
+///  to
+///    three components whose means are at least six standard deviations apart;
+///  - white noise, PRBS, steps or a multisine as input; in half of the systems its amplitude
+///  differs
+///    between experiments;
+///  - the covariates `temp` and `d`, which have no effect.
 Truth randomTruth(const RandomTruthOptions& options, std::mt19937_64& random);
 
-/// The simulation that who made the experiments declares: orders, taps, components and constraint
-/// of the truth, plant at rest at first, no offsets, stationary noise. It knows no effects,
-/// exp_mode's component included. Bounds are not asked for.
+/// The configuration with which somebody would identify the system who knows everything but its
+/// effects: the true orders, taps, number of components (without that of exp_mode) and constraint,
+/// a plant that starts at rest, no offsets, stationary noise. Bounds are not computed.
 Configuration declaredSimulation(const Truth& truth);
 
-/// Standard deviations and largest values over all experiments of a truth, simulated without noise.
+/// How large the signals of a system are, over all experiments and without noise.
 struct SignalScale {
   double u = 0, y = 0;          ///< root mean square
   double u_max = 0, y_max = 0;  ///< largest magnitude
   double u_step = 0;            ///< largest change of u from sample to sample
 };
 
+/// Simulates the truth without noise and measures its signals.
 SignalScale signalScale(Truth truth, std::uint64_t seed);
 
 }  // namespace uncertainty_identification::test
