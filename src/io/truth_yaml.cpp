@@ -1,6 +1,5 @@
 #include "uncertainty_identification/io/truth_yaml.h"
 
-#include "effects_binding.h"
 #include "uncertainty_identification/io/configuration_binding.h"
 #include "uncertainty_identification/io/tree.h"
 #include "uncertainty_identification/io/tree_reader.h"
@@ -9,6 +8,19 @@
 #include "uncertainty_identification/version.h"
 
 namespace uncertainty_identification {
+
+/// Reads or writes any part of a truth that describes itself by a function fields().
+template <class Archive, class Part>
+auto bind(Archive& archive, Part& part) -> decltype(part.fields(), void()) {
+  for (const Field& field : part.fields())
+    std::visit([&](auto* value) { archive(field.key, *value); }, field.value);
+}
+
+template <class Archive>
+void bind(Archive& archive, EffectsTruth& effects) {
+  effects.forEach(
+      [&archive](const std::string& name, auto& effect) { archive(name, whenPresent(effect)); });
+}
 
 template <class Archive>
 void bind(Archive& archive, ErrorModelTruth& error_model) {
@@ -30,16 +42,6 @@ void bind(Archive& archive, Truth& truth) {
   archive("noise", truth.noise);
   archive("covariates", truth.covariates);
   archive("effects", truth.effects);
-}
-
-template <class Archive>
-void bind(Archive& archive, EffectDraws& draws) {
-  archive("parameter_deviation", draws.parameter_deviation);
-  archive("initial_state", draws.initial_state);
-  archive("bias", draws.bias);
-  archive("drift", draws.drift);
-  archive("hum_phase", draws.hum_phase);
-  archive("clock_shift", draws.clock_shift);
 }
 
 Truth parseTruth(const YAML::Node& node) {
@@ -64,13 +66,17 @@ nlohmann::json toJson(const Truth& truth) {
 nlohmann::json answerJson(const Truth& truth, std::uint64_t seed) {
   nlohmann::json experiments = nlohmann::json::array();
   for (int r = 0; r < truth.experiments; ++r) {
-    DrawnSystem system = drawSystem(truth, seed, r);
-    TreeWriter draws;
-    bind(draws, system.effects);
+    const DrawnSystem system = drawSystem(truth, seed, r);
+    const EffectDraws& draws = system.effects;
     nlohmann::json entry{
         {"id", experimentId(r)}, {"component", nullptr}, {"time_constant", nullptr}};
     entry["xi"] = std::vector<double>(system.xi.data(), system.xi.data() + system.xi.size());
-    entry["effects"] = draws.tree();
+    entry["effects"] = {{"parameter_deviation", draws.parameter_deviation},
+                        {"initial_state", draws.initial_state},
+                        {"bias", draws.bias},
+                        {"drift", draws.drift},
+                        {"hum_phase", draws.hum_phase},
+                        {"clock_shift", draws.clock_shift}};
     if (system.component) entry["component"] = *system.component;
     if (system.time_constant) entry["time_constant"] = *system.time_constant;
     experiments.push_back(entry);

@@ -3,36 +3,21 @@
 #include "uncertainty_identification/require.h"
 
 namespace uncertainty_identification {
-namespace {
-
-void checkValue(const std::string& key, const Range& allowed, double value) {
-  allowed.check(key, value);
-}
-
-void checkValue(const std::string& key, const Range& allowed, int value) {
-  require(allowed.contains(value), key, value, allowed.text);
-}
-
-void checkValue(const std::string& key, const Range& allowed, const std::optional<double>& value) {
-  if (value) allowed.check(key, *value);
-}
-
-void checkValue(const std::string& key, const Range&, const Eigen::VectorXd& value) {
-  require(value.allFinite(), key, value.transpose(), "finite numbers");
-}
-
-/// Flags, words and names have no range.
-template <class Value>
-void checkValue(const std::string&, const Range&, const Value&) {}
-
-}  // namespace
 
 void Range::check(const std::string& key, double value) const {
   require(contains(value), key, value, text);
 }
 
+// Flags, words and names have no range.
 void Field::check(const std::string& part) const {
-  std::visit([&](const auto* found) { checkValue(part + "." + key, allowed, *found); }, value);
+  const std::string path = part + "." + key;
+  if (const auto whole = std::get_if<int*>(&value))
+    require(allowed.contains(**whole), path, **whole, allowed.text);
+  if (const auto number = std::get_if<double*>(&value)) allowed.check(path, **number);
+  if (const auto optional = std::get_if<std::optional<double>*>(&value); optional && **optional)
+    allowed.check(path, (**optional).value());
+  if (const auto vector = std::get_if<Eigen::VectorXd*>(&value))
+    require((**vector).allFinite(), path, (**vector).transpose(), "finite numbers");
 }
 
 }  // namespace uncertainty_identification

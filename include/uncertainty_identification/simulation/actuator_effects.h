@@ -67,12 +67,7 @@ struct HammersteinTruth {
 struct LossTruth {
   double loss = 0.3;
   double start = 150;  ///< [samples] since the experiment began
-  Fields fields() {
-    static constexpr Range kAtMostOne{
-        [](double value) { return value <= 1 && std::isfinite(value); },
-        "a finite number, at most 1"};
-    return {{"loss", &loss, kAtMostOne}, {"start", &start}};
-  }
+  Fields fields() { return {{"loss", &loss, range::kAtMostOne}, {"start", &start}}; }
 };
 
 /// Each effect is absent or has its parameters. They act in the order in which they stand here.

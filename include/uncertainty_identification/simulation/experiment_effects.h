@@ -8,8 +8,8 @@
 /// Effects of how the experiments are made and recorded.
 namespace uncertainty_identification {
 
-/// The experiments run in closed loop: u(t) = r(t) - gain y(t - 1), where makeInput() draws r. The
-/// controller reads y before exp_clock and exp_jitter distort the record.
+/// The experiments run in closed loop: u(t) = r(t) - gain y(t - 1), where r is drawn as InputTruth
+/// says. The controller reads y before exp_clock and exp_jitter distort the record.
 struct FeedbackTruth {
   double gain = 0.1;  ///< [unit of u/unit of y]
   Fields fields() { return {{"gain", &gain}}; }
@@ -49,11 +49,7 @@ struct ClockTruth {
 struct JitterTruth {
   double width = 0.2;   ///< [samples]; up to 0.2 a file is read back reliably
   double coupling = 1;  ///< 1: the stamps are true; 0: the samples are evenly spaced
-  Fields fields() {
-    static constexpr Range kBelowHalf{[](double value) { return value >= 0 && value < 0.5; },
-                                      "at least 0 and below 0.5"};
-    return {{"width", &width, kBelowHalf}, {"coupling", &coupling}};
-  }
+  Fields fields() { return {{"width", &width, range::kBelowHalf}, {"coupling", &coupling}}; }
 };
 
 /// Each effect is absent or has its parameters.

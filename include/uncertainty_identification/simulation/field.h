@@ -37,6 +37,12 @@ inline constexpr Range kNotNegative{[](double value) { return value >= 0 && std:
 /// A probability, a share, or the radius of a pole.
 inline constexpr Range kBelowOne{[](double value) { return value >= 0 && value < 1; },
                                  "at least 0 and below 1"};
+inline constexpr Range kBelowHalf{[](double value) { return value >= 0 && value < 0.5; },
+                                  "at least 0 and below 0.5"};
+inline constexpr Range kAtMostOne{[](double value) { return value <= 1 && std::isfinite(value); },
+                                  "a finite number, at most 1"};
+inline constexpr Range kAboveTwo{[](double value) { return value > 2 && std::isfinite(value); },
+                                 "a finite number above 2"};
 /// A real pole of a stable system.
 inline constexpr Range kInsideCircle{[](double value) { return std::abs(value) < 1; },
                                      "between -1 and 1, which are excluded"};

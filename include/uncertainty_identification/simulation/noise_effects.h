@@ -18,11 +18,7 @@ struct ColourTruth {
 /// w has heavy tails: it is Student's t, scaled to the variance of the Gaussian w.
 struct TailsTruth {
   double degrees_of_freedom = 4;
-  Fields fields() {
-    static constexpr Range kAboveTwo{[](double value) { return value > 2 && std::isfinite(value); },
-                                     "a finite number above 2"};
-    return {{"degrees_of_freedom", &degrees_of_freedom, kAboveTwo}};
-  }
+  Fields fields() { return {{"degrees_of_freedom", &degrees_of_freedom, range::kAboveTwo}}; }
 };
 
 /// The signal that the variance of the noise follows: the recorded input u or the plant's output x.

@@ -28,7 +28,7 @@ struct DrawnSystem {
   std::optional<double> time_constant;  ///< tau [s] of a first_order plant
   std::optional<int> component;  ///< of the mixture from which xi was drawn, counted from 0; that
                                  ///< of exp_mode follows the last; absent without an error model
-  Eigen::VectorXd xi;  ///< free parameters of the relative error
+  Eigen::VectorXd xi;            ///< free parameters of the relative error
   EffectDraws effects;
 };
 
