@@ -13,8 +13,9 @@ namespace uncertainty_identification::suite {
 /// The true values of the parameters that explain() reports for the effects of a truth, in its
 /// units (src/effects/). Their names are "effect.parameter", or "effect (variant).parameter" where
 /// they do not hold for the other variants. Parameters whose true value is 0 are left out.
-/// `training` are the experiments that are explained: explain() states plant_temp relative to their
-/// mean temperature.
+/// Parameters of the truth that explain() does not report are in the table too, under their own
+/// keys. `training` are the experiments that are explained: explain() states plant_temp relative to
+/// their mean temperature.
 std::map<std::string, double> reportedParameters(const Truth& truth,
                                                  const std::vector<Experiment>& training);
 

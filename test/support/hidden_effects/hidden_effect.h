@@ -47,11 +47,13 @@ struct HiddenEffectOptions {
 ///    It is drawn from 0.06 to 0.1 whatever `strength` is, since even a strong feedback changes the
 ///    output little.
 ///
-/// Another system is drawn when the strength cannot be reached within the effect's range, and when
-/// the input has two levels but the effect is static in the input (act_saturation, act_deadzone,
-/// act_backlash, act_hammerstein, act_quantisation, noise_hetero), because such an effect only
-/// changes the gain then. For no other reason is a system rejected, even where the data cannot show
-/// the effect.
+/// Another system is drawn
+///  - when the strength cannot be reached within the effect's range;
+///  - when the input has two levels and the effect is static in the input (act_saturation,
+///    act_deadzone, act_backlash, act_hammerstein, act_quantisation, noise_hetero), because it only
+///    changes the gain then;
+///  - when all effects together make the output diverge.
+/// A system is kept even if its data cannot show the effect.
 ///
 /// The same names, options and seed give the same system and experiments. Throws ConfigurationError
 /// for an unknown name and when no suitable system is found.

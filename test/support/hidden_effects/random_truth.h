@@ -19,16 +19,14 @@ struct RandomTruthOptions {
 
 /// Draws a system without effects:
 ///  - sample time 1 s;
-///  - Go of order 1 to 3 with delay 1, poles up to 0.95, zeros away from the poles, static gain 0.5
-///    to 3;
+///  - Go of order 1 to 3 with delay 1, poles up to 0.95 and zeros that are not near them, static
+///    gain 0.5 to 3;
 ///  - output error or Box-Jenkins noise with one pole and at most one zero, stationary from the
 ///    start, at a signal-to-noise ratio of 20 to 30 dB;
-///  - an FIR error model with one or two free parameters and no static gain, and a mixture of one
-///  to
-///    three components whose means are at least six standard deviations apart;
-///  - white noise, PRBS, steps or a multisine as input; in half of the systems its amplitude
-///  differs
-///    between experiments;
+///  - an FIR error model with one or two free parameters and no static gain;
+///  - a mixture of one to three components, whose means are at least six standard deviations apart;
+///  - white noise, PRBS, steps or a multisine as input;
+///  - in half of the systems an amplitude of the input that differs between experiments;
 ///  - the covariates `temp` and `d`, which have no effect.
 Truth randomTruth(const RandomTruthOptions& options, std::mt19937_64& random);
 
