@@ -36,12 +36,6 @@ void makeHeavyTailed(double degrees, std::mt19937_64 random, VectorXd* w) {
     (*w)(k) *= std::sqrt((degrees - 2) / chi_squared(random));
 }
 
-/// Changes the standard deviation of w by the signal that noise_hetero names.
-void scaleByDriver(const HeteroTruth& hetero, const VectorXd& driver, Eigen::Ref<VectorXd> w) {
-  const auto square = (driver.array() / hetero.scale).square();
-  w.array() *= (1 - hetero.share + hetero.share * square).sqrt();
-}
-
 }  // namespace
 
 VectorXd outputNoise(const ChainContext& context, const VectorXd& u, const VectorXd& x) {
@@ -53,9 +47,10 @@ VectorXd outputNoise(const ChainContext& context, const VectorXd& u, const Vecto
   VectorXd w = gaussian(warmUp(noise, d) + samples, noise.variance, random);
   if (effects.tails)
     makeHeavyTailed(effects.tails->degrees_of_freedom, context.stream(RandomPurpose::tails), &w);
-  if (effects.hetero) {
-    const bool input = effects.hetero->driver == HeteroDriver::input;
-    scaleByDriver(*effects.hetero, input ? u : x, w.tail(samples));
+  if (const auto& hetero = effects.hetero) {
+    const VectorXd& driver = hetero->driver == HeteroDriver::input ? u : x;
+    const auto square = (driver.array() / hetero->scale).square();
+    w.tail(samples).array() *= (1 - hetero->share + hetero->share * square).sqrt();
   }
   if (effects.step) {
     auto recorded = w.tail(samples);

@@ -54,37 +54,6 @@ const EnumNames<PlantStructure>& enumNames(PlantStructure) {
   return kNames;
 }
 
-Fields InputTruth::fields() {
-  static constexpr Range kCount{[](double value) { return value >= 1 && value <= 1000000; },
-                                "1 to 1000000"};
-  return {{"kind", &kind},
-          {"mean", &mean},
-          {"variance", &variance, range::kNotNegative},
-          {"hold", &hold, kCount},
-          {"tones", &tones, kCount},
-          {"amplitude_spread", &amplitude_spread, range::kBelowOne}};
-}
-
-Fields PlantTruth::fields() {
-  static constexpr Range kDelay{[](double value) { return value >= 0 && value <= 100000; },
-                                "0 to 100000"};
-  return {{"structure", &structure},
-          {"b", &b},
-          {"a", &a},
-          {"delay", &delay, kDelay},
-          {"gain", &gain},
-          {"time_constant", &time_constant, range::kPositive},
-          {"time_constant_spread", &time_constant_spread, range::kBelowOne}};
-}
-
-Fields SensorTruth::fields() { return {{"missing", &missing, range::kBelowOne}}; }
-
-Fields NoiseTruth::fields() {
-  return {{"variance", &variance, range::kNotNegative}, {"c", &c}, {"d", &d}, {"start", &start}};
-}
-
-Fields CovariatesTruth::fields() { return {{"temp", &temp}, {"d", &d}}; }
-
 void ErrorModelTruth::validate() const {
   if (mixture.components() == 0) return;
   require(basis.taps != kAutomatic, "error_model.taps", "auto", "a number");

@@ -49,6 +49,11 @@ inline constexpr Range kInsideCircle{[](double value) { return std::abs(value) <
 /// A frequency in rad/sample.
 inline constexpr Range kZeroToPi{
     [](double value) { return value >= 0 && value <= std::acos(-1.0); }, "0 to 3.14159"};
+/// A whole number of samples or tones, and a delay in samples.
+inline constexpr Range kOneToMillion{[](double value) { return value >= 1 && value <= 1e6; },
+                                     "1 to 1000000"};
+inline constexpr Range kDelay{[](double value) { return value >= 0 && value <= 1e5; },
+                              "0 to 100000"};
 
 }  // namespace range
 

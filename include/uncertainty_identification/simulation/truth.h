@@ -31,7 +31,14 @@ struct InputTruth {
                         ///< than half the number of samples
   double amplitude_spread = 0;  ///< the input of each experiment is multiplied by its own factor,
                                 ///< drawn uniformly from 1 - this to 1 + this
-  Fields fields();
+  Fields fields() {
+    return {{"kind", &kind},
+            {"mean", &mean},
+            {"variance", &variance, range::kNotNegative},
+            {"hold", &hold, range::kOneToMillion},
+            {"tones", &tones, range::kOneToMillion},
+            {"amplitude_spread", &amplitude_spread, range::kBelowOne}};
+  }
 };
 
 /// Go = q^-delay B/A, the same in all experiments, or a first-order system under zero-order hold
@@ -46,7 +53,15 @@ struct PlantTruth {
   double time_constant = 1;                      ///< first_order: tau_o [s]
   double time_constant_spread = 0;  ///< first_order: tau = tau_o (1 + delta), where delta is drawn
                                     ///< uniformly from -this ... this for each experiment
-  Fields fields();
+  Fields fields() {
+    return {{"structure", &structure},
+            {"b", &b},
+            {"a", &a},
+            {"delay", &delay, range::kDelay},
+            {"gain", &gain},
+            {"time_constant", &time_constant, range::kPositive},
+            {"time_constant_spread", &time_constant_spread, range::kBelowOne}};
+  }
 };
 
 /// The relative error GDelta = sum_k eta_k F_k with eta = T xi, where xi is drawn from a mixture
@@ -62,7 +77,7 @@ struct ErrorModelTruth {
 /// What the sensor does to the output.
 struct SensorTruth {
   double missing = 0;  ///< probability that an output sample is not measured
-  Fields fields();
+  Fields fields() { return {{"missing", &missing, range::kBelowOne}}; }
 };
 
 /// v = C/D omega with omega ~ N(0, variance).
@@ -71,7 +86,9 @@ struct NoiseTruth {
   Eigen::VectorXd c, d;                 ///< without the leading 1
   NoiseStart start = NoiseStart::zero;  ///< `zero`: at rest at the first sample, as in the paper;
                                         ///< `stationary`: the noise has always been there
-  Fields fields();
+  Fields fields() {
+    return {{"variance", &variance, range::kNotNegative}, {"c", &c}, {"d", &d}, {"start", &start}};
+  }
 };
 
 /// The covariates that are recorded. plant_temp and exp_input2 use them, and record theirs in any
@@ -80,7 +97,7 @@ struct CovariatesTruth {
   bool temp = false;  ///< a temperature: 20 + N(0, 5^2) for each experiment, and within it
                       ///< first-order noise N(0, 3^2) with a time constant of 100 samples
   bool d = false;     ///< a second input: first-order noise N(0, 1), time constant 3 samples
-  Fields fields();
+  Fields fields() { return {{"temp", &temp}, {"d", &d}}; }
 };
 
 /// Everything that determines the simulated experiments, besides the seed. The plant starts at
