@@ -1,9 +1,9 @@
 // How long the bounds of Example 1 take, one thread: 500 frequencies, 4 levels, M = 100.
 #include <benchmark/benchmark.h>
 
+#include "bounds/frequency_grid.h"
 #include "support/monte_carlo.h"
 #include "uncertainty_identification/bounds/bounds.h"
-#include "uncertainty_identification/bounds/frequency_grid.h"
 
 namespace uncertainty_identification::test {
 namespace {

@@ -6,9 +6,9 @@
 #include <ctime>
 
 #include "literal_algorithm.h"
+#include "simulation/simulate.h"
 #include "support/golden.h"
 #include "support/monte_carlo.h"
-#include "uncertainty_identification/simulation/simulate.h"
 
 /// Full maximum-likelihood climbs of Example 1 from the paper's start: against the literal
 /// Algorithm 1, over sizes, threads and options; processor time but for threads. Prints tables;

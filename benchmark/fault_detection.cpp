@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "simulation/simulate.h"
 #include "support/faults.h"
 #include "support/monte_carlo.h"
 #include "uncertainty_identification/identifier.h"
-#include "uncertainty_identification/simulation/simulate.h"
 
 /// False alarms and detection delays on the paper's Example 1, of the detector and of two that
 /// ignore the model's uncertainty. Arguments: identifications (40), windows for each (10000). Exits

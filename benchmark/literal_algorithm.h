@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "uncertainty_identification/data/experiment.h"
-#include "uncertainty_identification/model/mixture.h"
+#include "uncertainty_identification/math/mixture.h"
 
 /// Algorithm 1 of the paper as it is printed, (23)-(35), with N x N matrices: what the package's
 /// own estimators are timed against. Departures are the errata of docs/method.md: mu^(m+1) in (28),

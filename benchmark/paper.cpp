@@ -6,8 +6,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "model/box_jenkins.h"
 #include "paper_study.h"
-#include "uncertainty_identification/model/box_jenkins.h"
 
 namespace uncertainty_identification::paper {
 namespace {

@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "uncertainty_identification/bounds/baseline.h"
+#include "io/truth_yaml.h"
+#include "math/polynomial.h"
+#include "simulation/simulate.h"
+#include "uncertainty_identification/baselines/baseline.h"
 #include "uncertainty_identification/bounds/uncertainty_bounds.h"
 #include "uncertainty_identification/identifier.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/io/truth_yaml.h"
 #include "uncertainty_identification/model/error_basis.h"
-#include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/simulation/simulate.h"
 
 /// Monte Carlo study of the paper's examples: regions of |G| against fresh true systems.
 namespace uncertainty_identification::paper {

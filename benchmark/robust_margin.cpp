@@ -1,16 +1,16 @@
-#include "uncertainty_identification/bounds/robust_margin.h"
+#include "uncertainty_identification/control/robust_margin.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
+#include "bounds/frequency_grid.h"
+#include "math/polynomial.h"
+#include "simulation/simulate.h"
 #include "support/monte_carlo.h"
-#include "uncertainty_identification/bounds/frequency_grid.h"
 #include "uncertainty_identification/bounds/uncertainty_weight.h"
 #include "uncertainty_identification/identifier.h"
-#include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/simulation/simulate.h"
 
 /// Integral controllers of rising gain on Example 1: the margin and the probability of instability
 /// from identified models, beside the share of true systems that the loop is unstable with. Exits

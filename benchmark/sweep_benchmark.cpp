@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
+#include "simulation/simulate.h"
 #include "support/monte_carlo.h"
-#include "uncertainty_identification/simulation/simulate.h"
 
 /// One sweep over all samples, statistics with their derivatives, for Example 1's structure: what a
 /// pass of the climb costs. Arguments: experiments M, samples N.

@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <map>
 
+#include "io/atomic_file.h"
+#include "io/truth_yaml.h"
 #include "reported_parameters.h"
-#include "uncertainty_identification/data/atomic_file.h"
-#include "uncertainty_identification/data/csv.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/io/truth_yaml.h"
+#include "uncertainty_identification/io/csv.h"
 
 namespace uncertainty_identification::suite {
 namespace {

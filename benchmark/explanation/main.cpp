@@ -5,11 +5,11 @@
 #include <mutex>
 #include <thread>
 
+#include "io/atomic_file.h"
+#include "io/command_line.h"
+#include "io/output_file.h"
 #include "parts.h"
-#include "uncertainty_identification/data/atomic_file.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/io/command_line.h"
-#include "uncertainty_identification/io/output_file.h"
 
 namespace uncertainty_identification::suite {
 namespace {

@@ -6,9 +6,9 @@
 #include "explanation/attempt.h"
 #include "explanation/estimate_fit.h"
 #include "explanation/measure.h"
+#include "model/sensitivity.h"
 #include "reported_parameters.h"
 #include "uncertainty_identification/effects/catalogue.h"
-#include "uncertainty_identification/model/sensitivity.h"
 
 namespace uncertainty_identification::suite {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <map>
 
-#include "uncertainty_identification/io/text_table.h"
-#include "uncertainty_identification/io/truth_yaml.h"
+#include "io/text_table.h"
+#include "io/truth_yaml.h"
 
 namespace uncertainty_identification::suite {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "uncertainty_identification/model/mixture.h"
+#include "uncertainty_identification/math/mixture.h"
 
 /// Options of an identification. The YAML keys carry the names of these fields
 /// (config/reference.yaml documents each); a field's initialiser is its default, the only place

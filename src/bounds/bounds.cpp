@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "uncertainty_identification/bounds/frequency_grid.h"
+#include "bounds/frequency_grid.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

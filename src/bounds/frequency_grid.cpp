@@ -1,12 +1,12 @@
-#include "uncertainty_identification/bounds/frequency_grid.h"
+#include "bounds/frequency_grid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <vector>
 
+#include "math/polynomial.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/bounds/magnitude_fit.h"
+#include "bounds/magnitude_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <nlopt.hpp>
 #include <vector>
 
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

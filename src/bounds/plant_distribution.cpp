@@ -7,12 +7,12 @@
 #include <numeric>
 #include <random>
 
+#include "bounds/varying_plant.h"
+#include "estimation/plant_coordinates.h"
+#include "math/polynomial.h"
+#include "math/random_stream.h"
+#include "model/rational_basis.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/estimation/plant_coordinates.h"
-#include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/model/rational_basis.h"
-#include "uncertainty_identification/simulation/random_stream.h"
-#include "varying_plant.h"
 
 namespace uncertainty_identification {
 namespace {

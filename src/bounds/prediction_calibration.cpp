@@ -6,12 +6,12 @@
 #include <limits>
 #include <sstream>
 
+#include "estimation/simulation_fit.h"
+#include "math/polynomial.h"
+#include "math/random_stream.h"
+#include "model/held_plant.h"
 #include "uncertainty_identification/bounds/plant_distribution.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/estimation/simulation_fit.h"
-#include "uncertainty_identification/model/held_plant.h"
-#include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/simulation/random_stream.h"
 
 namespace uncertainty_identification {
 namespace {

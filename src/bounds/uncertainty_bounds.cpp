@@ -5,8 +5,8 @@
 #include <complex>
 #include <sstream>
 
+#include "math/polynomial.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

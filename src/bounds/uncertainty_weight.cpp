@@ -5,10 +5,10 @@
 #include <complex>
 #include <vector>
 
+#include "bounds/magnitude_fit.h"
+#include "math/polynomial.h"
 #include "uncertainty_identification/bounds/bands.h"
-#include "uncertainty_identification/bounds/magnitude_fit.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

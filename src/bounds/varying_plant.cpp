@@ -1,11 +1,11 @@
-#include "varying_plant.h"
+#include "bounds/varying_plant.h"
 
 #include <algorithm>
 #include <complex>
 
+#include "math/polynomial.h"
 #include "uncertainty_identification/enum_names.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 #include <memory>
 
+#include "model/sensitivity.h"
 #include "uncertainty_identification/estimation/estimate.h"
 #include "uncertainty_identification/model/nominal_model.h"
-#include "uncertainty_identification/model/sensitivity.h"
 
 namespace uncertainty_identification {
 

@@ -1,10 +1,10 @@
-#include "uncertainty_identification/data/check.h"
+#include "data/check.h"
 
 #include <algorithm>
 #include <map>
 #include <set>
 
-#include "text.h"
+#include "io/text.h"
 
 // Checks that compare experiments with each other; check_experiment.cpp looks at each by itself.
 namespace uncertainty_identification {

@@ -3,8 +3,8 @@
 #include <limits>
 #include <optional>
 
-#include "text.h"
-#include "uncertainty_identification/data/check.h"
+#include "data/check.h"
+#include "io/text.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,9 +1,9 @@
-#include "clean_signal.h"
+#include "data/clean_signal.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "text.h"
+#include "io/text.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

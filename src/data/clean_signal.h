@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "data/sample_grid.h"
 #include "uncertainty_identification/data/recording.h"
-#include "uncertainty_identification/data/sample_grid.h"
 
 namespace uncertainty_identification {
 

@@ -1,10 +1,10 @@
-#include "covariates.h"
+#include "data/covariates.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "clean_signal.h"
+#include "data/clean_signal.h"
 
 namespace uncertainty_identification {
 namespace {

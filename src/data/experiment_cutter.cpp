@@ -1,10 +1,10 @@
-#include "uncertainty_identification/data/experiment_cutter.h"
+#include "data/experiment_cutter.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "text.h"
+#include "io/text.h"
 #include "uncertainty_identification/errors.h"
 
 // What comes in: samples, cuts and the clock. experiment_windows.cpp makes experiments of it.

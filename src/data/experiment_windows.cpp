@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "uncertainty_identification/data/experiment_cutter.h"
+#include "data/experiment_cutter.h"
 
 // When experiments begin, end and are released. experiment_cutter.cpp takes in what they are made
 // of.

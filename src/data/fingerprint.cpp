@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "uncertainty_identification/data/check.h"
+#include "data/check.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "output_sampler.h"
+#include "data/output_sampler.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "clean_signal.h"
+#include "data/clean_signal.h"
 #include "uncertainty_identification/configuration.h"
 
 namespace uncertainty_identification {

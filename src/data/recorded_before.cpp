@@ -1,9 +1,9 @@
-#include "uncertainty_identification/data/recorded_before.h"
+#include "data/recorded_before.h"
 
 #include <algorithm>
 #include <functional>
 
-#include "uncertainty_identification/data/check.h"
+#include "data/check.h"
 
 namespace uncertainty_identification {
 namespace {

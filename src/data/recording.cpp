@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "clean_signal.h"
-#include "covariates.h"
-#include "output_sampler.h"
-#include "text.h"
+#include "data/clean_signal.h"
+#include "data/covariates.h"
+#include "data/output_sampler.h"
+#include "io/text.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/detection/error_filter.h"
+#include "detection/error_filter.h"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>

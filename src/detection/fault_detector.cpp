@@ -1,4 +1,4 @@
-#include "uncertainty_identification/detection/fault_detector.h"
+#include "detection/fault_detector.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -6,9 +6,9 @@
 #include <limits>
 #include <memory>
 
+#include "configuration/require.h"
+#include "model/sensitivity.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/sensitivity.h"
-#include "uncertainty_identification/require.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,11 +1,11 @@
-#include "uncertainty_identification/detection/live_fault_detector.h"
+#include "detection/live_fault_detector.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "uncertainty_identification/data/sample_grid.h"
-#include "uncertainty_identification/require.h"
+#include "configuration/require.h"
+#include "data/sample_grid.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,10 +1,10 @@
-#include "uncertainty_identification/detection/whitened_stream.h"
+#include "detection/whitened_stream.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/model/sensitivity.h"
+#include "math/polynomial.h"
+#include "model/sensitivity.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/detection/window_tests.h"
+#include "detection/window_tests.h"
 
 #include <Eigen/QR>
 #include <algorithm>

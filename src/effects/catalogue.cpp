@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "uncertainty_identification/edit_distance.h"
+#include "configuration/edit_distance.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

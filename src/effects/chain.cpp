@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "uncertainty_identification/model/filter.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 

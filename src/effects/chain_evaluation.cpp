@@ -1,11 +1,11 @@
-#include "chain_evaluation.h"
+#include "effects/chain_evaluation.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/linear_model.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/polynomial.h"
+#include "model/filter.h"
+#include "model/linear_model.h"
 
 namespace uncertainty_identification {
 namespace {

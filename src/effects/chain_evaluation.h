@@ -2,9 +2,9 @@
 
 #include <memory>
 
-#include "uncertainty_identification/effects/extended_model.h"
+#include "effects/extended_model.h"
+#include "model/evaluation.h"
 #include "uncertainty_identification/model/error_basis.h"
-#include "uncertainty_identification/model/evaluation.h"
 
 namespace uncertainty_identification {
 

@@ -1,12 +1,12 @@
-#include "uncertainty_identification/effects/extended_model.h"
+#include "effects/extended_model.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "chain_evaluation.h"
-#include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "effects/chain_evaluation.h"
+#include "math/polynomial.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 namespace {

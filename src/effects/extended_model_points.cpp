@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "uncertainty_identification/effects/extended_model.h"
-#include "uncertainty_identification/model/pseudo_inverse.h"
+#include "effects/extended_model.h"
+#include "math/pseudo_inverse.h"
 
 /// What an extended model is linearised about in each experiment: xi, and the points of effects
 /// whose random size the output is not linear in.

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "configuration/require.h"
+#include "effects/extended_model.h"
+#include "model/sensitivity.h"
 #include "uncertainty_identification/effects/catalogue.h"
-#include "uncertainty_identification/effects/extended_model.h"
 #include "uncertainty_identification/enum_names.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/sensitivity.h"
-#include "uncertainty_identification/require.h"
 
 namespace uncertainty_identification {
 

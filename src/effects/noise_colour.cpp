@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "math/polynomial.h"
 #include "uncertainty_identification/effects/catalogue.h"
-#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

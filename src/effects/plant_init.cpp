@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "model/filter.h"
 #include "uncertainty_identification/effects/catalogue.h"
-#include "uncertainty_identification/model/filter.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,8 +1,8 @@
 #include <cmath>
 
+#include "model/filter.h"
+#include "model/plant_derivatives.h"
 #include "uncertainty_identification/effects/catalogue.h"
-#include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/plant_derivatives.h"
 
 namespace uncertainty_identification {
 namespace {

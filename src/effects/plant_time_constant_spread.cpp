@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/polynomial.h"
+#include "model/filter.h"
+#include "model/plant_derivatives.h"
 #include "uncertainty_identification/effects/catalogue.h"
-#include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/plant_derivatives.h"
-#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,11 +1,11 @@
-#include "uncertainty_identification/estimation/embedded_start.h"
+#include "estimation/embedded_start.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

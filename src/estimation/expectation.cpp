@@ -1,4 +1,4 @@
-#include "uncertainty_identification/estimation/expectation.h"
+#include "estimation/expectation.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "scoring.h"
-#include "uncertainty_identification/estimation/climb.h"
-#include "uncertainty_identification/estimation/parametrisation.h"
+#include "estimation/climb.h"
+#include "estimation/parametrisation.h"
+#include "estimation/scoring.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/estimation/initial_guess.h"
+#include "estimation/initial_guess.h"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -6,9 +6,9 @@
 #include <limits>
 #include <random>
 
-#include "uncertainty_identification/estimation/embedded_start.h"
-#include "uncertainty_identification/estimation/least_squares_start.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "estimation/embedded_start.h"
+#include "estimation/least_squares_start.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,11 +1,11 @@
-#include "uncertainty_identification/estimation/least_squares_start.h"
+#include "estimation/least_squares_start.h"
 
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,7 +1,7 @@
-#include "uncertainty_identification/estimation/likelihood.h"
+#include "estimation/likelihood.h"
 
-#include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/pseudo_inverse.h"
+#include "math/pseudo_inverse.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 namespace {

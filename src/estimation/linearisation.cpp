@@ -1,4 +1,4 @@
-#include "uncertainty_identification/estimation/linearisation.h"
+#include "estimation/linearisation.h"
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 #include <limits>
 #include <nlopt.hpp>
 
-#include "uncertainty_identification/estimation/climb.h"
-#include "uncertainty_identification/estimation/observed_information.h"
+#include "estimation/climb.h"
+#include "estimation/observed_information.h"
 
 namespace uncertainty_identification {
 namespace {

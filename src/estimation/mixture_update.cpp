@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "uncertainty_identification/estimation/climb.h"
+#include "estimation/climb.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/estimation/parametrisation.h"
+#include "estimation/parametrisation.h"
 
 #include <cmath>
 

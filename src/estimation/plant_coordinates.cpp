@@ -1,8 +1,8 @@
-#include "uncertainty_identification/estimation/plant_coordinates.h"
+#include "estimation/plant_coordinates.h"
 
 #include <Eigen/LU>
 
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 

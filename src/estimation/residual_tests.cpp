@@ -1,4 +1,4 @@
-#include "uncertainty_identification/estimation/residual_tests.h"
+#include "estimation/residual_tests.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

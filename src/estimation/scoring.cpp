@@ -1,4 +1,4 @@
-#include "scoring.h"
+#include "estimation/scoring.h"
 
 #include <Eigen/Cholesky>
 

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "uncertainty_identification/estimation/climb.h"
+#include "estimation/climb.h"
 
 namespace uncertainty_identification {
 

@@ -1,16 +1,16 @@
-#include "uncertainty_identification/estimation/selection.h"
+#include "estimation/selection.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "estimation/excerpt.h"
+#include "estimation/initial_guess.h"
+#include "estimation/least_squares_start.h"
+#include "estimation/simulation_fit.h"
+#include "math/polynomial.h"
+#include "model/linear_model.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/estimation/excerpt.h"
-#include "uncertainty_identification/estimation/initial_guess.h"
-#include "uncertainty_identification/estimation/least_squares_start.h"
-#include "uncertainty_identification/estimation/simulation_fit.h"
-#include "uncertainty_identification/model/linear_model.h"
-#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/estimation/simulation_fit.h"
+#include "estimation/simulation_fit.h"
 
 #include <Eigen/QR>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/estimation/standard_errors.h"
+#include "estimation/standard_errors.h"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>

@@ -1,12 +1,12 @@
-#include "attempt.h"
+#include "explanation/attempt.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "checks.h"
-#include "estimate_fit.h"
-#include "peaks.h"
-#include "uncertainty_identification/model/sensitivity.h"
+#include "explanation/checks.h"
+#include "explanation/estimate_fit.h"
+#include "explanation/peaks.h"
+#include "model/sensitivity.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "search.h"
-#include "signatures.h"
-#include "split.h"
+#include "explanation/search.h"
+#include "explanation/signatures.h"
+#include "explanation/split.h"
 #include "uncertainty_identification/estimation/estimate.h"
 
 namespace uncertainty_identification {

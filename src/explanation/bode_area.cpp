@@ -1,4 +1,4 @@
-#include "bode_area.h"
+#include "explanation/bode_area.h"
 
 #include <cmath>
 

@@ -1,10 +1,10 @@
-#include "bootstrap.h"
+#include "explanation/bootstrap.h"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <random>
 
-#include "uncertainty_identification/estimation/initial_guess.h"
+#include "estimation/initial_guess.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "candidates.h"
+#include "explanation/candidates.h"
 
 namespace uncertainty_identification {
 

@@ -1,10 +1,10 @@
-#include "candidates.h"
+#include "explanation/candidates.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "from_white_noise.h"
+#include "explanation/from_white_noise.h"
 
 namespace uncertainty_identification {
 namespace {

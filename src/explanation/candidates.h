@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "fitted_effect.h"
+#include "explanation/fitted_effect.h"
 
 namespace uncertainty_identification {
 

@@ -1,4 +1,4 @@
-#include "checks.h"
+#include "explanation/checks.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/polynomial.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "clock.h"
+#include "explanation/clock.h"
 
 #include <limits>
 

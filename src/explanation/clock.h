@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit.h"
+#include "explanation/fit.h"
 
 /// Clock shifts of experiments (exp_clock), points that a model is linearised about: where they
 /// begin.

@@ -1,4 +1,4 @@
-#include "estimate_fit.h"
+#include "explanation/estimate_fit.h"
 
 #include <utility>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit.h"
+#include "explanation/fit.h"
 #include "uncertainty_identification/estimation/estimate.h"
 
 /// Between estimates, which users see, and fits, which a search works with.

@@ -7,15 +7,15 @@
 #include <mutex>
 #include <thread>
 
-#include "attempt.h"
-#include "checks.h"
-#include "estimate_fit.h"
-#include "intervals.h"
-#include "order_candidates.h"
+#include "configuration/require.h"
+#include "explanation/attempt.h"
+#include "explanation/checks.h"
+#include "explanation/estimate_fit.h"
+#include "explanation/intervals.h"
+#include "explanation/order_candidates.h"
+#include "explanation/verdict.h"
+#include "model/sensitivity.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/sensitivity.h"
-#include "uncertainty_identification/require.h"
-#include "verdict.h"
 
 namespace uncertainty_identification {
 namespace {

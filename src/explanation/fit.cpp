@@ -1,11 +1,11 @@
-#include "fit.h"
+#include "explanation/fit.h"
 
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <limits>
 
-#include "clock.h"
-#include "uncertainty_identification/model/filter.h"
+#include "explanation/clock.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 namespace {

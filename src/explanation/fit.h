@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "uncertainty_identification/effects/extended_model.h"
-#include "uncertainty_identification/estimation/climb.h"
+#include "effects/extended_model.h"
+#include "estimation/climb.h"
 
 namespace uncertainty_identification {
 

@@ -1,10 +1,10 @@
-#include "fitted_effect.h"
+#include "explanation/fitted_effect.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "screening.h"
+#include "explanation/screening.h"
 
 namespace uncertainty_identification {
 namespace {

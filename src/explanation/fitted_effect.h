@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "refine.h"
+#include "explanation/refine.h"
 
 namespace uncertainty_identification {
 

@@ -1,11 +1,11 @@
-#include "from_white_noise.h"
+#include "explanation/from_white_noise.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
 
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

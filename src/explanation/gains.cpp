@@ -1,9 +1,9 @@
-#include "gains.h"
+#include "explanation/gains.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "refine.h"
+#include "explanation/refine.h"
 
 namespace uncertainty_identification {
 namespace {

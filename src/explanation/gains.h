@@ -1,6 +1,6 @@
 #pragma once
 
-#include "search.h"
+#include "explanation/search.h"
 
 /// What candidates and causes gain.
 namespace uncertainty_identification {

@@ -1,4 +1,4 @@
-#include "intervals.h"
+#include "explanation/intervals.h"
 
 #include <Eigen/QR>
 #include <algorithm>

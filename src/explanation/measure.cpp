@@ -1,14 +1,14 @@
-#include "measure.h"
+#include "explanation/measure.h"
 
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
 
-#include "bode_area.h"
-#include "uncertainty_identification/estimation/simulation_fit.h"
-#include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "estimation/simulation_fit.h"
+#include "explanation/bode_area.h"
+#include "math/polynomial.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 namespace {

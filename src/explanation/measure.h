@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit.h"
+#include "explanation/fit.h"
 #include "uncertainty_identification/explanation/explanation.h"
 
 namespace uncertainty_identification {

@@ -1,11 +1,11 @@
-#include "order_candidates.h"
+#include "explanation/order_candidates.h"
 
 #include <cmath>
 #include <optional>
 
-#include "estimate_fit.h"
+#include "explanation/estimate_fit.h"
+#include "math/polynomial.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "refine.h"
+#include "explanation/refine.h"
 #include "uncertainty_identification/estimation/estimate.h"
 #include "uncertainty_identification/identifier.h"
 

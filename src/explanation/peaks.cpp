@@ -1,4 +1,4 @@
-#include "peaks.h"
+#include "explanation/peaks.h"
 
 #include <cmath>
 

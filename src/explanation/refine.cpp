@@ -1,12 +1,12 @@
-#include "refine.h"
+#include "explanation/refine.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "estimation/initial_guess.h"
+#include "model/filter.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/estimation/initial_guess.h"
-#include "uncertainty_identification/model/filter.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include "fit.h"
-#include "uncertainty_identification/estimation/worker_pool.h"
+#include "explanation/fit.h"
+#include "math/worker_pool.h"
 
 namespace uncertainty_identification {
 

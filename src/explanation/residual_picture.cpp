@@ -3,7 +3,7 @@
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
-#include "checks.h"
+#include "explanation/checks.h"
 
 namespace uncertainty_identification {
 namespace {

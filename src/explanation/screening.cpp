@@ -1,13 +1,13 @@
-#include "screening.h"
+#include "explanation/screening.h"
 
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
-#include "clock.h"
-#include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/pseudo_inverse.h"
+#include "explanation/clock.h"
+#include "math/pseudo_inverse.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "fit.h"
+#include "explanation/fit.h"
 
 namespace uncertainty_identification {
 

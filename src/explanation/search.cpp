@@ -1,12 +1,12 @@
-#include "search.h"
+#include "explanation/search.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "bootstrap.h"
-#include "checks.h"
-#include "gains.h"
+#include "explanation/bootstrap.h"
+#include "explanation/checks.h"
+#include "explanation/gains.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "candidates.h"
-#include "measure.h"
-#include "tails.h"
+#include "explanation/candidates.h"
+#include "explanation/measure.h"
+#include "explanation/tails.h"
 #include "uncertainty_identification/effects/catalogue.h"
 #include "uncertainty_identification/explanation/explanation.h"
 

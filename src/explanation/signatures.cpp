@@ -1,4 +1,4 @@
-#include "signatures.h"
+#include "explanation/signatures.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "split.h"
+#include "explanation/split.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,11 +1,11 @@
-#include "tails.h"
+#include "explanation/tails.h"
 
 #include <algorithm>
 #include <boost/math/distributions/poisson.hpp>
 #include <cmath>
 
-#include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/polynomial.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "fit.h"
+#include "explanation/fit.h"
 
 namespace uncertainty_identification {
 

@@ -1,9 +1,9 @@
-#include "verdict.h"
+#include "explanation/verdict.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "checks.h"
+#include "explanation/checks.h"
 
 namespace uncertainty_identification {
 namespace {

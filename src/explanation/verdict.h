@@ -1,6 +1,6 @@
 #pragma once
 
-#include "search.h"
+#include "explanation/search.h"
 #include "uncertainty_identification/explanation/explanation.h"
 
 namespace uncertainty_identification {

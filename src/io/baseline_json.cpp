@@ -1,8 +1,8 @@
-#include "uncertainty_identification/io/baseline_json.h"
+#include "io/baseline_json.h"
 
-#include "estimate_binding.h"
-#include "uncertainty_identification/io/tree_reader.h"
-#include "uncertainty_identification/io/tree_writer.h"
+#include "io/estimate_binding.h"
+#include "io/tree_reader.h"
+#include "io/tree_writer.h"
 
 namespace uncertainty_identification {
 

@@ -1,12 +1,12 @@
-#include "uncertainty_identification/io/bounds_json.h"
+#include "io/bounds_json.h"
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
-#include "estimate_binding.h"
-#include "uncertainty_identification/io/tree_reader.h"
-#include "uncertainty_identification/io/tree_writer.h"
+#include "io/estimate_binding.h"
+#include "io/tree_reader.h"
+#include "io/tree_writer.h"
 
 namespace uncertainty_identification {
 

@@ -1,12 +1,12 @@
-#include "uncertainty_identification/io/command_line.h"
+#include "io/command_line.h"
 
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
 
+#include "io/memory.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/io/memory.h"
 #include "uncertainty_identification/version.h"
 
 namespace uncertainty_identification {

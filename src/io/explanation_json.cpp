@@ -1,10 +1,10 @@
 #include "uncertainty_identification/io/explanation_json.h"
 
-#include "estimate_binding.h"
-#include "json_file.h"
+#include "io/estimate_binding.h"
+#include "io/json_file.h"
+#include "io/tree_reader.h"
+#include "io/tree_writer.h"
 #include "uncertainty_identification/io/result_json.h"
-#include "uncertainty_identification/io/tree_reader.h"
-#include "uncertainty_identification/io/tree_writer.h"
 
 namespace uncertainty_identification {
 

@@ -1,12 +1,12 @@
-#include "uncertainty_identification/io/explanation_text.h"
+#include "io/explanation_text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
+#include "io/text_table.h"
 #include "uncertainty_identification/enum_names.h"
-#include "uncertainty_identification/io/text_table.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,9 +1,9 @@
-#include "uncertainty_identification/io/fault_detection_yaml.h"
+#include "io/fault_detection_yaml.h"
 
-#include "uncertainty_identification/io/configuration_binding.h"
-#include "uncertainty_identification/io/tree.h"
-#include "uncertainty_identification/io/tree_reader.h"
-#include "uncertainty_identification/io/tree_writer.h"
+#include "io/configuration_binding.h"
+#include "io/tree.h"
+#include "io/tree_reader.h"
+#include "io/tree_writer.h"
 
 namespace uncertainty_identification {
 

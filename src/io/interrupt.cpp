@@ -1,4 +1,4 @@
-#include "uncertainty_identification/io/interrupt.h"
+#include "io/interrupt.h"
 
 namespace uncertainty_identification {
 namespace {

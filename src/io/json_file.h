@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "uncertainty_identification/data/atomic_file.h"
+#include "io/atomic_file.h"
+#include "io/read_file.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/io/read_file.h"
 
 namespace uncertainty_identification {
 

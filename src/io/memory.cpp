@@ -1,4 +1,4 @@
-#include "uncertainty_identification/io/memory.h"
+#include "io/memory.h"
 
 #include <malloc.h>
 

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/io/output_file.h"
+#include "io/output_file.h"
 
 #include <unistd.h>
 

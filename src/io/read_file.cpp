@@ -1,4 +1,4 @@
-#include "uncertainty_identification/io/read_file.h"
+#include "io/read_file.h"
 
 #include <cerrno>
 #include <cstring>

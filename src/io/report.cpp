@@ -1,8 +1,8 @@
-#include "uncertainty_identification/io/report.h"
+#include "io/report.h"
 
 #include <map>
 
-#include "uncertainty_identification/data/atomic_file.h"
+#include "io/atomic_file.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/explanation_json.h"
 

@@ -2,13 +2,13 @@
 
 #include <limits>
 
-#include "estimate_binding.h"
-#include "json_file.h"
-#include "uncertainty_identification/io/baseline_json.h"
-#include "uncertainty_identification/io/bounds_json.h"
-#include "uncertainty_identification/io/configuration_binding.h"
-#include "uncertainty_identification/io/tree_reader.h"
-#include "uncertainty_identification/io/tree_writer.h"
+#include "io/baseline_json.h"
+#include "io/bounds_json.h"
+#include "io/configuration_binding.h"
+#include "io/estimate_binding.h"
+#include "io/json_file.h"
+#include "io/tree_reader.h"
+#include "io/tree_writer.h"
 
 namespace uncertainty_identification {
 

@@ -1,11 +1,11 @@
-#include "uncertainty_identification/io/result_text.h"
+#include "io/result_text.h"
 
 #include <vector>
 
+#include "io/text_table.h"
+#include "math/polynomial.h"
+#include "model/sensitivity.h"
 #include "uncertainty_identification/enum_names.h"
-#include "uncertainty_identification/io/text_table.h"
-#include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/model/sensitivity.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,8 +1,8 @@
-#include "uncertainty_identification/io/robust_margin_yaml.h"
+#include "io/robust_margin_yaml.h"
 
-#include "uncertainty_identification/io/tree.h"
-#include "uncertainty_identification/io/tree_reader.h"
-#include "uncertainty_identification/io/tree_writer.h"
+#include "io/tree.h"
+#include "io/tree_reader.h"
+#include "io/tree_writer.h"
 
 namespace uncertainty_identification {
 

@@ -1,10 +1,10 @@
-#include "uncertainty_identification/io/tree.h"
+#include "io/tree.h"
 
 #include <algorithm>
 #include <vector>
 
+#include "io/read_file.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/io/read_file.h"
 
 namespace uncertainty_identification {
 namespace {

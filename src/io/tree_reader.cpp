@@ -1,4 +1,4 @@
-#include "uncertainty_identification/io/tree_reader.h"
+#include "io/tree_reader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "uncertainty_identification/edit_distance.h"
+#include "configuration/edit_distance.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

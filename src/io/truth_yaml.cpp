@@ -1,10 +1,10 @@
-#include "uncertainty_identification/io/truth_yaml.h"
+#include "io/truth_yaml.h"
 
-#include "uncertainty_identification/io/configuration_binding.h"
-#include "uncertainty_identification/io/tree.h"
-#include "uncertainty_identification/io/tree_reader.h"
-#include "uncertainty_identification/io/tree_writer.h"
-#include "uncertainty_identification/simulation/simulate.h"
+#include "io/configuration_binding.h"
+#include "io/tree.h"
+#include "io/tree_reader.h"
+#include "io/tree_writer.h"
+#include "simulation/simulate.h"
 #include "uncertainty_identification/version.h"
 
 namespace uncertainty_identification {

@@ -1,7 +1,7 @@
-#include "uncertainty_identification/model/box_jenkins.h"
+#include "model/box_jenkins.h"
 
+#include "math/polynomial.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,11 +1,11 @@
-#include "uncertainty_identification/model/continuous.h"
+#include "model/continuous.h"
 
 #include <algorithm>
 #include <cmath>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "math/polynomial.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

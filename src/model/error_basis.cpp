@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "math/polynomial.h"
+#include "model/filter.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

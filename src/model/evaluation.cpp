@@ -1,6 +1,6 @@
-#include "uncertainty_identification/model/evaluation.h"
+#include "model/evaluation.h"
 
-#include "uncertainty_identification/model/filter.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,8 +1,8 @@
-#include "uncertainty_identification/model/filter.h"
+#include "model/filter.h"
 
 #include <algorithm>
 
-#include "pack.h"
+#include "model/pack.h"
 
 namespace uncertainty_identification {
 namespace {

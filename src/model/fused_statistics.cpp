@@ -1,9 +1,9 @@
-#include "fused_statistics.h"
+#include "model/fused_statistics.h"
 
 #include <algorithm>
 #include <array>
 
-#include "fused_sweep.h"
+#include "model/fused_sweep.h"
 
 namespace uncertainty_identification {
 namespace {

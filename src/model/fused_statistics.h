@@ -2,9 +2,9 @@
 
 #include <Eigen/Core>
 
+#include "model/statistics.h"
 #include "uncertainty_identification/model/block.h"
 #include "uncertainty_identification/model/nominal_model.h"
-#include "uncertainty_identification/model/statistics.h"
 
 namespace uncertainty_identification {
 

@@ -1,6 +1,6 @@
-#include "uncertainty_identification/model/held_plant.h"
+#include "model/held_plant.h"
 
-#include "uncertainty_identification/model/box_jenkins.h"
+#include "model/box_jenkins.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,11 +1,11 @@
-#include "uncertainty_identification/model/linear_model.h"
+#include "model/linear_model.h"
 
 #include <algorithm>
 
-#include "fused_statistics.h"
-#include "uncertainty_identification/model/evaluation.h"
-#include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/polynomial.h"
+#include "model/evaluation.h"
+#include "model/filter.h"
+#include "model/fused_statistics.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,10 +1,10 @@
-#include "uncertainty_identification/model/model.h"
+#include "model/model.h"
 
 #include <cmath>
 #include <unordered_map>
 
-#include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/pseudo_inverse.h"
+#include "math/pseudo_inverse.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,9 +1,9 @@
-#include "uncertainty_identification/model/noise_whitening.h"
+#include "model/noise_whitening.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "pack.h"
+#include "model/pack.h"
 
 namespace uncertainty_identification {
 namespace {

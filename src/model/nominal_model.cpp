@@ -3,10 +3,10 @@
 #include <cmath>
 #include <functional>
 
+#include "math/polynomial.h"
+#include "model/box_jenkins.h"
+#include "model/continuous.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/box_jenkins.h"
-#include "uncertainty_identification/model/continuous.h"
-#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/model/plant_derivatives.h"
+#include "model/plant_derivatives.h"
 
 #include <algorithm>
 #include <cmath>

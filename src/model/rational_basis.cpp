@@ -1,4 +1,4 @@
-#include "uncertainty_identification/model/rational_basis.h"
+#include "model/rational_basis.h"
 
 #include <algorithm>
 

@@ -1,13 +1,13 @@
-#include "uncertainty_identification/model/sensitivity.h"
+#include "model/sensitivity.h"
 
 #include <algorithm>
 #include <complex>
 #include <map>
 
+#include "configuration/require.h"
+#include "math/polynomial.h"
+#include "model/plant_derivatives.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/plant_derivatives.h"
-#include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/require.h"
 
 namespace uncertainty_identification {
 namespace {

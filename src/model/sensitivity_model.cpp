@@ -1,10 +1,10 @@
-#include "uncertainty_identification/model/sensitivity_model.h"
+#include "model/sensitivity_model.h"
 
 #include <algorithm>
 
-#include "uncertainty_identification/model/evaluation.h"
-#include "uncertainty_identification/model/filter.h"
-#include "uncertainty_identification/model/plant_derivatives.h"
+#include "model/evaluation.h"
+#include "model/filter.h"
+#include "model/plant_derivatives.h"
 
 namespace uncertainty_identification {
 namespace {

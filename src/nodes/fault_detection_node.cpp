@@ -5,9 +5,9 @@
 
 #include <exception>
 
-#include "uncertainty_identification/io/fault_detection_yaml.h"
-#include "uncertainty_identification/ros/fault_detection_server.h"
-#include "uncertainty_identification/ros/parameters.h"
+#include "io/fault_detection_yaml.h"
+#include "ros/fault_detection_server.h"
+#include "ros/parameters.h"
 
 int main(int argc, char** argv) {
   namespace ui = uncertainty_identification;

@@ -4,8 +4,8 @@
 
 #include <exception>
 
-#include "uncertainty_identification/ros/identification_server.h"
-#include "uncertainty_identification/ros/parameters.h"
+#include "ros/identification_server.h"
+#include "ros/parameters.h"
 
 int main(int argc, char** argv) {
   namespace ui = uncertainty_identification;

@@ -5,9 +5,9 @@
 
 #include <exception>
 
-#include "uncertainty_identification/io/robust_margin_yaml.h"
-#include "uncertainty_identification/ros/parameters.h"
-#include "uncertainty_identification/ros/robust_margin_server.h"
+#include "io/robust_margin_yaml.h"
+#include "ros/parameters.h"
+#include "ros/robust_margin_server.h"
 
 int main(int argc, char** argv) {
   namespace ui = uncertainty_identification;

@@ -1,10 +1,10 @@
-#include "bag_file.h"
+#include "ros/bag_file.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 
-#include "decompress.h"
+#include "ros/decompress.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bag_record.h"
+#include "ros/bag_record.h"
 
 namespace uncertainty_identification {
 

@@ -2,12 +2,12 @@
 
 #include <set>
 
-#include "bag_file.h"
+#include "ros/bag_file.h"
+#include "ros/deserialise.h"
+#include "ros/experiment_bag.h"
+#include "ros/message_conversions.h"
+#include "ros/topic_router.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/ros/deserialise.h"
-#include "uncertainty_identification/ros/experiment_bag.h"
-#include "uncertainty_identification/ros/message_conversions.h"
-#include "uncertainty_identification/ros/topic_router.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "byte_reader.h"
+#include "ros/byte_reader.h"
 
 /// The records that a bag of format 2.0 consists of (wiki.ros.org/Bags/Format/2.0).
 namespace uncertainty_identification {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/bag_writer.h"
+#include "ros/bag_writer.h"
 
 #include <rosbag/bag.h>
 
@@ -6,9 +6,9 @@
 #include <limits>
 #include <map>
 
-#include "uncertainty_identification/data/atomic_file.h"
+#include "io/atomic_file.h"
+#include "ros/message_conversions.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/ros/message_conversions.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,8 +1,8 @@
-#include "uncertainty_identification/ros/bounds_message.h"
+#include "ros/bounds_message.h"
 
 #include <string>
 
-#include "number_list.h"
+#include "ros/number_list.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

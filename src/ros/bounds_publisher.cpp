@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/bounds_publisher.h"
+#include "ros/bounds_publisher.h"
 
 #include <exception>
 #include <utility>

@@ -4,8 +4,8 @@
 #include <cstring>
 #include <string>
 
+#include "ros/message_decoder.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/ros/message_decoder.h"
 
 namespace uncertainty_identification {
 

@@ -1,4 +1,4 @@
-#include "decompress.h"
+#include "ros/decompress.h"
 
 #include <bzlib.h>
 #include <roslz4/lz4s.h>

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "uncertainty_identification/ros/message_decoder.h"
+#include "ros/message_decoder.h"
 
 namespace uncertainty_identification {
 

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/experiment_bag.h"
+#include "ros/experiment_bag.h"
 
 #include <rosbag/bag.h>
 #include <sys/mman.h>
@@ -9,9 +9,9 @@
 #include <cstring>
 #include <fstream>
 
-#include "uncertainty_identification/data/atomic_file.h"
+#include "io/atomic_file.h"
+#include "ros/message_conversions.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/ros/message_conversions.h"
 
 namespace uncertainty_identification {
 namespace {

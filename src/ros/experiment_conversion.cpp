@@ -1,8 +1,8 @@
 #include <map>
 
-#include "number_list.h"
+#include "ros/message_conversions.h"
+#include "ros/number_list.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/ros/message_conversions.h"
 
 namespace uncertainty_identification {
 namespace {

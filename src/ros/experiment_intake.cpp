@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/experiment_intake.h"
+#include "ros/experiment_intake.h"
 
 #include <utility>
 

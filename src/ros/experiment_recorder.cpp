@@ -1,10 +1,10 @@
-#include "uncertainty_identification/ros/experiment_recorder.h"
+#include "ros/experiment_recorder.h"
 
 #include <utility>
 
+#include "ros/deserialise.h"
+#include "ros/message_conversions.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/ros/deserialise.h"
-#include "uncertainty_identification/ros/message_conversions.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,10 +1,10 @@
-#include "uncertainty_identification/ros/experiment_set.h"
+#include "ros/experiment_set.h"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "uncertainty_identification/data/check.h"
+#include "data/check.h"
 
 namespace uncertainty_identification {
 namespace {

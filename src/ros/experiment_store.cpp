@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/experiment_store.h"
+#include "ros/experiment_store.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -10,10 +10,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "uncertainty_identification/data/atomic_file.h"
+#include "io/atomic_file.h"
+#include "ros/experiment_bag.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/ros/experiment_bag.h"
 
 /// What is written; experiment_store_load.cpp reads it.
 namespace uncertainty_identification {

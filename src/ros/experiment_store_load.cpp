@@ -4,13 +4,13 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "uncertainty_identification/data/atomic_file.h"
-#include "uncertainty_identification/data/check.h"
+#include "data/check.h"
+#include "io/atomic_file.h"
+#include "io/read_file.h"
+#include "ros/experiment_bag.h"
+#include "ros/experiment_store.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/io/read_file.h"
-#include "uncertainty_identification/ros/experiment_bag.h"
-#include "uncertainty_identification/ros/experiment_store.h"
 
 /// What a store holds, and what a crash or a bad disk left of it.
 namespace uncertainty_identification {

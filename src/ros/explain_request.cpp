@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/explain_request.h"
+#include "ros/explain_request.h"
 
 #include <ros/time.h>
 
@@ -6,8 +6,8 @@
 #include <iterator>
 #include <utility>
 
-#include "uncertainty_identification/ros/explanation_message.h"
-#include "uncertainty_identification/ros/request.h"
+#include "ros/explanation_message.h"
+#include "ros/request.h"
 
 namespace uncertainty_identification {
 namespace {

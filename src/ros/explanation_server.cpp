@@ -1,8 +1,8 @@
-#include "uncertainty_identification/ros/explanation_server.h"
+#include "ros/explanation_server.h"
 
 #include <utility>
 
-#include "uncertainty_identification/ros/explain_request.h"
+#include "ros/explain_request.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,13 +1,13 @@
-#include "uncertainty_identification/ros/fault_detection_server.h"
+#include "ros/fault_detection_server.h"
 
 #include <std_msgs/Bool.h>
 
 #include <utility>
 
+#include "ros/deserialise.h"
+#include "ros/message_conversions.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/result_json.h"
-#include "uncertainty_identification/ros/deserialise.h"
-#include "uncertainty_identification/ros/message_conversions.h"
 
 namespace uncertainty_identification {
 namespace {

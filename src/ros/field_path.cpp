@@ -1,13 +1,13 @@
-#include "uncertainty_identification/ros/field_path.h"
+#include "ros/field_path.h"
 
 #include <algorithm>
 #include <cctype>
 #include <optional>
 #include <sstream>
 
-#include "uncertainty_identification/edit_distance.h"
+#include "configuration/edit_distance.h"
+#include "io/tree.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/io/tree.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/file_name.h"
+#include "ros/file_name.h"
 
 #include <algorithm>
 #include <cctype>

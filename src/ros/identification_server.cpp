@@ -1,12 +1,12 @@
-#include "uncertainty_identification/ros/identification_server.h"
+#include "ros/identification_server.h"
 
 #include <utility>
 
+#include "ros/checked_service.h"
+#include "ros/identify_request.h"
+#include "ros/mebibytes.h"
+#include "ros/message_conversions.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/ros/checked_service.h"
-#include "uncertainty_identification/ros/identify_request.h"
-#include "uncertainty_identification/ros/mebibytes.h"
-#include "uncertainty_identification/ros/message_conversions.h"
 
 namespace uncertainty_identification {
 namespace {

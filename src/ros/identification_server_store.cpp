@@ -1,7 +1,7 @@
 #include <utility>
 
+#include "ros/identification_server.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/ros/identification_server.h"
 
 /// What the server keeps over its end, and the services about it.
 namespace uncertainty_identification {

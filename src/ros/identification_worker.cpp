@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/identification_worker.h"
+#include "ros/identification_worker.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "uncertainty_identification/ros/identification_worker.h"
+#include "ros/identification_worker.h"
 
 /// What others ask of the worker, from any thread.
 namespace uncertainty_identification {

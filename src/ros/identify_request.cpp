@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/identify_request.h"
+#include "ros/identify_request.h"
 
 #include <ros/time.h>
 
@@ -6,10 +6,10 @@
 #include <iterator>
 #include <utility>
 
+#include "ros/message_conversions.h"
+#include "ros/request.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/identifier.h"
-#include "uncertainty_identification/ros/message_conversions.h"
-#include "uncertainty_identification/ros/request.h"
 
 namespace uncertainty_identification {
 namespace {

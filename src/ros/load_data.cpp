@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
-#include "uncertainty_identification/data/csv.h"
 #include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/csv.h"
 
 namespace uncertainty_identification {
 namespace {

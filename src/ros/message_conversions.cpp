@@ -1,6 +1,6 @@
-#include "uncertainty_identification/ros/message_conversions.h"
+#include "ros/message_conversions.h"
 
-#include "number_list.h"
+#include "ros/number_list.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
 #include "uncertainty_identification/io/result_json.h"

@@ -1,6 +1,6 @@
-#include "uncertainty_identification/ros/message_decoder.h"
+#include "ros/message_decoder.h"
 
-#include "byte_reader.h"
+#include "ros/byte_reader.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/message_definition.h"
+#include "ros/message_definition.h"
 
 #include <algorithm>
 #include <map>

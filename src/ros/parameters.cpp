@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/parameters.h"
+#include "ros/parameters.h"
 
 #include <ros/names.h>
 
@@ -7,9 +7,9 @@
 #include <locale>
 #include <sstream>
 
+#include "io/tree.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/io/tree.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,13 +1,13 @@
-#include "uncertainty_identification/ros/reconfiguration.h"
+#include "ros/reconfiguration.h"
 
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
+#include "io/untrusted_yaml.h"
+#include "ros/bag_name.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/io/untrusted_yaml.h"
-#include "uncertainty_identification/ros/bag_name.h"
 
 namespace uncertainty_identification {
 namespace {

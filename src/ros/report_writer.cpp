@@ -1,8 +1,8 @@
-#include "uncertainty_identification/ros/report_writer.h"
+#include "ros/report_writer.h"
 
+#include "io/report.h"
+#include "ros/file_name.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/io/report.h"
-#include "uncertainty_identification/ros/file_name.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,13 +1,13 @@
-#include "uncertainty_identification/ros/request.h"
+#include "ros/request.h"
 
 #include <algorithm>
 #include <limits>
 
+#include "io/untrusted_yaml.h"
+#include "ros/bag_name.h"
+#include "ros/mebibytes.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/io/untrusted_yaml.h"
-#include "uncertainty_identification/ros/bag_name.h"
 #include "uncertainty_identification/ros/load_data.h"
-#include "uncertainty_identification/ros/mebibytes.h"
 
 namespace uncertainty_identification {
 

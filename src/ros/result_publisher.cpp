@@ -1,6 +1,6 @@
-#include "uncertainty_identification/ros/result_publisher.h"
+#include "ros/result_publisher.h"
 
-#include "uncertainty_identification/ros/message_conversions.h"
+#include "ros/message_conversions.h"
 
 namespace uncertainty_identification {
 

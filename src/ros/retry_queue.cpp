@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/retry_queue.h"
+#include "ros/retry_queue.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/robust_margin_server.h"
+#include "ros/robust_margin_server.h"
 
 #include <sstream>
 

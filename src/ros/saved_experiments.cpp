@@ -1,17 +1,17 @@
-#include "uncertainty_identification/ros/saved_experiments.h"
+#include "ros/saved_experiments.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <set>
 #include <utility>
 
-#include "uncertainty_identification/data/check.h"
+#include "data/check.h"
+#include "ros/bag_name.h"
+#include "ros/experiment_bag.h"
+#include "ros/file_name.h"
+#include "ros/mebibytes.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/ros/bag_name.h"
 #include "uncertainty_identification/ros/bag_reader.h"
-#include "uncertainty_identification/ros/experiment_bag.h"
-#include "uncertainty_identification/ros/file_name.h"
-#include "uncertainty_identification/ros/mebibytes.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/signal_decoder.h"
+#include "ros/signal_decoder.h"
 
 #include <limits>
 #include <utility>

@@ -1,8 +1,8 @@
-#include "uncertainty_identification/ros/status_publisher.h"
+#include "ros/status_publisher.h"
 
 #include <utility>
 
-#include "uncertainty_identification/ros/message_conversions.h"
+#include "ros/message_conversions.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/store_writer.h"
+#include "ros/store_writer.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,9 +1,9 @@
-#include "uncertainty_identification/ros/stored_result.h"
+#include "ros/stored_result.h"
 
-#include "uncertainty_identification/data/atomic_file.h"
+#include "io/atomic_file.h"
+#include "io/read_file.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/io/read_file.h"
 #include "uncertainty_identification/io/result_json.h"
 
 namespace uncertainty_identification {

@@ -1,12 +1,12 @@
-#include "uncertainty_identification/ros/topic_router.h"
+#include "ros/topic_router.h"
 
 #include <std_msgs/Bool.h>
 
 #include <utility>
 
+#include "ros/deserialise.h"
+#include "ros/messages.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/ros/deserialise.h"
-#include "uncertainty_identification/ros/messages.h"
 
 namespace uncertainty_identification {
 

@@ -1,9 +1,9 @@
-#include "uncertainty_identification/simulation/actuator_effects.h"
+#include "simulation/actuator_effects.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "signals.h"
+#include "simulation/signals.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <random>
 
-#include "uncertainty_identification/simulation/random_stream.h"
-#include "uncertainty_identification/simulation/simulate.h"
+#include "math/random_stream.h"
+#include "simulation/simulate.h"
 
 /// The stages that a signal passes from the input to the record of one experiment.
 namespace uncertainty_identification {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <random>
 
-#include "spread_plant.h"
-#include "uncertainty_identification/simulation/random_stream.h"
-#include "uncertainty_identification/simulation/simulate.h"
+#include "math/random_stream.h"
+#include "simulation/simulate.h"
+#include "simulation/spread_plant.h"
 
 namespace uncertainty_identification {
 namespace {

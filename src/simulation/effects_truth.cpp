@@ -1,7 +1,7 @@
-#include "uncertainty_identification/simulation/effects_truth.h"
+#include "simulation/effects_truth.h"
 
-#include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/require.h"
+#include "configuration/require.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 

@@ -1,6 +1,6 @@
-#include "uncertainty_identification/simulation/field.h"
+#include "simulation/field.h"
 
-#include "uncertainty_identification/require.h"
+#include "configuration/require.h"
 
 namespace uncertainty_identification {
 

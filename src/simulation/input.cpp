@@ -1,9 +1,9 @@
-#include "uncertainty_identification/simulation/input.h"
+#include "simulation/input.h"
 
 #include <cmath>
 
-#include "chain.h"
-#include "signals.h"
+#include "simulation/chain.h"
+#include "simulation/signals.h"
 
 namespace uncertainty_identification {
 namespace {

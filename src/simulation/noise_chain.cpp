@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
-#include "chain.h"
-#include "signals.h"
-#include "uncertainty_identification/model/polynomial.h"
+#include "math/polynomial.h"
+#include "simulation/chain.h"
+#include "simulation/signals.h"
 
 namespace uncertainty_identification {
 namespace {

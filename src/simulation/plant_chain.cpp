@@ -2,8 +2,8 @@
 #include <cmath>
 #include <vector>
 
-#include "chain.h"
-#include "signals.h"
+#include "simulation/chain.h"
+#include "simulation/signals.h"
 #include "uncertainty_identification/model/block.h"
 #include "uncertainty_identification/model/error_basis.h"
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "chain.h"
-#include "signals.h"
+#include "simulation/chain.h"
+#include "simulation/signals.h"
 
 namespace uncertainty_identification {
 namespace {

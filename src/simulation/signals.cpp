@@ -1,9 +1,9 @@
-#include "signals.h"
+#include "simulation/signals.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "uncertainty_identification/model/filter.h"
+#include "model/filter.h"
 
 namespace uncertainty_identification {
 

@@ -1,13 +1,13 @@
-#include "uncertainty_identification/simulation/simulate.h"
+#include "simulation/simulate.h"
 
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <random>
 
-#include "chain.h"
+#include "simulation/chain.h"
+#include "simulation/input.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/simulation/input.h"
 
 namespace uncertainty_identification {
 namespace {

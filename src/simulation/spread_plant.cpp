@@ -1,10 +1,10 @@
-#include "spread_plant.h"
+#include "simulation/spread_plant.h"
 
 #include <cmath>
 #include <cstdlib>
 
-#include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/require.h"
+#include "configuration/require.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -3,8 +3,8 @@
 #include <random>
 #include <string>
 
+#include "simulation/truth.h"
 #include "uncertainty_identification/model/nominal_model.h"
-#include "uncertainty_identification/simulation/truth.h"
 
 /// The plant of one experiment when a parameter of Go differs between experiments.
 namespace uncertainty_identification {

@@ -1,13 +1,13 @@
-#include "uncertainty_identification/simulation/truth.h"
+#include "simulation/truth.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "spread_plant.h"
+#include "configuration/require.h"
+#include "math/polynomial.h"
+#include "model/sensitivity.h"
+#include "simulation/spread_plant.h"
 #include "uncertainty_identification/model/error_basis.h"
-#include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/model/sensitivity.h"
-#include "uncertainty_identification/require.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "data_argument.h"
+#include "io/command_line.h"
+#include "io/explanation_text.h"
+#include "io/interrupt.h"
+#include "io/output_file.h"
+#include "io/progress_bar.h"
+#include "tools/data_argument.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/explanation/explanation.h"
-#include "uncertainty_identification/io/command_line.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
 #include "uncertainty_identification/io/explanation_json.h"
-#include "uncertainty_identification/io/explanation_text.h"
-#include "uncertainty_identification/io/interrupt.h"
-#include "uncertainty_identification/io/output_file.h"
-#include "uncertainty_identification/io/progress_bar.h"
 
 namespace {
 

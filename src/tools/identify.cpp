@@ -8,18 +8,18 @@
 #include <string>
 #include <vector>
 
-#include "data_argument.h"
-#include "uncertainty_identification/bounds/baseline.h"
+#include "io/command_line.h"
+#include "io/interrupt.h"
+#include "io/output_file.h"
+#include "io/progress_bar.h"
+#include "io/result_text.h"
+#include "tools/data_argument.h"
+#include "uncertainty_identification/baselines/baseline.h"
 #include "uncertainty_identification/enum_names.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/identifier.h"
-#include "uncertainty_identification/io/command_line.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/io/interrupt.h"
-#include "uncertainty_identification/io/output_file.h"
-#include "uncertainty_identification/io/progress_bar.h"
 #include "uncertainty_identification/io/result_json.h"
-#include "uncertainty_identification/io/result_text.h"
 
 namespace {
 

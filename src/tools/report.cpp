@@ -1,15 +1,15 @@
 // Writes a result as an HTML page for people.
 
-#include "uncertainty_identification/io/report.h"
+#include "io/report.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "io/command_line.h"
+#include "io/output_file.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/io/command_line.h"
 #include "uncertainty_identification/io/explanation_json.h"
-#include "uncertainty_identification/io/output_file.h"
 
 namespace {
 

@@ -4,14 +4,14 @@
 #include <iostream>
 #include <string>
 
-#include "uncertainty_identification/bounds/frequency_grid.h"
-#include "uncertainty_identification/data/atomic_file.h"
+#include "bounds/frequency_grid.h"
+#include "configuration/require.h"
+#include "io/atomic_file.h"
+#include "io/command_line.h"
+#include "io/output_file.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/io/command_line.h"
-#include "uncertainty_identification/io/output_file.h"
 #include "uncertainty_identification/io/result_json.h"
 #include "uncertainty_identification/io/samples_json.h"
-#include "uncertainty_identification/require.h"
 
 namespace {
 

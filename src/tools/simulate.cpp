@@ -1,18 +1,18 @@
 // Simulates experiments on a system whose truth is known; --help says how.
 
-#include "uncertainty_identification/simulation/simulate.h"
+#include "simulation/simulate.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "uncertainty_identification/data/atomic_file.h"
-#include "uncertainty_identification/data/csv.h"
-#include "uncertainty_identification/io/command_line.h"
-#include "uncertainty_identification/io/output_file.h"
-#include "uncertainty_identification/io/truth_yaml.h"
-#include "uncertainty_identification/ros/bag_writer.h"
+#include "io/atomic_file.h"
+#include "io/command_line.h"
+#include "io/output_file.h"
+#include "io/truth_yaml.h"
+#include "ros/bag_writer.h"
+#include "uncertainty_identification/io/csv.h"
 
 namespace {
 

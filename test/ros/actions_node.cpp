@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <iostream>
 
+#include "ros/bag_writer.h"
+#include "ros/parameters.h"
 #include "support/example1.h"
 #include "support/node_client.h"
 #include "support/sent_goal.h"
 #include "uncertainty_identification/identifier.h"
-#include "uncertainty_identification/ros/bag_writer.h"
-#include "uncertainty_identification/ros/parameters.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/bag_name.h"
+#include "ros/bag_name.h"
 
 #include <gtest/gtest.h>
 

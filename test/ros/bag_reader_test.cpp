@@ -11,11 +11,11 @@
 #include <fstream>
 #include <random>
 
+#include "ros/bag_writer.h"
+#include "ros/message_conversions.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/ros/bag_writer.h"
-#include "uncertainty_identification/ros/message_conversions.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/experiment_set.h"
+#include "ros/experiment_set.h"
 
 #include <gtest/gtest.h>
 

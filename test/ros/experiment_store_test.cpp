@@ -1,20 +1,20 @@
-#include "uncertainty_identification/ros/experiment_store.h"
+#include "ros/experiment_store.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "data/check.h"
+#include "ros/store_writer.h"
 #include "support/error_message.h"
 #include "support/example1.h"
 #include "support/temporary_folder.h"
 #include "support/wait_for.h"
-#include "uncertainty_identification/data/check.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/identifier.h"
 #include "uncertainty_identification/io/result_json.h"
 #include "uncertainty_identification/ros/load_data.h"
-#include "uncertainty_identification/ros/store_writer.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/explain_request.h"
+#include "ros/explain_request.h"
 
 #include <gtest/gtest.h>
 #include <ros/time.h>
@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "ros/bag_writer.h"
 #include "support/example1.h"
 #include "support/temporary_folder.h"
-#include "uncertainty_identification/ros/bag_writer.h"
 
 namespace uncertainty_identification {
 namespace {

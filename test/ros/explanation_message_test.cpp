@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/explanation_message.h"
+#include "ros/explanation_message.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/explanation_server.h"
+#include "ros/explanation_server.h"
 
 #include <gtest/gtest.h>
 

@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <string>
 
+#include "io/read_file.h"
+#include "ros/bag_writer.h"
+#include "ros/message_conversions.h"
+#include "ros/parameters.h"
 #include "support/example1.h"
 #include "support/node_client.h"
 #include "support/sent_goal.h"
-#include "uncertainty_identification/io/read_file.h"
-#include "uncertainty_identification/ros/bag_writer.h"
-#include "uncertainty_identification/ros/message_conversions.h"
-#include "uncertainty_identification/ros/parameters.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -8,12 +8,12 @@
 #include <mutex>
 #include <vector>
 
+#include "io/read_file.h"
+#include "ros/message_conversions.h"
 #include "support/faults.h"
 #include "support/monte_carlo.h"
 #include "support/temporary_folder.h"
 #include "support/wait_for.h"
-#include "uncertainty_identification/io/read_file.h"
-#include "uncertainty_identification/ros/message_conversions.h"
 
 namespace uncertainty_identification {
 namespace {

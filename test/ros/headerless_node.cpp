@@ -6,10 +6,10 @@
 
 #include <random>
 
+#include "ros/parameters.h"
 #include "support/node_client.h"
 #include "support/temporary_folder.h"
 #include "uncertainty_identification/ros/bag_reader.h"
-#include "uncertainty_identification/ros/parameters.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/identify_request.h"
+#include "ros/identify_request.h"
 
 #include <gtest/gtest.h>
 #include <ros/time.h>
@@ -13,12 +13,12 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "io/read_file.h"
+#include "ros/bag_writer.h"
+#include "ros/message_conversions.h"
 #include "support/example1.h"
 #include "support/temporary_folder.h"
 #include "uncertainty_identification/identifier.h"
-#include "uncertainty_identification/io/read_file.h"
-#include "uncertainty_identification/ros/bag_writer.h"
-#include "uncertainty_identification/ros/message_conversions.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -6,13 +6,13 @@
 #include <filesystem>
 #include <fstream>
 
+#include "ros/experiment_bag.h"
+#include "ros/message_conversions.h"
+#include "ros/stored_result.h"
 #include "support/example1.h"
 #include "support/node_client.h"
 #include "support/node_process.h"
 #include "support/temporary_folder.h"
-#include "uncertainty_identification/ros/experiment_bag.h"
-#include "uncertainty_identification/ros/message_conversions.h"
-#include "uncertainty_identification/ros/stored_result.h"
 
 namespace uncertainty_identification {
 namespace {

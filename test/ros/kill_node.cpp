@@ -10,13 +10,13 @@
 #include <random>
 #include <thread>
 
+#include "data/check.h"
+#include "ros/experiment_bag.h"
+#include "ros/message_conversions.h"
 #include "support/example1.h"
 #include "support/node_client.h"
 #include "support/node_process.h"
 #include "support/temporary_folder.h"
-#include "uncertainty_identification/data/check.h"
-#include "uncertainty_identification/ros/experiment_bag.h"
-#include "uncertainty_identification/ros/message_conversions.h"
 
 namespace uncertainty_identification {
 namespace {

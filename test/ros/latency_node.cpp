@@ -12,15 +12,15 @@
 #include <map>
 #include <thread>
 
+#include "ros/experiment_bag.h"
+#include "ros/identification_server.h"
+#include "ros/parameters.h"
 #include "support/example1.h"
 #include "support/node_client.h"
 #include "support/quantile.h"
 #include "support/shared_memory.h"
 #include "support/temporary_folder.h"
 #include "support/timed_queue.h"
-#include "uncertainty_identification/ros/experiment_bag.h"
-#include "uncertainty_identification/ros/identification_server.h"
-#include "uncertainty_identification/ros/parameters.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <fstream>
 
+#include "ros/bag_writer.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/ros/bag_writer.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/message_conversions.h"
+#include "ros/message_conversions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/message_decoder.h"
+#include "ros/message_decoder.h"
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 
 #include <random>
 
+#include "ros/messages.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/ros/messages.h"
 
 namespace uncertainty_identification {
 namespace {

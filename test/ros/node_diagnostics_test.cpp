@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/node_diagnostics.h"
+#include "ros/node_diagnostics.h"
 
 #include <gtest/gtest.h>
 

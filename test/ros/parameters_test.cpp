@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/parameters.h"
+#include "ros/parameters.h"
 
 #include <gtest/gtest.h>
 

@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ros/bag_writer.h"
+#include "ros/parameters.h"
 #include "support/example1.h"
 #include "support/node_client.h"
 #include "support/process.h"
@@ -17,8 +19,6 @@
 #include "uncertainty_identification/identifier.h"
 #include "uncertainty_identification/io/result_json.h"
 #include "uncertainty_identification/ros/bag_reader.h"
-#include "uncertainty_identification/ros/bag_writer.h"
-#include "uncertainty_identification/ros/parameters.h"
 
 namespace uncertainty_identification {
 namespace {

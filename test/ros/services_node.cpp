@@ -6,13 +6,13 @@
 #include <atomic>
 #include <thread>
 
+#include "io/read_file.h"
+#include "ros/message_conversions.h"
+#include "ros/parameters.h"
 #include "support/example1.h"
 #include "support/node_client.h"
 #include "support/temporary_folder.h"
 #include "uncertainty_identification/identifier.h"
-#include "uncertainty_identification/io/read_file.h"
-#include "uncertainty_identification/ros/message_conversions.h"
-#include "uncertainty_identification/ros/parameters.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -10,14 +10,14 @@
 #include <fstream>
 #include <thread>
 
+#include "ros/identification_server.h"
+#include "ros/parameters.h"
 #include "support/example1.h"
 #include "support/quantile.h"
 #include "support/shared_memory.h"
 #include "support/temporary_folder.h"
 #include "support/timed_queue.h"
 #include "support/wait_for.h"
-#include "uncertainty_identification/ros/identification_server.h"
-#include "uncertainty_identification/ros/parameters.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/topic_router.h"
+#include "ros/topic_router.h"
 
 #include <gtest/gtest.h>
 #include <ros/serialization.h>
@@ -8,9 +8,9 @@
 
 #include <cmath>
 
+#include "ros/messages.h"
 #include "support/error_message.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/ros/messages.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/ros/work_queue.h"
+#include "ros/work_queue.h"
 
 #include <gtest/gtest.h>
 

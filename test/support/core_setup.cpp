@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "uncertainty_identification/model/sensitivity_model.h"
+#include "model/sensitivity_model.h"
 
 namespace uncertainty_identification::test {
 

@@ -7,12 +7,12 @@
 #include <memory>
 #include <vector>
 
+#include "estimation/climb.h"
+#include "estimation/likelihood.h"
+#include "model/linear_model.h"
 #include "support/golden.h"
 #include "support/random_system.h"
 #include "uncertainty_identification/configuration.h"
-#include "uncertainty_identification/estimation/climb.h"
-#include "uncertainty_identification/estimation/likelihood.h"
-#include "uncertainty_identification/model/linear_model.h"
 
 /// What tests of models and likelihoods need around a random system or golden data.
 namespace uncertainty_identification::test {

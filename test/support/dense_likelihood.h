@@ -6,7 +6,7 @@
 #include "support/dense_signals.h"
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/experiment.h"
-#include "uncertainty_identification/model/mixture.h"
+#include "uncertainty_identification/math/mixture.h"
 
 /// Reference likelihood: Lemma 1 of the paper, (16)-(18), written out with N x N matrices in the
 /// space of the measured outputs. Slow and plain on purpose; the fast likelihood is judged by it.

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "effects/extended_model.h"
+#include "estimation/likelihood.h"
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/effects/catalogue.h"
-#include "uncertainty_identification/effects/extended_model.h"
-#include "uncertainty_identification/estimation/likelihood.h"
 
 /// What tests of effects need around them.
 namespace uncertainty_identification::test {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "io/truth_yaml.h"
+#include "simulation/simulate.h"
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/experiment.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/io/truth_yaml.h"
-#include "uncertainty_identification/simulation/simulate.h"
 
 namespace uncertainty_identification {
 

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "uncertainty_identification/simulation/simulate.h"
+#include "simulation/simulate.h"
 
 namespace uncertainty_identification::test {
 namespace {

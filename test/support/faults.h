@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "uncertainty_identification/detection/fault_detector.h"
+#include "detection/fault_detector.h"
+#include "simulation/truth.h"
 #include "uncertainty_identification/estimation/estimate.h"
-#include "uncertainty_identification/simulation/truth.h"
 
 /// Experiments with faults in them, and what a detector makes of them.
 namespace uncertainty_identification::test {

@@ -6,7 +6,7 @@
 
 #include "support/dense_likelihood.h"
 #include "uncertainty_identification/data/experiment.h"
-#include "uncertainty_identification/model/mixture.h"
+#include "uncertainty_identification/math/mixture.h"
 
 /// Golden data in test/data/golden: experiments with likelihood values, gradients and optima that
 /// an independent program computed, all with noise and nominal model at rest before the first

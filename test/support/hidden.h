@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <initializer_list>
 
-#include "uncertainty_identification/simulation/simulate.h"
+#include "simulation/simulate.h"
 
 /// Truths whose every signal is known, to see single effects in.
 namespace uncertainty_identification::test {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "io/truth_yaml.h"
+#include "simulation/simulate.h"
 #include "uncertainty_identification/identifier.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/io/truth_yaml.h"
-#include "uncertainty_identification/simulation/simulate.h"
 
 namespace uncertainty_identification::test {
 

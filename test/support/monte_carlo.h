@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "simulation/truth.h"
 #include "support/core_setup.h"
 #include "uncertainty_identification/estimation/estimate.h"
-#include "uncertainty_identification/simulation/truth.h"
 
 /// Monte Carlo runs of the paper's Example 1 (equations 36, 37): simulated, identified from an
 /// automatic start, compared with the truth. Tests run a few, scripts/ many.

@@ -5,8 +5,8 @@
 #include <mutex>
 #include <string>
 
+#include "ros/messages.h"
 #include "support/wait_for.h"
-#include "uncertainty_identification/ros/messages.h"
 
 namespace uncertainty_identification {
 

@@ -5,9 +5,9 @@
 
 #include <string>
 
+#include "ros/messages.h"
 #include "support/node_client.h"
 #include "uncertainty_identification/data/experiment.h"
-#include "uncertainty_identification/ros/messages.h"
 
 namespace uncertainty_identification {
 

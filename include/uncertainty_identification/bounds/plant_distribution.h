@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "uncertainty_identification/estimation/estimate.h"
+#include "uncertainty_identification/math/mixture_coordinates.h"
 #include "uncertainty_identification/model/error_basis.h"
-#include "uncertainty_identification/model/mixture_coordinates.h"
 
 namespace uncertainty_identification {
 

@@ -7,7 +7,7 @@
 
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/rejected_experiment.h"
-#include "uncertainty_identification/model/mixture.h"
+#include "uncertainty_identification/math/mixture.h"
 
 namespace uncertainty_identification {
 

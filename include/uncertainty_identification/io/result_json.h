@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "uncertainty_identification/bounds/baseline.h"
+#include "uncertainty_identification/baselines/baseline.h"
 #include "uncertainty_identification/bounds/bounds.h"
 #include "uncertainty_identification/estimation/estimate.h"
 

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/bounds/frequency_grid.h"
+#include "bounds/frequency_grid.h"
 
 #include <gtest/gtest.h>
 

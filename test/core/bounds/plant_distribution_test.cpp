@@ -5,10 +5,10 @@
 #include <cmath>
 #include <complex>
 
+#include "math/polynomial.h"
 #include "support/core_setup.h"
 #include "support/plain_estimate.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

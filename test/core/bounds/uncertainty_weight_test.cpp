@@ -5,12 +5,12 @@
 #include <cmath>
 #include <complex>
 
+#include "bounds/frequency_grid.h"
+#include "bounds/magnitude_fit.h"
+#include "math/polynomial.h"
 #include "support/core_setup.h"
 #include "support/plain_estimate.h"
-#include "uncertainty_identification/bounds/frequency_grid.h"
-#include "uncertainty_identification/bounds/magnitude_fit.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <complex>
 
+#include "math/polynomial.h"
+#include "model/sensitivity.h"
 #include "support/core_setup.h"
 #include "support/error_message.h"
 #include "uncertainty_identification/bounds/plant_distribution.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/model/nominal_model.h"
-#include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/model/sensitivity.h"
 
 namespace uncertainty_identification {
 namespace {

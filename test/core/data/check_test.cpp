@@ -1,4 +1,4 @@
-#include "uncertainty_identification/data/check.h"
+#include "data/check.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/data/experiment_cutter.h"
+#include "data/experiment_cutter.h"
 
 #include <gtest/gtest.h>
 

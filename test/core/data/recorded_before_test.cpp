@@ -1,4 +1,4 @@
-#include "uncertainty_identification/data/recorded_before.h"
+#include "data/recorded_before.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/data/sample_grid.h"
+#include "data/sample_grid.h"
 
 #include <gtest/gtest.h>
 

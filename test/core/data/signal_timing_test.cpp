@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "uncertainty_identification/data/experiment_cutter.h"
+#include "data/experiment_cutter.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/data/stamped_buffer.h"
+#include "data/stamped_buffer.h"
 
 #include <gtest/gtest.h>
 

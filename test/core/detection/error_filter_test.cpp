@@ -1,6 +1,6 @@
 // The recursive estimate against the batch one: after all samples of an experiment both must know
 // the same. Data: the paper's Example 1 in small, simulated.
-#include "uncertainty_identification/detection/error_filter.h"
+#include "detection/error_filter.h"
 
 #include <gtest/gtest.h>
 

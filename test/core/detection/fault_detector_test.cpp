@@ -1,18 +1,18 @@
 // The detector on Example 1 (config/example1_truth.yaml), simulated: with the true model, and with
 // an identified one. scripts/study_fault_detection is the long form.
-#include "uncertainty_identification/detection/fault_detector.h"
+#include "detection/fault_detector.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "simulation/simulate.h"
 #include "support/error_message.h"
 #include "support/faults.h"
 #include "support/monte_carlo.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/identifier.h"
-#include "uncertainty_identification/simulation/simulate.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,5 +1,5 @@
 // Stamped signals in pieces against the same samples given one by one. Data: Example 1, simulated.
-#include "uncertainty_identification/detection/live_fault_detector.h"
+#include "detection/live_fault_detector.h"
 
 #include <gtest/gtest.h>
 

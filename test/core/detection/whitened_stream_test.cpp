@@ -1,6 +1,6 @@
 // The stream against LinearModel, which sees the whole experiment at once: random systems with
 // gaps, all starts, all offsets and a recursive basis.
-#include "uncertainty_identification/detection/whitened_stream.h"
+#include "detection/whitened_stream.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // Sizes of the tests on simulated noise, and what each answers to.
-#include "uncertainty_identification/detection/window_tests.h"
+#include "detection/window_tests.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "uncertainty_identification/simulation/random_stream.h"
+#include "math/random_stream.h"
 
 namespace uncertainty_identification {
 namespace {

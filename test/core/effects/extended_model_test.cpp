@@ -1,4 +1,4 @@
-#include "uncertainty_identification/effects/extended_model.h"
+#include "effects/extended_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/estimation/embedded_start.h"
+#include "estimation/embedded_start.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/estimation/excerpt.h"
+#include "estimation/excerpt.h"
 
 #include <gtest/gtest.h>
 

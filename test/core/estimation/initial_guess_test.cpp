@@ -1,4 +1,4 @@
-#include "uncertainty_identification/estimation/initial_guess.h"
+#include "estimation/initial_guess.h"
 
 #include <gtest/gtest.h>
 

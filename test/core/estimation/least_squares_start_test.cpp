@@ -1,11 +1,11 @@
-#include "uncertainty_identification/estimation/least_squares_start.h"
+#include "estimation/least_squares_start.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
+#include "math/polynomial.h"
 #include "support/core_setup.h"
-#include "uncertainty_identification/model/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {

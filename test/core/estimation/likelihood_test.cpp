@@ -1,6 +1,6 @@
 // The likelihood through sufficient statistics against the N x N reference, for all that a record
 // can hold: noise that was running, unknown initial states, offsets, gaps, unequal lengths.
-#include "uncertainty_identification/estimation/likelihood.h"
+#include "estimation/likelihood.h"
 
 #include <gtest/gtest.h>
 

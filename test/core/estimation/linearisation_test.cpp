@@ -1,17 +1,17 @@
 // Parameters that vary from experiment to experiment, on the paper's Example 2, where the truth is
 // a time constant uniform within 40 % of 10 ms.
-#include "uncertainty_identification/estimation/linearisation.h"
+#include "estimation/linearisation.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "io/truth_yaml.h"
+#include "model/sensitivity_model.h"
+#include "simulation/simulate.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/identifier.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/io/truth_yaml.h"
-#include "uncertainty_identification/model/sensitivity_model.h"
-#include "uncertainty_identification/simulation/simulate.h"
 
 namespace uncertainty_identification {
 namespace {

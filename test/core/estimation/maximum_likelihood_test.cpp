@@ -5,8 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "estimation/observed_information.h"
 #include "support/core_setup.h"
-#include "uncertainty_identification/estimation/observed_information.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/estimation/observed_information.h"
+#include "estimation/observed_information.h"
 
 #include <gtest/gtest.h>
 

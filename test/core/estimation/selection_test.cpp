@@ -1,4 +1,4 @@
-#include "uncertainty_identification/estimation/selection.h"
+#include "estimation/selection.h"
 
 #include <gtest/gtest.h>
 

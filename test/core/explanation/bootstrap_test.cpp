@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "estimation/initial_guess.h"
 #include "support/fit_setup.h"
-#include "uncertainty_identification/estimation/initial_guess.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/io/bounds_json.h"
+#include "io/bounds_json.h"
 
 #include <gtest/gtest.h>
 

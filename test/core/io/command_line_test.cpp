@@ -1,4 +1,4 @@
-#include "uncertainty_identification/io/command_line.h"
+#include "io/command_line.h"
 
 #include <gtest/gtest.h>
 

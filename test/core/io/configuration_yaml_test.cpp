@@ -5,9 +5,9 @@
 #include <set>
 #include <string>
 
-#include "uncertainty_identification/edit_distance.h"
+#include "configuration/edit_distance.h"
+#include "io/tree.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/io/tree.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <fstream>
 
+#include "io/read_file.h"
 #include "support/error_message.h"
 #include "support/example_explanation.h"
 #include "support/temporary_folder.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/io/read_file.h"
 #include "uncertainty_identification/io/result_json.h"
 
 namespace uncertainty_identification {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/io/explanation_text.h"
+#include "io/explanation_text.h"
 
 #include <gtest/gtest.h>
 

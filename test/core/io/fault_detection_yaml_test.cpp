@@ -1,10 +1,10 @@
-#include "uncertainty_identification/io/fault_detection_yaml.h"
+#include "io/fault_detection_yaml.h"
 
 #include <gtest/gtest.h>
 
+#include "io/tree.h"
 #include "support/error_message.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/io/tree.h"
 
 namespace uncertainty_identification {
 namespace {

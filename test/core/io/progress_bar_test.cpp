@@ -1,4 +1,4 @@
-#include "uncertainty_identification/io/progress_bar.h"
+#include "io/progress_bar.h"
 
 #include <gtest/gtest.h>
 

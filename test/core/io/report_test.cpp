@@ -1,10 +1,11 @@
-#include "uncertainty_identification/io/report.h"
+#include "io/report.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <regex>
 
+#include "io/read_file.h"
 #include "support/core_setup.h"
 #include "support/error_message.h"
 #include "support/example_explanation.h"
@@ -13,7 +14,6 @@
 #include "support/temporary_folder.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/explanation_json.h"
-#include "uncertainty_identification/io/read_file.h"
 
 namespace uncertainty_identification {
 namespace {

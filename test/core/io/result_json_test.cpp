@@ -6,9 +6,9 @@
 #include <fstream>
 #include <limits>
 
+#include "io/read_file.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/io/read_file.h"
 
 namespace uncertainty_identification {
 namespace {

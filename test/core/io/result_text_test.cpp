@@ -1,4 +1,4 @@
-#include "uncertainty_identification/io/result_text.h"
+#include "io/result_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/io/robust_margin_yaml.h"
+#include "io/robust_margin_yaml.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <string>
 
+#include "io/fault_detection_yaml.h"
+#include "io/robust_margin_yaml.h"
+#include "io/truth_yaml.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
-#include "uncertainty_identification/io/fault_detection_yaml.h"
-#include "uncertainty_identification/io/robust_margin_yaml.h"
-#include "uncertainty_identification/io/truth_yaml.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/io/text_table.h"
+#include "io/text_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/io/truth_yaml.h"
+#include "io/truth_yaml.h"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,10 @@
 #include <sstream>
 #include <string>
 
+#include "io/read_file.h"
+#include "io/tree.h"
+#include "simulation/simulate.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/io/read_file.h"
-#include "uncertainty_identification/io/tree.h"
-#include "uncertainty_identification/simulation/simulate.h"
 
 namespace uncertainty_identification {
 namespace {

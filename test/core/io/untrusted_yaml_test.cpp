@@ -1,4 +1,4 @@
-#include "uncertainty_identification/io/untrusted_yaml.h"
+#include "io/untrusted_yaml.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/model/box_jenkins.h"
+#include "model/box_jenkins.h"
 
 #include <gtest/gtest.h>
 

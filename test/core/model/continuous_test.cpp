@@ -1,4 +1,4 @@
-#include "uncertainty_identification/model/continuous.h"
+#include "model/continuous.h"
 
 #include <gtest/gtest.h>
 

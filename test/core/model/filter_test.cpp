@@ -1,4 +1,4 @@
-#include "uncertainty_identification/model/filter.h"
+#include "model/filter.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
+#include "model/model.h"
 #include "support/core_setup.h"
-#include "uncertainty_identification/model/model.h"
 
 namespace uncertainty_identification {
 namespace {

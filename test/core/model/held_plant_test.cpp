@@ -1,4 +1,4 @@
-#include "uncertainty_identification/model/held_plant.h"
+#include "model/held_plant.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/model/linear_model.h"
+#include "model/linear_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Whitening against the textbook Kalman filter, which follows the state of C/D driven by unit white
 // noise in another coordinate system and knows nothing of innovations forms.
-#include "uncertainty_identification/model/noise_whitening.h"
+#include "model/noise_whitening.h"
 
 #include <gtest/gtest.h>
 

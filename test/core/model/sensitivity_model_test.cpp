@@ -1,12 +1,12 @@
-#include "uncertainty_identification/model/sensitivity_model.h"
+#include "model/sensitivity_model.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "model/noise_whitening.h"
 #include "support/core_setup.h"
-#include "uncertainty_identification/model/noise_whitening.h"
 
 namespace uncertainty_identification {
 namespace {

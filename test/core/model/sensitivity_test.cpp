@@ -1,4 +1,4 @@
-#include "uncertainty_identification/model/sensitivity.h"
+#include "model/sensitivity.h"
 
 #include <gtest/gtest.h>
 

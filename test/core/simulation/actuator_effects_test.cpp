@@ -1,4 +1,4 @@
-#include "uncertainty_identification/simulation/actuator_effects.h"
+#include "simulation/actuator_effects.h"
 
 #include <gtest/gtest.h>
 

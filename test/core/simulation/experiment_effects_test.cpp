@@ -1,4 +1,4 @@
-#include "uncertainty_identification/simulation/experiment_effects.h"
+#include "simulation/experiment_effects.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 
 #include "support/hidden.h"
 #include "support/temporary_folder.h"
-#include "uncertainty_identification/data/csv.h"
 #include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/io/csv.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "io/truth_yaml.h"
+#include "simulation/simulate.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/io/truth_yaml.h"
-#include "uncertainty_identification/simulation/simulate.h"
 
 namespace uncertainty_identification::test {
 namespace {

@@ -1,11 +1,11 @@
-#include "uncertainty_identification/simulation/input.h"
+#include "simulation/input.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
-#include "uncertainty_identification/simulation/random_stream.h"
+#include "math/random_stream.h"
 
 namespace uncertainty_identification {
 namespace {

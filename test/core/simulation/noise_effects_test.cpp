@@ -1,4 +1,4 @@
-#include "uncertainty_identification/simulation/noise_effects.h"
+#include "simulation/noise_effects.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "uncertainty_identification/simulation/plant_effects.h"
+#include "simulation/plant_effects.h"
 
 #include <gtest/gtest.h>
 

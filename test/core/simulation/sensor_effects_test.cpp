@@ -1,4 +1,4 @@
-#include "uncertainty_identification/simulation/sensor_effects.h"
+#include "simulation/sensor_effects.h"
 
 #include <gtest/gtest.h>
 

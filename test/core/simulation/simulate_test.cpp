@@ -1,4 +1,4 @@
-#include "uncertainty_identification/simulation/simulate.h"
+#include "simulation/simulate.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "uncertainty_identification/simulation/random_stream.h"
+#include "math/random_stream.h"
 
 /// Single random numbers.
 namespace uncertainty_identification::test {

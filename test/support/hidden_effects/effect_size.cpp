@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "configuration/require.h"
 #include "support/hidden_effects/draw.h"
-#include "uncertainty_identification/require.h"
 
 namespace uncertainty_identification::test {
 

@@ -7,10 +7,10 @@
 #include <limits>
 #include <utility>
 
+#include "math/polynomial.h"
 #include "simulation/signals.h"
+#include "simulation/simulate.h"
 #include "uncertainty_identification/errors.h"
-#include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/simulation/simulate.h"
 
 namespace uncertainty_identification::test {
 namespace {

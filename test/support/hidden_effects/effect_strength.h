@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "simulation/truth.h"
 #include "uncertainty_identification/data/experiment.h"
-#include "uncertainty_identification/simulation/truth.h"
 
 namespace uncertainty_identification::test {
 

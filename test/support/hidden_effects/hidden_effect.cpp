@@ -4,11 +4,11 @@
 #include <cmath>
 #include <optional>
 
+#include "configuration/require.h"
+#include "simulation/simulate.h"
 #include "support/hidden_effects/draw.h"
 #include "support/hidden_effects/effect_size.h"
 #include "support/hidden_effects/effect_strength.h"
-#include "uncertainty_identification/require.h"
-#include "uncertainty_identification/simulation/simulate.h"
 
 namespace uncertainty_identification::test {
 namespace {

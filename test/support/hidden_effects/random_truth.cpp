@@ -6,10 +6,10 @@
 #include <limits>
 #include <vector>
 
+#include "configuration/require.h"
+#include "math/polynomial.h"
+#include "simulation/simulate.h"
 #include "support/hidden_effects/draw.h"
-#include "uncertainty_identification/model/polynomial.h"
-#include "uncertainty_identification/require.h"
-#include "uncertainty_identification/simulation/simulate.h"
 
 namespace uncertainty_identification::test {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <random>
 
+#include "simulation/truth.h"
 #include "uncertainty_identification/configuration.h"
-#include "uncertainty_identification/simulation/truth.h"
 
 /// Random systems, so that methods are tested on many systems that nobody has chosen for them.
 namespace uncertainty_identification::test {

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "math/worker_pool.h"
+#include "model/statistics.h"
+#include "uncertainty_identification/math/mixture.h"
+
+namespace uncertainty_identification {
+
+/// All parameters of the likelihood: beta = [theta, gamma, sigma^2] of the paper.
+struct ModelParameters {
+  Eigen::VectorXd parameters;  ///< theta and what nuisances and effects add
+  Mixture mixture;             ///< gamma
+  double noise_variance = 1;   ///< sigma^2
+};
+
+/// The E-step for all experiments r and components i; columns of `means` and `covariances` are
+/// ordered r kappa + i.
+struct Expectation {
+  Eigen::VectorXd log_likelihood;    ///< of each experiment, log-Jacobian included (M)
+  Eigen::MatrixXd responsibilities;  ///< zeta_ir, equation (23), kappa x M
+  Eigen::MatrixXd means;             ///< posterior means of xi, (31), n x kappa M
+  Eigen::MatrixXd covariances;       ///< posterior covariances, (32), n^2 x kappa M
+  Eigen::MatrixXd misfits;           ///< R_ir, (33), kappa x M
+
+  double total() const { return log_likelihood.sum(); }
+};
+
+/// Equations (16)-(18), (23), (31)-(33) through the sufficient statistics (docs/method.md), with
+/// Gamma = L L': never an N x N matrix, and no inverse of Gamma.
+Expectation expectation(const Statistics& statistics, const Mixture& mixture, double noise_variance,
+                        WorkerPool* pool);
+
+/// A matrix L with covariance = L L', also where the covariance is singular.
+Eigen::MatrixXd squareRoot(const Eigen::MatrixXd& covariance);
+
+/// First and second moments of xi given the data of each experiment, mixed over the components.
+struct LatentMoments {
+  Eigen::MatrixXd means;        ///< m_r, n x M
+  Eigen::MatrixXd covariances;  ///< P_r = E[(xi - m_r)(xi - m_r)'], n^2 x M
+};
+LatentMoments latentMoments(const Expectation& expectation);
+
+/// Scores: derivatives of each experiment's log-likelihood (columns) to the natural coordinates
+///   [parameters; weights; means; covariances (lower triangles, row by row); log sigma^2],
+/// weights taken as unconstrained, by Fisher's identity (docs/method.md). Needs statistics with
+/// derivatives.
+Eigen::MatrixXd scores(const Statistics& statistics, const ModelParameters& at,
+                       const Expectation& expectation);
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "data/covariates.h"
+#include "data/sample_grid.h"
+#include "io/csv_table.h"
+#include "io/text.h"
+#include "uncertainty_identification/io/csv.h"
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr double kSameRate = 1e-3;  // relative difference of sample times that count as equal
+constexpr double kNoticeable =
+    1e-3;  // jitter worth keeping, in sample times; printed stamps are rounded to less
+
+/// Why the stamps cannot be used; empty if they rise.
+std::string stampProblem(const CsvTable& table, const std::string& path) {
+  for (std::size_t i = 0; i < table.t.size(); ++i) {
+    const std::string where = path + ", line " + std::to_string(table.lines[i]) + ", column t: ";
+    if (!std::isfinite(table.t[i]))
+      return where + "found " + text(table.t[i]) + "; write finite stamps in seconds";
+    if (i == 0 || table.t[i] > table.t[i - 1]) continue;
+    const std::string kind = table.t[i] == table.t[i - 1] ? "repeats" : "goes back from";
+    return where + "the stamp " + text(table.t[i]) + " s " + kind + " " + text(table.t[i - 1]) +
+           " s; stamps must rise, use the column experiment to tell experiments apart";
+  }
+  if (table.t.size() < 2) {
+    return path + ", line " + std::to_string(table.lines.empty() ? 1 : table.lines.front()) +
+           ": the experiment has one sample; record a longer one";
+  }
+  return "";
+}
+
+/// Whether the rows may become samples as they are.
+bool fitsGrid(const SampleGrid& grid, const CsvOptions& options) {
+  const double wanted = options.sample_time > 0 ? options.sample_time : grid.period;
+  const double jitter_limit = options.resampling.max_jitter;
+  const auto rows = static_cast<double>(grid.slots.size());
+  const double samples = static_cast<double>(grid.slots.back()) + 1;
+  return grid.one_to_one && std::abs(grid.period - wanted) <= kSameRate * wanted &&
+         !(jitter_limit > 0 && grid.max_departure > jitter_limit) &&
+         1 - rows / samples <= options.limits.max_missing;
+}
+
+/// The last finite value so far at each sample; before the first one, that one. NaN if there is
+/// none.
+Eigen::VectorXd heldCovariate(const std::vector<double>& values, const SampleGrid& grid) {
+  Eigen::VectorXd held(grid.slots.back() + 1);
+  const auto first =
+      std::find_if(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  double current = first == values.end() ? std::nan("") : *first;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isfinite(values[i])) current = values[i];
+    const long next = i + 1 < values.size() ? grid.slots[i + 1] : grid.slots[i] + 1;
+    for (long k = grid.slots[i]; k < next; ++k) held(k) = current;
+  }
+  return held;
+}
+
+Experiment onGrid(const CsvTable& table, const SampleGrid& grid, const CsvOptions& options) {
+  const auto samples = static_cast<Eigen::Index>(grid.slots.back()) + 1;
+  Experiment experiment;
+  experiment.id = table.id;
+  experiment.sample_time = options.sample_time > 0 ? options.sample_time : grid.period;
+  experiment.start_time = grid.origin;
+  experiment.u.resize(samples);
+  experiment.y = Eigen::VectorXd::Zero(samples);
+  std::vector<std::uint8_t> valid(static_cast<std::size_t>(samples), 0);
+  Eigen::VectorXd offsets = Eigen::VectorXd::Zero(samples);
+  for (std::size_t i = 0; i < table.t.size(); ++i) {
+    const long slot = grid.slots[i];
+    const long next = i + 1 < table.t.size() ? grid.slots[i + 1] : slot + 1;
+    for (long k = slot; k < next; ++k) experiment.u(k) = table.u[i];
+    offsets(slot) = table.t[i] - grid.instant(i);
+    if (std::isnan(table.y[i])) continue;
+    experiment.y(slot) = table.y[i];
+    valid[static_cast<std::size_t>(slot)] = 1;
+  }
+  if (std::count(valid.begin(), valid.end(), 0) > 0) experiment.valid = std::move(valid);
+  if (grid.max_departure > kNoticeable * grid.period) experiment.stamp_offset = std::move(offsets);
+  return experiment;
+}
+
+void addTable(const CsvTable& table, const CsvFile& file, const SampleGrid& grid,
+              const CsvOptions& options, LoadedData& data) {
+  Experiment experiment = onGrid(table, grid, options);
+  for (std::size_t c = 0; c < file.covariate_names.size(); ++c) {
+    Eigen::VectorXd values = heldCovariate(table.covariates[c], grid);
+    if (values.array().isFinite().all())
+      addCovariate(file.covariate_names[c], std::move(values), experiment);
+  }
+  const auto left_out = experiment.samples() - static_cast<long>(table.t.size());
+  if (left_out > 0) {
+    data.warnings.push_back(
+        named(table.id) + ": " + std::to_string(left_out) +
+        " rows are left out of the uniform stamps; their outputs count as missing and the input as "
+        "held, record without gaps");
+  }
+  data.experiments.push_back(std::move(experiment));
+}
+
+Recording asRecording(const CsvTable& table, const CsvFile& file) {
+  Recording recording;
+  recording.id = table.id;
+  recording.input = {table.t, table.u};
+  for (std::size_t i = 0; i < table.t.size(); ++i) {
+    if (std::isnan(table.y[i])) continue;
+    recording.output.stamps.push_back(table.t[i]);
+    recording.output.values.push_back(table.y[i]);
+  }
+  for (std::size_t c = 0; c < file.covariate_names.size(); ++c) {
+    recording.covariates[file.covariate_names[c]] = {table.t, table.covariates[c]};
+  }
+  return recording;
+}
+
+}  // namespace
+
+LoadedData readCsv(const std::string& path, const CsvOptions& options) {
+  CsvFile file = parseCsv(path);
+  LoadedData data;
+  for (CsvTable& table : file.tables) {
+    std::string problem = table.problem.empty() ? stampProblem(table, path) : table.problem;
+    if (!problem.empty()) {
+      data.rejected.push_back({table.id, named(table.id) + ": " + problem});
+    } else if (const SampleGrid grid = fitSampleGrid(table.t); fitsGrid(grid, options)) {
+      addTable(table, file, grid, options, data);
+    } else {
+      addResampled(asRecording(table, file), options.sample_time, options.resampling, data);
+    }
+    table = CsvTable();  // the memory of a large file is not needed twice
+  }
+  return data;
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/node_handle.h>
+#include <topic_tools/shape_shifter.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "detection/live_fault_detector.h"
+#include "ros/experiment_recorder.h"
+#include "ros/messages.h"
+
+namespace uncertainty_identification {
+
+/// The node: takes results of an identification (topic identification/result) and the live signals,
+/// publishes ~status (FaultStatus) for each window, ~fault (std_msgs/Bool, latched) and
+/// diagnostics. A new result replaces the one before; detection then begins anew. All callbacks run
+/// in the thread that spins.
+class FaultDetectionServer {
+ public:
+  /// Throws ConfigurationError when the configuration is not valid.
+  FaultDetectionServer(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                       const FaultDetectionConfiguration& configuration);
+
+ private:
+  using Event = ros::MessageEvent<const topic_tools::ShapeShifter>;
+
+  void adopt(const messages::IdentificationResult& result);
+  void mark(const Event& event);
+  void record();
+  void take(const FinishedExperiment& finished);
+  void publish(const StampedFaultWindow& found);
+  void report(const std::string& problem);
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+
+  struct Marker {
+    double stamp;
+    bool active;
+  };
+
+  ros::NodeHandle node_, private_node_;
+  FaultDetectionConfiguration configuration_;
+  ros::Publisher status_, fault_;
+  diagnostic_updater::Updater diagnostics_;
+  ros::WallTimer diagnostics_timer_;
+  ros::Subscriber result_, markers_;
+  std::unique_ptr<LiveFaultDetector> detector_;  ///< none before the first result
+  std::unique_ptr<ExperimentRecorder> recorder_;
+  double recorder_sample_time_ = 0;  ///< [s] that the recorder's pieces were cut for
+  std::uint32_t sequence_ = 0;       ///< of the result in use
+  std::optional<Marker> last_marker_;
+  std::optional<FaultWindow> last_window_;
+  long windows_ = 0, alarms_ = 0;  ///< with the result in use
+  long marker_count_ = 0;
+  std::string problem_;  ///< the newest
+};
+
+}  // namespace uncertainty_identification
