@@ -90,7 +90,7 @@ inline Eigen::ArrayXXd trueMagnitudes(const Truth& truth, int count, const Eigen
       for (Eigen::Index i = 0; i < system.polynomials.a.size(); ++i, power *= shift)
         a += system.polynomials.a[i] * power;
       std::complex<double> relative = 1;
-      if (system.component >= 0) {
+      if (system.component) {
         const ErrorBasis basis(truth.error_model.basis);
         relative += (basis.responses(shift).transpose() * (basis.T() * system.xi))(0);
       }

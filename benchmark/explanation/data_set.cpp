@@ -21,7 +21,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The names that are equivalent to this one, itself included.
+/// All names that are equivalent to this one, including itself.
 std::vector<std::string> equivalents(const std::string& name) {
   for (const auto& names : equivalenceClasses()) {
     if (contains(names, name)) return names;
@@ -29,12 +29,13 @@ std::vector<std::string> equivalents(const std::string& name) {
   return {name};
 }
 
-/// Whether the cause names a covariate other than the one that the simulator uses.
+/// Whether the cause names a covariate that has no effect in the simulation.
 bool namesDecoy(const Cause& cause) {
   return (cause.name == "plant_temp" && cause.variant != "temp") ||
          (cause.name == "exp_input2" && cause.variant != "d");
 }
 
+/// Whether the cause counts as finding this hidden effect.
 bool accepts(const Cause& cause, const std::string& truth) {
   if (namesDecoy(cause)) return false;
   return cause.name == truth ||
@@ -47,7 +48,8 @@ std::string joined(const std::vector<std::string>& names) {
   return text.empty() ? "nothing" : text;
 }
 
-Configuration configurationOf(const Task& task, const HiddenEffect& hidden) {
+/// The configuration that explain() is given.
+Configuration configurationOf(const Task& task, const test::HiddenEffect& hidden) {
   Configuration configuration = hidden.declared;
   configuration.nominal_model.orders_auto = task.orders_auto;
   configuration.estimation.threads = task.threads;
@@ -59,7 +61,7 @@ Configuration configurationOf(const Task& task, const HiddenEffect& hidden) {
   return configuration;
 }
 
-/// Parameters of the causes whose true values are known.
+/// The parameters of the causes that have a true value.
 std::vector<RecoveredParameter> recovered(const std::vector<Cause>& causes,
                                           const std::map<std::string, double>& truth) {
   std::vector<RecoveredParameter> all;
@@ -67,7 +69,7 @@ std::vector<RecoveredParameter> recovered(const std::vector<Cause>& causes,
     for (const CauseParameter& parameter : cause.parameters) {
       const auto value = valueOf(truth, cause.name, cause.variant, parameter.name);
       if (!value) continue;
-      const double rounding = 1e-12 * std::abs(*value);  // a lattice's step is exact
+      const double rounding = 1e-12 * std::abs(*value);  // a quantisation step is found exactly
       all.push_back({cause.name, parameter.name, *value, parameter.value, {}});
       if (std::isfinite(parameter.lower_90) && std::isfinite(parameter.upper_90))
         all.back().covered =
@@ -77,7 +79,8 @@ std::vector<RecoveredParameter> recovered(const std::vector<Cause>& causes,
   return all;
 }
 
-/// The cause's gain on fresh experiments, of which the search may not make another choice.
+/// The gain of the cause when it is measured on fresh experiments. There is none unless explain()
+/// finds the same cause again.
 std::optional<Gain> freshGain(const Configuration& configuration, const Outcome& outcome,
                               const std::vector<Experiment>& training,
                               const std::vector<Experiment>& fresh) {
@@ -101,7 +104,7 @@ std::string Task::title() const {
   return part + " " + joined(hidden) + " run " + std::to_string(run);
 }
 
-// 64-bit FNV-1a of the names; runs are far apart.
+// The 64-bit FNV-1a hash of the names, plus a multiple of a large odd number for each run.
 std::uint64_t Task::seed() const {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char character : joined(hidden))
@@ -142,15 +145,15 @@ std::string Outcome::line() const {
   return task.title() + ": " + joined(names) + " [" + verdict_text + "] " + judged + " " + time;
 }
 
-HiddenEffect hide(const Task& task) {
-  return randomHiddenEffect(task.hidden, task.options, task.seed());
+test::HiddenEffect hide(const Task& task) {
+  return test::randomHiddenEffect(task.hidden, task.options, task.seed());
 }
 
 Outcome carryOut(const Task& task) {
   Outcome outcome;
   outcome.task = task;
   outcome.hidden = hide(task);
-  const HiddenEffectData data = simulateHidden(outcome.hidden, task.options);
+  const test::HiddenEffectData data = test::simulateHidden(outcome.hidden, task.options);
   const Configuration configuration = configurationOf(task, outcome.hidden);
   const auto begin = std::chrono::steady_clock::now();
   Estimate before;
@@ -166,7 +169,7 @@ Outcome carryOut(const Task& task) {
   outcome.parameters =
       recovered(outcome.causes, reportedParameters(outcome.hidden.truth, data.training));
   if (task.fresh > 0 && outcome.failure.empty()) {
-    const std::vector<Experiment> fresh = simulateFresh(outcome.hidden, task.fresh);
+    const std::vector<Experiment> fresh = test::simulateFresh(outcome.hidden, task.fresh);
     outcome.fresh_gain = freshGain(configuration, outcome, data.training, fresh);
     outcome.true_gain = trueGain(outcome.hidden, before, data.training, fresh);
   }
@@ -174,8 +177,8 @@ Outcome carryOut(const Task& task) {
 }
 
 void writeData(const Task& task, const std::string& folder) {
-  const HiddenEffect hidden = hide(task);
-  const HiddenEffectData data = simulateHidden(hidden, task.options);
+  const test::HiddenEffect hidden = hide(task);
+  const test::HiddenEffectData data = test::simulateHidden(hidden, task.options);
   const std::filesystem::path path(folder);
   std::filesystem::create_directories(path);
   writeCsv(path / "training.csv", data.training);

@@ -1,5 +1,4 @@
-// Hides effects at random in random systems and counts how often explain() finds them; --help says
-// how.
+// Hides random effects in random systems and counts how often explain() finds them. See --help.
 #include <atomic>
 #include <cstdio>
 #include <exception>
@@ -17,12 +16,13 @@ namespace {
 
 namespace po = boost::program_options;
 
-/// Runs tasks, `jobs` at a time, and keeps all outcomes.
+/// Carries out tasks, `jobs` at the same time, and keeps all outcomes.
 class Runner {
  public:
   explicit Runner(int jobs) : jobs_(jobs) {}
 
-  /// In the order of the tasks; a line for each as it finishes. Throws what hiding an effect threw.
+  /// Returns the outcomes in the order of the tasks, and prints a line as each of them finishes. An
+  /// exception of one task ends all and is thrown again.
   std::vector<Outcome> run(const std::vector<Task>& tasks) {
     std::vector<Outcome> outcomes(tasks.size());
     std::atomic<std::size_t> next{0};
@@ -59,7 +59,7 @@ class Runner {
   std::vector<Outcome> all_;
 };
 
-/// "3:10" is ten runs from the third on; "3" is the third.
+/// Reads --seeds: "3:10" is ten runs from the third on, and "3" is the third run alone.
 Runs parseRuns(const std::string& text) {
   Runs runs;
   char rest = 0;
@@ -82,11 +82,11 @@ Scale scaleOf(const po::variables_map& arguments) {
   return scale;
 }
 
-/// What the options ask for one by one.
+/// The tasks that the options describe.
 std::vector<Task> chosenTasks(const po::variables_map& arguments) {
   const Runs runs = parseRuns(arguments["seeds"].as<std::string>());
   const Scale scale = scaleOf(arguments);
-  std::vector<std::string> effects = catalogueEffects();
+  std::vector<std::string> effects = test::catalogueEffects();
   if (arguments.count("effects") > 0) effects = arguments["effects"].as<std::vector<std::string>>();
   std::vector<Task> tasks;
   if (arguments.count("clean") > 0) {
@@ -107,11 +107,13 @@ std::vector<Task> chosenTasks(const po::variables_map& arguments) {
   return arguments.count("orders-auto") > 0 ? withoutOrders(tasks) : tasks;
 }
 
-/// Part 1: single effects at 5 % and 1 % of the variance, and the two that need more experiments.
+/// Part 1: single effects with 5 % of the output's variance. The full suite adds those with 1 %,
+/// and the two effects that need more experiments.
 void judgeSingleEffects(Runner& runner, Runs runs, bool full, Scale scale, Targets* targets) {
   constexpr int kFresh = 1000;
   if (full) scale.fresh = kFresh;
-  const std::vector<Outcome> strong = runner.run(singleTasks(catalogueEffects(), runs, scale));
+  const std::vector<Outcome> strong =
+      runner.run(singleTasks(test::catalogueEffects(), runs, scale));
   printConfusion(strong);
   printParameters(strong);
   judgeSingles(strong, "5 %", 0.93, 0.88, 0.8, targets);
@@ -121,7 +123,7 @@ void judgeSingleEffects(Runner& runner, Runs runs, bool full, Scale scale, Targe
   if (!full) return;
   scale.fresh = 0;
   scale.options.strength = 0.01;
-  const std::vector<Outcome> weak = runner.run(singleTasks(catalogueEffects(), runs, scale));
+  const std::vector<Outcome> weak = runner.run(singleTasks(test::catalogueEffects(), runs, scale));
   printConfusion(weak);
   judgeSingles(weak, "1 %", 0.85, 0, 0, targets);
   scale.options.strength = 0.1;
@@ -132,7 +134,7 @@ void judgeSingleEffects(Runner& runner, Runs runs, bool full, Scale scale, Targe
   judgeSingles(mixtures, "M = 60, 10 %", 0.85, 0, 0, targets);
 }
 
-/// The whole suite, or a sample of each part that takes minutes.
+/// Runs the whole suite, or a sample of it that takes minutes. Returns the exit status.
 int suite(Runner& runner, bool full, const Scale& scale) {
   Targets targets(!full);
   judgeSingleEffects(runner, {1, full ? 10 : 1}, full, scale, &targets);
@@ -141,13 +143,13 @@ int suite(Runner& runner, bool full, const Scale& scale) {
   judgeClean(clean, 0.99, &targets);
   judgeTimes(clean, "clean data", 0.5, &targets);
   const std::vector<std::string> removed =
-      full ? catalogueEffects()
+      full ? test::catalogueEffects()
            : std::vector<std::string>{"act_deadzone", "plant_pole", "sens_hum"};
   const std::vector<Outcome> without = runner.run(removedTasks(removed, {1, full ? 3 : 1}, scale));
   printConfusion(without);
   judgeUnknown(without, "removed from the catalogue", &targets);
   const std::vector<Outcome> foreign =
-      runner.run(singleTasks(unnamedEffects(), {1, full ? 10 : 1}, scale));
+      runner.run(singleTasks(test::unnamedEffects(), {1, full ? 10 : 1}, scale));
   printConfusion(foreign);
   judgeUnknown(foreign, "in no catalogue", &targets);
   const std::vector<Outcome> pairs = runner.run(pairTasks(full ? 20 : 4, {1, full ? 3 : 1}, scale));
@@ -155,7 +157,7 @@ int suite(Runner& runner, bool full, const Scale& scale) {
   judgePairs(pairs, &targets);
   if (full) {
     const std::vector<Outcome> blind =
-        runner.run(withoutOrders(singleTasks(catalogueEffects(), {1, 3}, scale)));
+        runner.run(withoutOrders(singleTasks(test::catalogueEffects(), {1, 3}, scale)));
     printConfusion(blind);
     judgeSingles(blind, "orders auto", 0.85, 0, 0, &targets);
     const std::vector<Outcome> blind_clean = runner.run(withoutOrders(cleanTasks({1, 100}, scale)));
@@ -198,32 +200,37 @@ int main(int argc, char** argv) {
   program.name = "explanation_benchmark";
   program.usage = "--full | --short | [--effects NAME...] [--seeds FIRST:COUNT] [...]";
   program.purpose =
-      R"(Hides effects at random in random systems and tries whether explain() finds them, of which it sees only the
-data and the declared simulation. --full tries everything and judges it by what must be reached, --short
-(minutes) by what could not be chance; otherwise the data sets that the options choose are tried, none judged.
-A line for each as it finishes: the same names and run give the same data set alone.
+      R"(Hides random effects in random systems and tests whether explain() finds them. explain() is given only the data
+and the configuration of the system without its effects. --full tests everything and compares the results with
+targets. --short tests a sample within minutes, and a target counts as missed only if chance cannot explain it.
+Otherwise the data sets that the options describe are tested, without targets.
+Each data set gives a line as it finishes. It depends only on the names of its effects and on its run number.
 Exit status: 0 done; 1 --full or --short missed a target; 2 usage.)";
-  program.options.add_options()                                                 //
-      ("full", "everything, about an hour")("short", "a sample of everything")  //
+  program.options.add_options()                                                           //
+      ("full", "test everything, about an hour")("short", "test a sample of everything")  //
       ("effects", po::value<std::vector<std::string>>()->multitoken()->value_name("NAME"),
-       "effects of config/truth_reference.yaml (default: the catalogue)")  //
+       "effects to hide, of config/truth_reference.yaml (default: all of the catalogue)")  //
       ("seeds", po::value<std::string>()->default_value("1:10")->value_name("FIRST:COUNT"),
-       "run numbers")                                                                           //
-      ("strength", po::value<double>()->default_value(0.05), "share of the output's variance")  //
-      ("experiments", po::value<int>()->default_value(30), "M, besides 12 held out")            //
-      ("samples", po::value<int>()->default_value(300), "N")                                    //
-      ("pairs", po::value<int>()->value_name("N"), "N pairs in place of single effects")        //
-      ("together", "the effects named, all at once")                                            //
-      ("clean", po::value<int>()->value_name("N"), "N data sets that hide nothing")             //
-      ("remove", "the hidden effects are not in the catalogue")                                 //
-      ("orders-auto", "the orders of the nominal model are not told")                           //
+       "run numbers")  //
+      ("strength", po::value<double>()->default_value(0.05),
+       "of each effect, as a share of the output's variance")  //
+      ("experiments", po::value<int>()->default_value(30),
+       "number of experiments, besides 12 that are held out")                                //
+      ("samples", po::value<int>()->default_value(300), "number of samples per experiment")  //
+      ("pairs", po::value<int>()->value_name("N"),
+       "hide N pairs of effects instead of single effects")                                   //
+      ("together", "hide all effects of --effects at once")                                   //
+      ("clean", po::value<int>()->value_name("N"), "N data sets in which nothing is hidden")  //
+      ("remove", "take the hidden effects out of the catalogue")                              //
+      ("orders-auto", "explain() chooses the orders of the nominal model itself")             //
       ("fresh", po::value<int>()->default_value(0),
-       "experiments that gains are measured on again")                                       //
-      ("jobs", po::value<int>()->default_value(1), "data sets at once, of one thread each")  //
+       "number of further experiments on which gains are measured again")  //
+      ("jobs", po::value<int>()->default_value(1),
+       "number of data sets at a time, each with one thread")  //
       ("json", po::value<std::string>()->default_value("", "none")->value_name("FILE"),
        "where to write every outcome")  //
       ("write", po::value<std::string>()->value_name("DIR"),
-       "write the data sets as CSV, a folder for each, and explain nothing");
+       "only write the data sets as CSV files, each to its own folder below DIR");
   program.run = uncertainty_identification::suite::run;
   return uncertainty_identification::runProgram(program, argc, argv);
 }

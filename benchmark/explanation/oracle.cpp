@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Which of an effect's forms is hidden.
+/// The variant of the effect in the catalogue of explain() that is hidden.
 std::string variantOf(const EffectsTruth& effects, const std::string& name) {
   const SensorEffects& sensor = effects.sensor;
   const bool own = (name == "sens_bias" && sensor.bias->per_experiment) ||
@@ -30,7 +30,8 @@ std::string variantOf(const EffectsTruth& effects, const std::string& name) {
   return "";
 }
 
-std::shared_ptr<const Effect> hiddenEffect(const HiddenEffect& hidden, const Fit& before,
+/// The hidden effect as explain() models it.
+std::shared_ptr<const Effect> hiddenEffect(const test::HiddenEffect& hidden, const Fit& before,
                                            const FitData& data) {
   DataSummary summary = summarise(data.experiments());
   summary.regressors = before.model->regressors();
@@ -41,7 +42,7 @@ std::shared_ptr<const Effect> hiddenEffect(const HiddenEffect& hidden, const Fit
   return findEffect(catalogue(summary), name, variantOf(hidden.truth.effects, name));
 }
 
-/// The true parameters in the effect's coordinates.
+/// The true parameters of the effect, as the extended model states them.
 VectorXd truePsi(const Effect& effect, const Truth& truth,
                  const std::vector<Experiment>& training) {
   const std::map<std::string, double> values = reportedParameters(truth, training);
@@ -55,6 +56,7 @@ VectorXd truePsi(const Effect& effect, const Truth& truth,
   return psi;
 }
 
+/// The extended model with all parameters at their true values.
 Fit atTruth(const Fit& before, const std::shared_ptr<const Effect>& effect, const Truth& truth,
             const FitData& data) {
   Polynomials p;
@@ -75,7 +77,7 @@ Fit atTruth(const Fit& before, const std::shared_ptr<const Effect>& effect, cons
 
 }  // namespace
 
-std::optional<double> trueGain(const HiddenEffect& hidden, const Estimate& before,
+std::optional<double> trueGain(const test::HiddenEffect& hidden, const Estimate& before,
                                const std::vector<Experiment>& training,
                                const std::vector<Experiment>& fresh) {
   const bool stated = hidden.truth.plant.structure == PlantStructure::polynomials;

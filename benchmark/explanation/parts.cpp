@@ -31,8 +31,8 @@ Task task(const std::string& part, std::vector<std::string> hidden, int run, con
   return one;
 }
 
-/// Whether the declared model's own poles and zeros take up a delay or a lag so far that the truth
-/// itself gains less than this: the data cannot tell, whatever their name.
+/// Whether the poles and zeros of the declared model imitate the hidden delay or lag so well that
+/// even the true extended model gains next to nothing. No method could find the effect then.
 bool isAbsorbed(const Outcome& outcome) {
   constexpr double kSeen = 1;  // [nats] per experiment
   return equivalent(outcome.task.hidden.front(), "plant_pole") && outcome.true_gain &&
@@ -41,7 +41,7 @@ bool isAbsorbed(const Outcome& outcome) {
 
 std::vector<std::string> drawPair(int number) {
   std::vector<std::string> names;
-  for (const std::string& name : catalogueEffects()) {
+  for (const std::string& name : test::catalogueEffects()) {
     if (!contains(kHardlySeen, name)) names.push_back(name);
   }
   std::mt19937_64 random(static_cast<std::uint64_t>(number));

@@ -6,50 +6,52 @@
 #include "data_set.h"
 #include "summary.h"
 
-/// The parts of the suite: which data sets, and what must be reached on them.
+/// The parts of the suite: their data sets, and the targets that explain() must reach on them.
 namespace uncertainty_identification::suite {
 
-/// Runs first, first + 1, ... of each data set.
+/// Which runs of each data set are tried: `count` of them from the number `first` on.
 struct Runs {
   int first = 1, count = 10;
 };
 
-/// What is common to the tasks of a part.
+/// Options that all tasks of a part share.
 struct Scale {
-  HiddenEffectOptions options;
+  test::HiddenEffectOptions options;
   int threads = kAutomatic;
   int fresh = 0;
 };
 
-/// Each effect alone.
+/// Tasks that hide each effect on its own.
 std::vector<Task> singleTasks(const std::vector<std::string>& effects, Runs runs,
                               const Scale& scale);
 
-/// Nothing hidden.
+/// Tasks that hide nothing.
 std::vector<Task> cleanTasks(Runs runs, const Scale& scale);
 
-/// Each effect alone, and not in the catalogue with which it is explained.
+/// Tasks that hide each effect on its own, and explain it without having it in the catalogue.
 std::vector<Task> removedTasks(const std::vector<std::string>& effects, Runs runs,
                                const Scale& scale);
 
-/// Two different effects at once, pairs 1..count, each drawn by its number alone: from the whole
-/// catalogue but those that 30 experiments can hardly show even alone (exp_mode, plant_aging,
-/// exp_feedback), never two of one equivalence class.
+/// Tasks that hide two different effects at once. Pair number 1..count determines which ones. They
+/// are drawn from the catalogue without the effects that thirty experiments can hardly show even on
+/// their own (exp_mode, plant_aging, exp_feedback), and never from the same equivalence class.
 std::vector<Task> pairTasks(int count, Runs runs, const Scale& scale);
 
-/// The tasks under another name, orders not told.
+/// The same tasks under another name, where explain() chooses the orders itself.
 std::vector<Task> withoutOrders(std::vector<Task> tasks);
 
-/// Judge the outcomes of a part by what a full suite must reach. `each` effect must reach its
-/// share, but for those that thirty experiments can hardly show, and on the data that can show it.
+/// The judge functions compare the outcomes of a part with the targets of the full suite. `right`
+/// and `exact` are the shares that are required over all effects, `each` that for every single
+/// effect. The latter does not apply to effects that thirty experiments can hardly show, and it
+/// counts only the data that can show the effect.
 void judgeSingles(const std::vector<Outcome>& outcomes, const std::string& name, double right,
                   double exact, double each, Targets* targets);
 void judgeClean(const std::vector<Outcome>& outcomes, double quiet, Targets* targets);
 void judgeUnknown(const std::vector<Outcome>& outcomes, const std::string& name, Targets* targets);
 void judgePairs(const std::vector<Outcome>& outcomes, Targets* targets);
 void judgeParameters(const std::vector<Outcome>& outcomes, Targets* targets);
-/// 90 % intervals of the held-out gain against the gain on Task::fresh others, and that against
-/// what the true extended model gains there.
+/// Compares the 90 % intervals of the held-out gain with the gain on the Task::fresh experiments,
+/// and that gain with trueGain().
 void judgeGains(const std::vector<Outcome>& outcomes, Targets* targets);
 void judgeTimes(const std::vector<Outcome>& outcomes, const std::string& name, double most,
                 Targets* targets);

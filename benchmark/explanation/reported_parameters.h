@@ -10,15 +10,16 @@
 
 namespace uncertainty_identification::suite {
 
-/// What a right explanation of a truth reports: values by "effect.parameter", or "effect
-/// (variant).parameter" where they mean nothing to another variant, in the engine's names and units
-/// (src/effects/). Parameters that are 0 in truth, or that the engine states otherwise
-/// than by a value of the truth, are left out. `training` are the experiments that it explains,
-/// about whose mean temperature it states plant_temp.
+/// The true values of the parameters that explain() reports for the effects of a truth, in its
+/// units (src/effects/). Their names are "effect.parameter", or "effect (variant).parameter" where
+/// they do not hold for the other variants. Parameters whose true value is 0 are left out.
+/// Parameters of the truth that explain() does not report are in the table too, under their own
+/// keys. `training` are the experiments that are explained: explain() states plant_temp relative to
+/// their mean temperature.
 std::map<std::string, double> reportedParameters(const Truth& truth,
                                                  const std::vector<Experiment>& training);
 
-/// The value that such a table has for a parameter, if any.
+/// Looks up the value of a parameter in the table of reportedParameters().
 std::optional<double> valueOf(const std::map<std::string, double>& reported,
                               const std::string& effect, const std::string& variant,
                               const std::string& parameter);

@@ -21,13 +21,14 @@ std::string percent(int part, int all) {
   return text;
 }
 
-/// "act_delay", or "act_delay + sens_hum".
+/// The names of the hidden effects, for example "act_delay + sens_hum".
 std::string rowName(const Outcome& outcome) {
   std::string name;
   for (const std::string& each : outcome.task.hidden) name += (name.empty() ? "" : " + ") + each;
   return name.empty() ? "nothing" : name;
 }
 
+/// For example "act_delay 2, sens_lag 1".
 std::string counted(const std::map<std::string, int>& counts) {
   std::string text;
   for (const auto& [name, count] : counts)
@@ -35,7 +36,7 @@ std::string counted(const std::map<std::string, int>& counts) {
   return text;
 }
 
-/// A row of the confusion matrix.
+/// The counts of printConfusion() for one line.
 struct Row {
   int all = 0, right = 0, exact = 0, unknown = 0;
   std::vector<double> seconds;

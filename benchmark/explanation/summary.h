@@ -6,24 +6,24 @@
 
 #include "data_set.h"
 
-/// What many outcomes amount to, and whether that is enough.
+/// Summaries of many outcomes, and their comparison with targets.
 namespace uncertainty_identification::suite {
 
-/// A share or a figure held against what it must reach.
+/// A list of results, each compared with its target.
 class Targets {
  public:
-  /// In the short form a share is missed only if the required one would give so few with a
-  /// probability below 1 %.
+  /// In the short form a share misses its target only if so few successes would have a probability
+  /// below 1 % when the target is true.
   explicit Targets(bool short_form) : short_form_(short_form) {}
 
   void share(const std::string& what, int good, int all, double least);
   void atMost(const std::string& what, double value, double most);
   void atLeast(const std::string& what, double value, double least);
 
-  /// Wall time, which on a machine with other work says little: the short form allows ten times it.
+  /// A time. The short form allows ten times the target, since the machine may have other work.
   void time(const std::string& what, double seconds, double most);
 
-  /// One line each; exit status 0 when none is missed.
+  /// Prints a line for each target. Returns the exit status: 0 when none is missed, else 1.
   int report() const;
 
  private:
@@ -36,15 +36,16 @@ class Targets {
 
 double median(std::vector<double> values);
 
-/// One line for each hidden effect: data sets, right, exact, unknown, median time, and what was
-/// named instead or beside it: the rows of the confusion matrix, without its zeros.
+/// Prints one line for each hidden effect: the number of data sets; those that are right(), exact()
+/// and raisesUnknown(); the median time; and the effects that were found without being hidden, with
+/// their numbers.
 void printConfusion(const std::vector<Outcome>& outcomes);
 
-/// Median relative error and share of 90 % intervals that hold the truth, of each parameter whose
-/// effect was named exactly.
+/// Prints, for each parameter of effects that were found exactly, the median relative error and the
+/// share of 90 % intervals that contain the truth.
 void printParameters(const std::vector<Outcome>& outcomes);
 
-/// Everything about the outcomes.
+/// All outcomes with all that is known about them.
 nlohmann::json toJson(const std::vector<Outcome>& outcomes);
 
 }  // namespace uncertainty_identification::suite

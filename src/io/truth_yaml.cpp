@@ -10,50 +10,23 @@
 
 namespace uncertainty_identification {
 
-template <class Archive>
-void bind(Archive& archive, InputTruth& input) {
-  archive("kind", input.kind);
-  archive("mean", input.mean);
-  archive("variance", input.variance);
-  archive("hold", input.hold);
-  archive("tones", input.tones);
-  archive("amplitude_spread", input.amplitude_spread);
+/// Reads or writes any part of a truth that describes itself by a function fields().
+template <class Archive, class Part>
+auto bind(Archive& archive, Part& part) -> decltype(part.fields(), void()) {
+  for (const Field& field : part.fields())
+    std::visit([&](auto* value) { archive(field.key, *value); }, field.value);
 }
 
 template <class Archive>
-void bind(Archive& archive, PlantTruth& plant) {
-  archive("structure", plant.structure);
-  archive("b", plant.b);
-  archive("a", plant.a);
-  archive("delay", plant.delay);
-  archive("gain", plant.gain);
-  archive("time_constant", plant.time_constant);
-  archive("time_constant_spread", plant.time_constant_spread);
+void bind(Archive& archive, EffectsTruth& effects) {
+  effects.forEach(
+      [&archive](const std::string& name, auto& effect) { archive(name, whenPresent(effect)); });
 }
 
 template <class Archive>
 void bind(Archive& archive, ErrorModelTruth& error_model) {
   bindBasis(archive, error_model.basis);
   bindMixture(archive, error_model.mixture);
-}
-
-template <class Archive>
-void bind(Archive& archive, SensorTruth& sensor) {
-  archive("missing", sensor.missing);
-}
-
-template <class Archive>
-void bind(Archive& archive, NoiseTruth& noise) {
-  archive("variance", noise.variance);
-  archive("c", noise.c);
-  archive("d", noise.d);
-  archive("start", noise.start);
-}
-
-template <class Archive>
-void bind(Archive& archive, CovariatesTruth& covariates) {
-  archive("temp", covariates.temp);
-  archive("d", covariates.d);
 }
 
 template <class Archive>
@@ -70,16 +43,6 @@ void bind(Archive& archive, Truth& truth) {
   archive("noise", truth.noise);
   archive("covariates", truth.covariates);
   archive("effects", truth.effects);
-}
-
-template <class Archive>
-void bind(Archive& archive, EffectDraws& draws) {
-  archive("parameter_deviation", draws.parameter_deviation);
-  archive("initial_state", draws.initial_state);
-  archive("bias", draws.bias);
-  archive("drift", draws.drift);
-  archive("hum_phase", draws.hum_phase);
-  archive("clock_shift", draws.clock_shift);
 }
 
 Truth parseTruth(const YAML::Node& node) {
@@ -104,15 +67,19 @@ nlohmann::json toJson(const Truth& truth) {
 nlohmann::json answerJson(const Truth& truth, std::uint64_t seed) {
   nlohmann::json experiments = nlohmann::json::array();
   for (int r = 0; r < truth.experiments; ++r) {
-    DrawnSystem system = drawSystem(truth, seed, r);
-    TreeWriter draws;
-    bind(draws, system.effects);
+    const DrawnSystem system = drawSystem(truth, seed, r);
+    const EffectDraws& draws = system.effects;
     nlohmann::json entry{
         {"id", experimentId(r)}, {"component", nullptr}, {"time_constant", nullptr}};
     entry["xi"] = std::vector<double>(system.xi.data(), system.xi.data() + system.xi.size());
-    entry["effects"] = draws.tree();
-    if (system.component >= 0) entry["component"] = system.component;
-    if (system.time_constant > 0) entry["time_constant"] = system.time_constant;
+    entry["effects"] = {{"parameter_deviation", draws.parameter_deviation},
+                        {"initial_state", draws.initial_state},
+                        {"bias", draws.bias},
+                        {"drift", draws.drift},
+                        {"hum_phase", draws.hum_phase},
+                        {"clock_shift", draws.clock_shift}};
+    if (system.component) entry["component"] = *system.component;
+    if (system.time_constant) entry["time_constant"] = *system.time_constant;
     experiments.push_back(entry);
   }
   return {{"format", "uncertainty_identification/answer/1"},

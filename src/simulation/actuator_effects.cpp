@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/require_number.h"
 #include "simulation/signals.h"
 
 namespace uncertainty_identification {
@@ -40,29 +39,6 @@ VectorXd withLoss(const LossTruth& effect, VectorXd u) {
 }
 
 }  // namespace
-
-void ActuatorEffects::validate() const {
-  if (offset) requireFinite("effects.act_offset.offset", offset->offset);
-  if (delay) requireNotNegative("effects.act_delay.delay", delay->delay);
-  if (quantisation) requirePositive("effects.act_quantisation.step", quantisation->step);
-  if (deadzone) {
-    requireNotNegative("effects.act_deadzone.width", deadzone->width);
-    requireNotNegative("effects.act_deadzone.negative_width",
-                       deadzone->negative_width.value_or(deadzone->width));
-  }
-  if (backlash) requireNotNegative("effects.act_backlash.width", backlash->width);
-  if (ratelimit) requirePositive("effects.act_ratelimit.rate", ratelimit->rate);
-  if (saturation) requirePositive("effects.act_saturation.limit", saturation->limit);
-  if (hammerstein) {
-    requireFinite("effects.act_hammerstein.quadratic", hammerstein->quadratic);
-    requireFinite("effects.act_hammerstein.cubic", hammerstein->cubic);
-  }
-  if (loss) {
-    require(loss->loss <= 1 && std::isfinite(loss->loss), "effects.act_loss.loss", loss->loss,
-            "a finite number, at most 1");
-    requireFinite("effects.act_loss.start", loss->start);
-  }
-}
 
 VectorXd actuated(const ActuatorEffects& effects, VectorXd u) {
   if (effects.offset) u.array() += effects.offset->offset;

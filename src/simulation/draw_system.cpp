@@ -10,11 +10,13 @@
 namespace uncertainty_identification {
 namespace {
 
-Eigen::VectorXd drawFrom(const Mixture& mixture, std::mt19937_64& random, int* component) {
+/// Draws xi from the mixture; `component` receives the number of the component that it came from.
+Eigen::VectorXd drawFrom(const Mixture& mixture, std::mt19937_64& random,
+                         std::optional<int>* component) {
   std::discrete_distribution<int> pick(mixture.weights.begin(), mixture.weights.end());
   *component = pick(random);
-  const auto i = static_cast<std::size_t>(*component);
-  // A root that exists for singular covariances too.
+  const auto i = static_cast<std::size_t>(**component);
+  // Unlike a Cholesky factor, this square root also exists for a singular covariance.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(mixture.covariances[i]);
   const Eigen::VectorXd scale = eigen.eigenvalues().cwiseMax(0).cwiseSqrt();
   return mixture.means[i] +
@@ -27,12 +29,13 @@ double drawTimeConstant(const PlantTruth& plant, std::mt19937_64& random) {
   return plant.time_constant * (1 + relative(random));
 }
 
-/// Where experiment r stands among all: -1/2 to 1/2.
+/// The position of experiment r in the sequence: -1/2 for the first and 1/2 for the last.
 double position(const Truth& truth, int r) {
   return truth.experiments > 1 ? static_cast<double>(r) / (truth.experiments - 1) - 0.5 : 0;
 }
 
-/// A further component takes the place of what the mixture drew; aging moves either.
+/// Applies exp_mode, which may replace the xi that the mixture drew, and then plant_aging, which
+/// shifts it.
 void changeError(const Truth& truth, std::uint64_t seed, int r, DrawnSystem* system) {
   if (const auto& mode = truth.effects.experiment.mode) {
     std::mt19937_64 random = randomStream(seed, r, RandomPurpose::mode);
@@ -47,7 +50,8 @@ void changeError(const Truth& truth, std::uint64_t seed, int r, DrawnSystem* sys
     system->xi += position(truth, r) * aging->shift;
 }
 
-/// All numbers are drawn whichever effect is there, so that switching one on leaves the others.
+/// Draws the random numbers of all effects, present or not, so that adding one effect to a truth
+/// does not change the numbers of another.
 void drawEffects(const EffectsTruth& effects, std::mt19937_64 random, EffectDraws* draws) {
   std::normal_distribution<double> standard;
   const double initial_state = standard(random), bias = standard(random), drift = standard(random),

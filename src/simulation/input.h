@@ -7,7 +7,7 @@
 
 namespace uncertainty_identification {
 
-/// An input of `samples` values. A multisine needs more than twice as many as it has tones.
+/// Draws an input of `samples` values. A multisine must have fewer than samples/2 tones.
 Eigen::VectorXd makeInput(const InputTruth& input, int samples, std::mt19937_64& random);
 
 }  // namespace uncertainty_identification

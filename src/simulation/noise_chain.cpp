@@ -11,13 +11,14 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// D of the noise, without the leading 1.
+/// Denominator of the noise model, without the leading 1: D times that of noise_colour.
 VectorXd denominator(const Truth& truth) {
   const auto& colour = truth.effects.noise.colour;
   return colour ? multiply(truth.noise.d, Eigen::Vector2d(colour->d1, colour->d2)) : truth.noise.d;
 }
 
-/// Samples after which what was there before has died away to rounding.
+/// Number of samples that are simulated before the record begins, so that stationary noise has
+/// forgotten its initial state up to rounding.
 int warmUp(const NoiseTruth& noise, const VectorXd& d) {
   if (noise.start == NoiseStart::zero) return 0;
   const double slowest = d.size() == 0 ? 0 : roots(d).cwiseAbs().maxCoeff();
@@ -27,16 +28,12 @@ int warmUp(const NoiseTruth& noise, const VectorXd& d) {
          static_cast<int>(std::min(std::ceil(decay), 1e7));
 }
 
-/// t = normal sqrt((nu - 2)/chi^2_nu) has the normal's variance.
+/// Turns Gaussian samples into Student's t of the same variance, which is the Gaussian sample times
+/// sqrt((nu - 2)/chi^2_nu).
 void makeHeavyTailed(double degrees, std::mt19937_64 random, VectorXd* w) {
   std::chi_squared_distribution<double> chi_squared(degrees);
   for (Eigen::Index k = 0; k < w->size(); ++k)
     (*w)(k) *= std::sqrt((degrees - 2) / chi_squared(random));
-}
-
-void scaleByDriver(const HeteroTruth& hetero, const VectorXd& driver, Eigen::Ref<VectorXd> w) {
-  const auto square = (driver.array() / hetero.scale).square();
-  w.array() *= (1 - hetero.share + hetero.share * square).sqrt();
 }
 
 }  // namespace
@@ -50,9 +47,10 @@ VectorXd outputNoise(const ChainContext& context, const VectorXd& u, const Vecto
   VectorXd w = gaussian(warmUp(noise, d) + samples, noise.variance, random);
   if (effects.tails)
     makeHeavyTailed(effects.tails->degrees_of_freedom, context.stream(RandomPurpose::tails), &w);
-  if (effects.hetero) {
-    const bool input = effects.hetero->driver == HeteroDriver::input;
-    scaleByDriver(*effects.hetero, input ? u : x, w.tail(samples));
+  if (const auto& hetero = effects.hetero) {
+    const VectorXd& driver = hetero->driver == HeteroDriver::input ? u : x;
+    const auto square = (driver.array() / hetero->scale).square();
+    w.tail(samples).array() *= (1 - hetero->share + hetero->share * square).sqrt();
   }
   if (effects.step) {
     auto recorded = w.tail(samples);

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// +1 and -1, switching at random.
+/// A signal of +1 and -1 that switches with this probability at each sample.
 VectorXd telegraph(double probability, int samples, std::mt19937_64 random) {
   std::uniform_real_distribution<double> uniform;
   double state = uniform(random) < 0.5 ? -1 : 1;
@@ -22,7 +22,7 @@ VectorXd telegraph(double probability, int samples, std::mt19937_64 random) {
   });
 }
 
-/// Gains that vary with time multiply what drives the plant.
+/// Multiplies the input of the plant by the gains that change during an experiment.
 VectorXd driven(const ChainContext& context, VectorXd u) {
   const auto samples = static_cast<int>(u.size());
   const EffectsTruth& effects = context.truth.effects;
@@ -40,9 +40,9 @@ VectorXd driven(const ChainContext& context, VectorXd u) {
   return u;
 }
 
-/// (1 + GDelta) of a signal.
+/// The signal filtered by 1 + GDelta.
 VectorXd withError(const ChainContext& context, const VectorXd& nominal) {
-  if (context.system.component < 0) return nominal;
+  if (!context.system.component) return nominal;
   Signals block = Signals::Zero(kLanes, nominal.size());
   block.row(0) = nominal.array();
   std::vector<Signals> regressors;
@@ -55,12 +55,8 @@ VectorXd withError(const ChainContext& context, const VectorXd& nominal) {
   return output;
 }
 
-bool feedsBack(const EffectsTruth& effects) {
-  return effects.plant.cubic || effects.plant.coulomb || effects.unnamed.bilinear ||
-         effects.unnamed.gravity || effects.unnamed.outflow;
-}
-
-/// f: what drives the linear part at output x, `before` one sample earlier.
+/// The input f of the linear part when the plant's output is x, and was `before` one sample
+/// earlier.
 double loopDrive(const EffectsTruth& effects, double u, double x, double before) {
   double f = u;
   if (const auto& cubic = effects.plant.cubic) f -= cubic->coefficient * x * x * x;
@@ -74,7 +70,7 @@ double loopDrive(const EffectsTruth& effects, double u, double x, double before)
   return f;
 }
 
-/// A x = q^-delay B f with f fed back; the delay is 1 or above.
+/// Solves A x = q^-delay B f sample by sample, where f depends on x. The delay must be 1 or above.
 VectorXd loopOutput(const EffectsTruth& effects, const Polynomials& plant, const VectorXd& u) {
   const auto samples = static_cast<int>(u.size());
   VectorXd x = VectorXd::Zero(samples), f(samples);
@@ -88,17 +84,19 @@ VectorXd loopOutput(const EffectsTruth& effects, const Polynomials& plant, const
   return x;
 }
 
+/// What plant_resonance adds to the plant's output.
 VectorXd resonant(const ResonanceTruth& mode, const VectorXd& u) {
   const Eigen::Vector2d denominator(-2 * mode.radius * std::cos(mode.frequency),
                                     mode.radius * mode.radius);
   return filtered(Eigen::Vector2d(mode.g1, mode.g2), denominator, 1, u);
 }
 
-/// Go with its relative error, linear or with feedback within.
+/// Go with its relative error. Effects that feed x back to f need the output sample by sample; the
+/// relative error, which is linear, then acts on the input.
 VectorXd linearOutput(const ChainContext& context, const VectorXd& u) {
   const Polynomials& plant = context.system.polynomials;
   const auto& resonance = context.truth.effects.plant.resonance;
-  if (feedsBack(context.truth.effects)) {
+  if (context.truth.effects.feedsBack()) {
     const VectorXd with_error = withError(context, u);
     VectorXd x = loopOutput(context.truth.effects, plant, with_error);
     if (resonance) x += resonant(*resonance, with_error);

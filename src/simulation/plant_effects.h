@@ -4,62 +4,87 @@
 #include <optional>
 #include <string>
 
-/// Effects inside the plant, for a truth to hide. x is the plant's output [unit of y], f what
-/// drives its linear part: x = q^-delay B/A f with f = u, unless an effect feeds x back into f.
+#include "simulation/field.h"
+
+/// Effects of the plant. x is its output [unit of y] and f the input of its linear part:
+/// x = q^-delay B/A f. f is the actuator's output u, unless an effect feeds x back into f.
 namespace uncertainty_identification {
 
-/// A further pole: (1 - pole)/(1 - pole q^-1) x.
+/// Filters the plant's output by a further pole: (1 - pole)/(1 - pole q^-1) x.
 struct PlantPoleTruth {
-  double pole = 0.5;  ///< between -1 and 1
+  double pole = 0.5;
+  Fields fields() { return {{"pole", &pole, range::kInsideCircle}}; }
 };
 
-/// A mode in parallel to Go: (g1 q^-1 + g2 q^-2)/(1 - 2 radius cos(frequency) q^-1 + radius^2
-/// q^-2).
+/// A resonance in parallel to Go, which adds
+/// (g1 q^-1 + g2 q^-2)/(1 - 2 radius cos(frequency) q^-1 + radius^2 q^-2) u to x.
 struct ResonanceTruth {
-  double radius = 0.95;     ///< of the pole pair, at least 0 and below 1
-  double frequency = 1;     ///< [rad/sample] of the pole pair, 0 to pi
+  double radius = 0.95;     ///< of the pair of poles
+  double frequency = 1;     ///< [rad/sample] of the pair of poles
   double g1 = 0.1, g2 = 0;  ///< [unit of y/unit of u]
+  Fields fields() {
+    return {{"radius", &radius, range::kBelowOne},
+            {"frequency", &frequency, range::kZeroToPi},
+            {"g1", &g1},
+            {"g2", &g2}};
+  }
 };
 
-/// f = u - coefficient x^3: a spring that hardens.
+/// A hardening spring: f = u - coefficient x^3.
 struct CubicTruth {
   double coefficient = 0.1;  ///< [unit of u/unit of y, cubed]
+  Fields fields() { return {{"coefficient", &coefficient}}; }
 };
 
-/// f = u - friction tanh((x(t) - x(t - 1))/smoothing).
+/// Coulomb friction: f = u - friction tanh((x(t) - x(t - 1))/smoothing).
 struct CoulombTruth {
-  double friction = 0.1;   ///< [unit of u], 0 or above
-  double smoothing = 0.1;  ///< [unit of y per sample], above 0
+  double friction = 0.1;   ///< [unit of u]
+  double smoothing = 0.1;  ///< [unit of y per sample]
+  Fields fields() {
+    return {{"friction", &friction, range::kNotNegative},
+            {"smoothing", &smoothing, range::kPositive}};
+  }
 };
 
-/// Gain 1 + slope (t/N - 1/2).
+/// The gain changes within each experiment: it is multiplied by 1 + slope (t/N - 1/2).
 struct GainDriftTruth {
-  double slope = 0.5;  ///< change of the relative gain over an experiment
+  double slope = 0.5;
+  Fields fields() { return {{"slope", &slope}}; }
 };
 
-/// The mean of xi moves by shift (r/(M - 1) - 1/2) over the experiments r = 0..M-1.
+/// The plant changes from experiment to experiment: the mean of xi moves by
+/// shift (r/(M - 1) - 1/2) over the experiments r = 0..M-1.
 struct AgingTruth {
-  Eigen::VectorXd shift = Eigen::VectorXd::Constant(1, 0.5);  ///< from the first to the last; n
+  Eigen::VectorXd shift = Eigen::VectorXd::Constant(1, 0.5);  ///< one entry for each entry of xi
+  Fields fields() { return {{"shift", &shift}}; }
 };
 
-/// Gain 1 + coefficient (temp - reference)/10, with the covariate `temp`.
+/// The gain depends on the covariate `temp`: it is multiplied by
+/// 1 + coefficient (temp - reference)/10.
 struct TemperatureGainTruth {
   double coefficient = 0.1;  ///< [1 per 10 units of temp]
   double reference = 20;     ///< [unit of temp]
+  Fields fields() { return {{"coefficient", &coefficient}, {"reference", &reference}}; }
 };
 
-/// x += c_r times the impulse response of 1/A, c_r ~ N(0, deviation^2) per experiment.
+/// The plant does not start at rest: c_r times the impulse response of 1/A is added to x, where
+/// c_r ~ N(0, deviation^2) is drawn for each experiment.
 struct InitialStateTruth {
-  double deviation = 1;  ///< [unit of y], 0 or above
+  double deviation = 1;  ///< [unit of y]
+  Fields fields() { return {{"deviation", &deviation, range::kNotNegative}}; }
 };
 
-/// A parameter of Go is theta_j (1 + d_r), d_r ~ N(0, deviation^2) per experiment, drawn anew where
-/// the plant were not stable.
+/// A parameter of Go differs between experiments: it is theta_j (1 + d_r) with
+/// d_r ~ N(0, deviation^2). When the plant would be unstable, d_r is drawn again.
 struct ParameterSpreadTruth {
-  std::string parameter = "b1";  ///< b1.., a1..; first_order: time_constant, gain
-  double deviation = 0.1;        ///< relative, 0 or above
+  std::string parameter = "b1";  ///< b1.., a1..; of a first_order plant time_constant or gain
+  double deviation = 0.1;        ///< relative
+  Fields fields() {
+    return {{"parameter", &parameter}, {"deviation", &deviation, range::kNotNegative}};
+  }
 };
 
+/// Each effect is absent or has its parameters.
 struct PlantEffects {
   std::optional<PlantPoleTruth> pole;
   std::optional<ResonanceTruth> resonance;
@@ -70,8 +95,6 @@ struct PlantEffects {
   std::optional<TemperatureGainTruth> temp;
   std::optional<InitialStateTruth> init;
   std::optional<ParameterSpreadTruth> parameter_spread;
-
-  void validate() const;
 };
 
 }  // namespace uncertainty_identification

@@ -10,7 +10,7 @@ using Eigen::VectorXd;
 
 VectorXd clipped(double limit, const VectorXd& y) { return y.cwiseMax(-limit).cwiseMin(limit); }
 
-/// Static effects on x.
+/// The effects that change x before the noise is added.
 VectorXd withCurve(const EffectsTruth& effects, VectorXd x) {
   if (const auto& wiener = effects.sensor.wiener)
     x.array() += wiener->quadratic * x.array().square() + wiener->cubic * x.array().cube();
@@ -21,7 +21,7 @@ VectorXd withCurve(const EffectsTruth& effects, VectorXd x) {
   return x;
 }
 
-/// What adds to x, whatever x is.
+/// The sum of the effects that add to x and do not depend on it.
 VectorXd disturbance(const ChainContext& context, int samples) {
   const SensorEffects& sensor = context.truth.effects.sensor;
   const EffectDraws& draws = context.system.effects;
@@ -37,6 +37,8 @@ VectorXd disturbance(const ChainContext& context, int samples) {
   return sum;
 }
 
+/// Oscillations that begin at random times: 1/(1 - 2 radius cos(frequency) q^-1 + radius^2 q^-2) of
+/// random impulses.
 VectorXd bursts(const BurstTruth& burst, int samples, std::mt19937_64 random) {
   std::uniform_real_distribution<double> uniform;
   std::normal_distribution<double> standard;

@@ -9,7 +9,7 @@ namespace uncertainty_identification {
 
 using Eigen::VectorXd;
 
-// The filters of the model work on blocks; a simulated signal is one lane of them.
+// The model's filters process kLanes signals at once; here only the first lane is used.
 VectorXd filtered(const VectorXd& numerator, const VectorXd& denominator, int delay,
                   const VectorXd& signal) {
   Signals in = Signals::Zero(kLanes, signal.size()), out;
@@ -35,7 +35,7 @@ VectorXd resampledAt(const VectorXd& signal, const VectorXd& shift) {
   };
   return VectorXd::NullaryExpr(signal.size(), [&](Eigen::Index k) {
     const double instant = static_cast<double>(k) + shift(k), i = std::floor(instant);
-    const double f = instant - i;  // Lagrange's polynomial through i - 1 .. i + 2
+    const double f = instant - i;  // Lagrange's polynomial through the samples i - 1 ... i + 2
     return -f * (f - 1) * (f - 2) / 6 * at(i - 1) + (f + 1) * (f - 1) * (f - 2) / 2 * at(i) -
            (f + 1) * f * (f - 2) / 2 * at(i + 1) + (f + 1) * f * (f - 1) / 6 * at(i + 2);
   });

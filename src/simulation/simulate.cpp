@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kFirstStart = 1.0;  // [s]; bags refuse a stamp of zero
+constexpr double kFirstStart = 1.0;  // [s]; a bag refuses a time stamp of zero
 constexpr int kPause = 10;           // [samples] between experiments
 
 double startTime(const Truth& truth, int r) {
@@ -27,7 +27,8 @@ double startTime(const Truth& truth, int r) {
   return kFirstStart + samples * truth.sample_time;
 }
 
-/// Departures of the sampling instants [s]; the first is not negative: the record begins with it.
+/// Deviations [s] of the sampling times from an even spacing. The first is not negative, because
+/// the record begins with it.
 VectorXd stampOffset(const Truth& truth, int samples, std::mt19937_64 random) {
   const double width = truth.effects.experiment.jitter->width * truth.sample_time;
   std::uniform_real_distribution<double> uniform(-width, width);
@@ -36,7 +37,7 @@ VectorXd stampOffset(const Truth& truth, int samples, std::mt19937_64 random) {
   return offset;
 }
 
-/// An experiment with all that is known beside its signals u and y.
+/// Experiment r without its signals u and y, which are simulated from this.
 Experiment prepare(const Truth& truth, std::uint64_t seed, int r) {
   const auto stream = [seed, r](RandomPurpose purpose) { return randomStream(seed, r, purpose); };
   const int samples = truth.samplesOf(r);
@@ -53,7 +54,7 @@ Experiment prepare(const Truth& truth, std::uint64_t seed, int r) {
   return experiment;
 }
 
-/// What is drawn for the input of experiment r.
+/// The input of experiment r, or its reference r when it runs in closed loop.
 VectorXd reference(const ChainContext& context, int samples) {
   const InputTruth& input = context.truth.input;
   std::mt19937_64 random = context.stream(RandomPurpose::input);
@@ -64,8 +65,8 @@ VectorXd reference(const ChainContext& context, int samples) {
   return std::uniform_real_distribution<double>(1 - spread, 1 + spread)(amplitude) * signal;
 }
 
-/// u(t) = r(t) - gain y(t - 1): y depends on earlier u only, so that each pass settles at least one
-/// more sample.
+/// Solves u(t) = r(t) - gain y(t - 1) by iteration. y(t - 1) depends only on u up to t - 1, so that
+/// every pass makes at least one more sample of u final.
 VectorXd closedLoopInput(const ChainContext& context, const VectorXd& reference) {
   const double gain = context.truth.effects.experiment.feedback->gain;
   const Eigen::Index samples = reference.size();
@@ -81,6 +82,7 @@ VectorXd closedLoopInput(const ChainContext& context, const VectorXd& reference)
   return u;
 }
 
+/// Marks outputs as not measured.
 void loseSamples(const SensorTruth& sensor, std::mt19937_64 random, Experiment* experiment) {
   if (sensor.missing == 0) return;
   std::bernoulli_distribution lost(sensor.missing);

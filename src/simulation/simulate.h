@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@
 
 namespace uncertainty_identification {
 
-/// What the effects of a truth drew for one experiment; 0 where an effect is absent.
+/// The random numbers that the effects of a truth drew for one experiment; 0 for an absent effect.
 struct EffectDraws {
   double parameter_deviation = 0;  ///< plant_parameter_spread: relative
   double initial_state = 0;        ///< plant_init: c_r [unit of y]
@@ -21,29 +22,30 @@ struct EffectDraws {
   double clock_shift = 0;          ///< exp_clock: tau_r [samples]
 };
 
-/// The system that one experiment was made with.
+/// The system on which one experiment was made.
 struct DrawnSystem {
-  Polynomials polynomials;   ///< of this experiment's plant, and of the noise
-  double time_constant = 0;  ///< first_order: tau [s]; else 0
-  int component = -1;  ///< of the mixture that xi came from, from 0; -1 = no error model; that
-                       ///< of exp_mode comes last
-  Eigen::VectorXd xi;  ///< free parameters of the relative error
+  Polynomials polynomials;              ///< of this experiment's plant and of the noise
+  std::optional<double> time_constant;  ///< tau [s] of a first_order plant
+  std::optional<int> component;  ///< of the mixture from which xi was drawn, counted from 0; that
+                                 ///< of exp_mode follows the last; absent without an error model
+  Eigen::VectorXd xi;            ///< free parameters of the relative error
   EffectDraws effects;
 };
 
 /// The id of experiment r (from 0), e.g. "exp_000007".
 std::string experimentId(int r);
 
-/// The system of experiment r (from 0). It depends on the truth, the seed and r alone; under
-/// plant_aging also on where among the truth's experiments r stands.
+/// The system of experiment r (from 0). It depends on the truth, the seed and r alone, and only
+/// with plant_aging also on the number of experiments.
 DrawnSystem drawSystem(const Truth& truth, std::uint64_t seed, int r);
 
-/// Experiment r (from 0), which does not depend on how many there are. Experiments follow each
-/// other in time, ten sample times apart, the first at 1 s. An output that is not measured is NaN
-/// and marked so. Throws ConfigurationError when an effect makes the output diverge.
+/// Simulates experiment r (from 0). It does not depend on the number of experiments, except with
+/// plant_aging. The first experiment starts at 1 s and the others follow with pauses of ten
+/// samples. Outputs that are not measured are NaN and marked as not valid. Throws
+/// ConfigurationError when an effect makes the output diverge.
 Experiment simulateExperiment(const Truth& truth, std::uint64_t seed, int r);
 
-/// All experiments of a truth. Throws ConfigurationError when the truth is not valid.
+/// Simulates all experiments of a truth. Throws ConfigurationError when the truth is not valid.
 std::vector<Experiment> simulate(const Truth& truth, std::uint64_t seed);
 
 }  // namespace uncertainty_identification

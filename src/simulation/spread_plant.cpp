@@ -9,7 +9,7 @@
 namespace uncertainty_identification {
 namespace {
 
-/// b1, a2, ...: the coefficient of that number, or null.
+/// The coefficient that a name such as b1 or a2 stands for; null when the polynomial has none.
 double* coefficient(Eigen::VectorXd& polynomial, const std::string& name) {
   const int number = std::atoi(name.c_str() + 1);
   const bool known =
@@ -17,6 +17,7 @@ double* coefficient(Eigen::VectorXd& polynomial, const std::string& name) {
   return known ? &polynomial(number - 1) : nullptr;
 }
 
+/// The parameter of Go with this name; null when there is none.
 double* parameterOf(PlantTruth& plant, const std::string& name) {
   if (plant.structure == PlantStructure::first_order) {
     if (name == "gain") return &plant.gain;
@@ -42,7 +43,7 @@ void requireParameter(const PlantTruth& plant, const std::string& name) {
               : "one of the plant's b1.. and a1.. that is not 0");
 }
 
-// Under zero-order hold of gain/(1 + tau s), equation (39), or as given.
+// A first-order plant is gain/(1 + tau s) under zero-order hold, equation (39).
 Polynomials plantPolynomials(const PlantTruth& plant, double sample_time) {
   Polynomials polynomials;
   polynomials.delay = plant.delay;
@@ -67,8 +68,9 @@ PlantTruth spreadPlant(const PlantTruth& plant, const ParameterSpreadTruth& spre
     if (stable(varied)) return varied;
   }
   throw ConfigurationError("effects.plant_parameter_spread.deviation: found " +
-                           std::to_string(spread.deviation) + ", with which " + spread.parameter +
-                           " leaves no stable plant; allowed: a smaller one");
+                           std::to_string(spread.deviation) +
+                           ", with which no stable plant could be drawn for the parameter " +
+                           spread.parameter + "; allowed: a smaller one");
 }
 
 }  // namespace uncertainty_identification

@@ -3,30 +3,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "configuration/require.h"
 #include "math/polynomial.h"
 #include "model/sensitivity.h"
-#include "simulation/require_number.h"
 #include "simulation/spread_plant.h"
 #include "uncertainty_identification/model/error_basis.h"
 
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kOnTheCircle = 1 + 1e-9;  // an integrator is a plant too
+constexpr double kOnTheCircle = 1 + 1e-9;  // an integrator has a pole at 1 and is allowed
 
-void requirePolynomial(const std::string& key, const Eigen::VectorXd& monic, double radius) {
-  require(monic.allFinite(), key, "an entry that is not finite", "finite numbers");
+/// Throws unless all roots of the polynomial, given without its leading 1, lie within the radius.
+void requireRoots(const std::string& key, const Eigen::VectorXd& monic, double radius) {
   require(monic.size() == 0 || isStable(monic, radius), key, "roots outside the unit circle",
           radius > 1 ? "roots inside or on it" : "roots inside it");
 }
 
-/// What effects need of the rest of the truth.
-void validateNeeds(const Truth& truth) {
+/// Checks the effects against the rest of the truth.
+void validateTogether(const Truth& truth) {
   const PlantEffects& plant = truth.effects.plant;
-  const UnnamedEffects& unnamed = truth.effects.unnamed;
-  const bool loop =
-      plant.cubic || plant.coulomb || unnamed.bilinear || unnamed.gravity || unnamed.outflow;
-  require(!loop || truth.plant.delay >= 1, "plant.delay", truth.plant.delay,
+  require(!truth.effects.feedsBack() || truth.plant.delay >= 1, "plant.delay", truth.plant.delay,
           "1 or above with an effect that feeds the output back within the plant");
   const auto requireDimension = [&](const std::string& key, const Eigen::VectorXd& value) {
     const int dimension = truth.error_model.mixture.dimension();
@@ -57,23 +54,6 @@ const EnumNames<PlantStructure>& enumNames(PlantStructure) {
   return kNames;
 }
 
-void InputTruth::validate() const {
-  requireFinite("input.mean", mean);
-  requireNotNegative("input.variance", variance);
-  requireRange("input.hold", hold, 1, 1000000);
-  requireRange("input.tones", tones, 1, 1000000);
-  requireProbability("input.amplitude_spread", amplitude_spread);
-}
-
-void PlantTruth::validate() const {
-  require(b.size() >= 1 && b.allFinite(), "plant.b", b.transpose(), "at least one finite number");
-  requirePolynomial("plant.a", a, kOnTheCircle);
-  requireRange("plant.delay", delay, 0, 100000);
-  requireFinite("plant.gain", gain);
-  requirePositive("plant.time_constant", time_constant);
-  requireProbability("plant.time_constant_spread", time_constant_spread);
-}
-
 void ErrorModelTruth::validate() const {
   if (mixture.components() == 0) return;
   require(basis.taps != kAutomatic, "error_model.taps", "auto", "a number");
@@ -88,20 +68,12 @@ void ErrorModelTruth::validate() const {
               ", the free error parameters of these taps and constraint");
 }
 
-void SensorTruth::validate() const { requireProbability("sensor.missing", missing); }
-
-void NoiseTruth::validate() const {
-  requireNotNegative("noise.variance", variance);
-  require(c.allFinite(), "noise.c", "an entry that is not finite", "finite numbers");
-  requirePolynomial("noise.d", d, start == NoiseStart::stationary ? 1 - 1e-9 : kOnTheCircle);
-}
-
 int Truth::samplesOf(int r) const {
   return samples.size() == 1 ? samples.front() : samples[static_cast<std::size_t>(r)];
 }
 
 void Truth::validate() const {
-  requirePositive("sample_time", sample_time);
+  range::kPositive.check("sample_time", sample_time);
   requireRange("experiments.count", experiments, 1, 100000000);
   require(samples.size() == 1 || samples.size() == static_cast<std::size_t>(experiments),
           "experiments.samples", std::to_string(samples.size()) + " numbers",
@@ -111,13 +83,16 @@ void Truth::validate() const {
   require(
       input.kind != InputKind::multisine || 2 * input.tones < shortest, "input.tones", input.tones,
       "fewer than half the " + std::to_string(shortest) + " samples of the shortest experiment");
-  input.validate();
-  plant.validate();
+  checkFields("input", input);
+  checkFields("plant", plant);
+  require(plant.b.size() >= 1, "plant.b", "no number", "at least one");
+  requireRoots("plant.a", plant.a, kOnTheCircle);
   error_model.validate();
-  sensor.validate();
-  noise.validate();
+  checkFields("sensor", sensor);
+  checkFields("noise", noise);
+  requireRoots("noise.d", noise.d, noise.start == NoiseStart::stationary ? 1 - 1e-9 : kOnTheCircle);
   effects.validate();
-  validateNeeds(*this);
+  validateTogether(*this);
 }
 
 }  // namespace uncertainty_identification

@@ -48,7 +48,7 @@ TEST(PredictionError, EachExperimentGivesItsOwnTimeConstant) {
   double sum = 0, noise = 0;
   for (int r = 0; r < kExperiments; ++r) {
     const ExperimentFit& fit = result.baseline.fits[static_cast<std::size_t>(r)];
-    const double drawn = drawSystem(truth(), kSeed, r).time_constant;
+    const double drawn = drawSystem(truth(), kSeed, r).time_constant.value();
     const double error = fit.parameters[0].value - drawn;
     EXPECT_LT(std::abs(error), 5 * fit.parameters[0].standard_error) << r;
     if (std::abs(error) < 1.96 * fit.parameters[0].standard_error) ++covered;

@@ -9,6 +9,7 @@
 #include "simulation/hidden_effect.h"
 #include "support/effect_setup.h"
 #include "support/error_message.h"
+#include "support/hidden_effects/hidden_effect.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
@@ -26,7 +27,7 @@ TEST(Catalogue, HoldsEveryNameAndNoOther) {
     names.insert(effect->name());
     EXPECT_TRUE(labels.insert(effect->label()).second) << effect->label() << " is there twice";
   }
-  const std::vector<std::string>& expected = catalogueEffects();
+  const std::vector<std::string>& expected = test::catalogueEffects();
   EXPECT_EQ(expected.size(), 36u);
   EXPECT_EQ(names, std::set<std::string>(expected.begin(), expected.end()));
 }

@@ -43,7 +43,7 @@ TEST(Linearisation, FindsEveryExperimentsOwnTimeConstant) {
   for (int r = 0; r < truth().experiments; ++r) {
     const double own =
         tau.value * (1 + estimate.experiments[static_cast<std::size_t>(r)].error_mean[0]);
-    const double of_truth = drawSystem(truth(), kSeed, r).time_constant;
+    const double of_truth = drawSystem(truth(), kSeed, r).time_constant.value();
     // A time constant is known to about 1 %: 100 samples at this signal-to-noise ratio. The
     // largest of 60 errors stays within 4 standard errors.
     EXPECT_NEAR(own, of_truth, 0.05 * of_truth) << r;

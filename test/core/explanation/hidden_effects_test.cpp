@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "simulation/hidden_effect.h"
+#include "support/hidden_effects/hidden_effect.h"
 #include "uncertainty_identification/explanation/explanation.h"
 
 namespace uncertainty_identification {
@@ -18,12 +19,12 @@ struct Found {
 /// What is found in 20 experiments of 200 samples, run 1.
 Found explained(const std::string& name, const std::vector<std::string>& exclude = {},
                 bool orders_auto = false) {
-  HiddenEffectOptions options;
+  test::HiddenEffectOptions options;
   options.base = {20, 200};
-  HiddenEffect hidden = randomHiddenEffect({name}, options, 1);
+  test::HiddenEffect hidden = test::randomHiddenEffect({name}, options, 1);
   hidden.declared.explanation.exclude = exclude;
   hidden.declared.nominal_model.orders_auto = orders_auto;
-  const HiddenEffectData data = simulateHidden(hidden, options);
+  const test::HiddenEffectData data = test::simulateHidden(hidden, options);
   Found found{explain(hidden.declared, data.training, data.held_out), {}};
   for (const Cause& cause : found.explanation.causes) {
     found.names.push_back(cause.name);
@@ -35,10 +36,10 @@ Found explained(const std::string& name, const std::vector<std::string>& exclude
 /// What scripts/benchmark_explanation's data set of this seed is explained by.
 Explanation explainedInBenchmark(const std::vector<std::string>& names, std::uint64_t seed,
                                  bool orders_auto = false) {
-  const HiddenEffectOptions options;
-  HiddenEffect hidden = randomHiddenEffect(names, options, seed);
+  const test::HiddenEffectOptions options;
+  test::HiddenEffect hidden = test::randomHiddenEffect(names, options, seed);
   hidden.declared.nominal_model.orders_auto = orders_auto;
-  const HiddenEffectData data = simulateHidden(hidden, options);
+  const test::HiddenEffectData data = test::simulateHidden(hidden, options);
   return explain(hidden.declared, data.training, data.held_out);
 }
 

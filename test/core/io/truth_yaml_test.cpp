@@ -173,7 +173,7 @@ TEST(TruthYaml, AnswerTellsWhatWasDrawn) {
   ASSERT_EQ(answer["experiments"].size(), 100u);
   const DrawnSystem system = drawSystem(truth, 3, 42);
   EXPECT_EQ(answer["experiments"][42]["id"], "exp_000042");
-  EXPECT_EQ(answer["experiments"][42]["component"], system.component);
+  EXPECT_EQ(answer["experiments"][42]["component"], system.component.value());
   EXPECT_EQ(answer["experiments"][42]["xi"][0], system.xi(0));
   EXPECT_TRUE(answer["experiments"][42]["time_constant"].is_null());
   EXPECT_EQ(answer["experiments"][42]["effects"]["clock_shift"], 0);

@@ -14,7 +14,9 @@ using test::vector;
 const VectorXd kInput = vector({0, 1, 3, -0.25, -2, -1, 0.4, 0});
 
 void expectActuated(const ActuatorEffects& effects, std::initializer_list<double> expected) {
-  effects.validate();
+  EffectsTruth truth;
+  truth.actuator = effects;
+  truth.validate();
   expectNear(actuated(effects, kInput), vector(expected));
 }
 

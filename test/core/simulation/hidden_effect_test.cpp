@@ -6,9 +6,10 @@
 
 #include "io/truth_yaml.h"
 #include "simulation/simulate.h"
+#include "support/hidden_effects/hidden_effect.h"
 #include "uncertainty_identification/errors.h"
 
-namespace uncertainty_identification {
+namespace uncertainty_identification::test {
 namespace {
 
 using nlohmann::json;
@@ -22,7 +23,8 @@ HiddenEffectOptions small() {
 
 std::vector<std::string> allNames() {
   std::vector<std::string> names = catalogueEffects();
-  names.insert(names.end(), unnamedEffects().begin(), unnamedEffects().end());
+  const std::vector<std::string> unnamed = unnamedEffects();
+  names.insert(names.end(), unnamed.begin(), unnamed.end());
   return names;
 }
 
@@ -160,4 +162,4 @@ TEST(HiddenEffect, UnknownNamesAndImpossibleStrengthsAreRefused) {
 }
 
 }  // namespace
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test

@@ -185,8 +185,8 @@ TEST(PlantEffects, ParameterSpread) {
   truth.effects.plant.parameter_spread->parameter = "time_constant";
   truth.validate();
   const DrawnSystem system = drawSystem(truth, 1, 0);
-  EXPECT_NEAR(system.time_constant, 1 + system.effects.parameter_deviation, 1e-14);
-  EXPECT_NEAR(system.polynomials.a(0), -std::exp(-1 / system.time_constant), 1e-14);
+  EXPECT_NEAR(system.time_constant.value(), 1 + system.effects.parameter_deviation, 1e-14);
+  EXPECT_NEAR(system.polynomials.a(0), -std::exp(-1 / *system.time_constant), 1e-14);
 }
 
 }  // namespace

@@ -7,9 +7,10 @@
 
 #include "io/truth_yaml.h"
 #include "simulation/simulate.h"
+#include "support/hidden_effects/random_truth.h"
 #include "uncertainty_identification/errors.h"
 
-namespace uncertainty_identification {
+namespace uncertainty_identification::test {
 namespace {
 
 Truth drawn(std::uint64_t seed) {
@@ -83,4 +84,4 @@ TEST(RandomTruth, TooFewSamplesAreRefused) {
 }
 
 }  // namespace
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test

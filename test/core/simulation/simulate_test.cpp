@@ -132,7 +132,7 @@ TEST(Simulate, FirstOrderStepResponse) {
   truth.input.variance = 0;
   truth.input.mean = 2;
   for (int r = 0; r < 5; ++r) {
-    const double tau = drawSystem(truth, 7, r).time_constant;
+    const double tau = drawSystem(truth, 7, r).time_constant.value();
     const Experiment experiment = simulateExperiment(truth, 7, r);
     for (int k = 0; k < 100; ++k) {
       EXPECT_NEAR(experiment.y(k), 6 * (1 - std::exp(-k * 0.01 / tau)), 1e-12);
@@ -206,12 +206,12 @@ TEST(Simulate, DrawsFollowTheirDistributions) {
   int first = 0;
   for (int r = 0; r < kCount; ++r) {
     const DrawnSystem system = drawSystem(truth, 11, r);
-    draws.row(r) << system.xi(0), system.xi(1), system.time_constant;
+    draws.row(r) << system.xi(0), system.xi(1), system.time_constant.value();
     first += system.component == 0 ? 1 : 0;
     if (system.component == 1) {
       ASSERT_EQ(system.xi, truth.error_model.mixture.means[1]);
     }
-    ASSERT_LE(std::abs(system.time_constant - 2), 0.8);
+    ASSERT_LE(std::abs(*system.time_constant - 2), 0.8);
   }
   const Eigen::RowVectorXd mean = draws.colwise().mean();
   const Eigen::MatrixXd centred = draws.rowwise() - mean;

@@ -1,10 +1,10 @@
 #include <cmath>
 
-#include "simulation/draw.h"
-#include "simulation/effect_size.h"
+#include "support/hidden_effects/draw.h"
+#include "support/hidden_effects/effect_size.h"
 
-/// Sizes of what lies behind the plant: sensor, noise, experiments, and effects of no catalogue.
-namespace uncertainty_identification {
+/// The effects of the sensor, the noise and the experiments, and those in no catalogue.
+namespace uncertainty_identification::test {
 
 SetSize drawSensorEffect(const std::string& name, const SignalScale& scale,
                          std::mt19937_64& random) {
@@ -110,4 +110,4 @@ SetSize drawUnnamedEffect(const std::string& name, const SignalScale& scale,
   return {};
 }
 
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test

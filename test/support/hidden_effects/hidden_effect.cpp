@@ -1,20 +1,20 @@
-#include "simulation/hidden_effect.h"
+#include "support/hidden_effects/hidden_effect.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "configuration/require.h"
-#include "simulation/draw.h"
-#include "simulation/effect_size.h"
-#include "simulation/effect_strength.h"
 #include "simulation/simulate.h"
+#include "support/hidden_effects/draw.h"
+#include "support/hidden_effects/effect_size.h"
+#include "support/hidden_effects/effect_strength.h"
 
-namespace uncertainty_identification {
+namespace uncertainty_identification::test {
 namespace {
 
-constexpr int kAttempts = 2000;      // systems drawn before giving up
-constexpr double kTolerance = 0.02;  // of the strength, relative
+constexpr int kAttempts = 2000;      // number of systems that are drawn before giving up
+constexpr double kTolerance = 0.02;  // relative tolerance of the strength
 
 const std::vector<std::string> kStaticInInput = {"act_saturation",   "act_deadzone",
                                                  "act_backlash",     "act_hammerstein",
@@ -24,13 +24,13 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// What the strength of an effect shall be.
+/// The strength that an effect is to have.
 double wantedStrength(const std::string& name, double strength, std::mt19937_64& random) {
   return name == "exp_feedback" ? uniform(0.06, 0.1, random) : strength;
 }
 
-/// The size at which the strength is met, by bisection; none where even the largest is too weak or
-/// a jump skips it.
+/// Finds the size that gives the wanted strength, by bisection. There is none when even the largest
+/// size is too weak or when the strength jumps over the wanted value.
 std::optional<double> sizeOf(const SetSize& set, const Truth& base, double wanted,
                              const EffectStrength& strength) {
   const auto at = [&](double size) {
@@ -48,8 +48,8 @@ std::optional<double> sizeOf(const SetSize& set, const Truth& base, double wante
   return {};
 }
 
-/// Hides all names in the base, each with a size that alone has the strength; false where one has
-/// none.
+/// Gives the system all effects of hidden->names, each with the size that has the wanted strength
+/// on its own. Returns false when an effect cannot reach it.
 bool hideAll(const HiddenEffectOptions& options, std::mt19937_64& random, HiddenEffect* hidden) {
   const Truth base = hidden->truth;
   const SignalScale scale = signalScale(base, hidden->seed);
@@ -68,14 +68,14 @@ bool hideAll(const HiddenEffectOptions& options, std::mt19937_64& random, Hidden
   return true;
 }
 
-/// Whether a system can show what is hidden in it at all.
+/// Whether the input of the system is one in which the effects do more than change the gain.
 bool canShow(const std::vector<std::string>& names, const Truth& truth) {
   return truth.input.kind != InputKind::prbs ||
          std::none_of(names.begin(), names.end(),
                       [](const std::string& name) { return contains(kStaticInInput, name); });
 }
 
-/// Whether all effects together leave finite outputs.
+/// Whether the outputs stay finite with all effects together.
 bool staysFinite(const Truth& truth, std::uint64_t seed) {
   try {
     simulate(truth, seed);
@@ -85,34 +85,27 @@ bool staysFinite(const Truth& truth, std::uint64_t seed) {
   }
 }
 
+/// Whether experiment r is one of those that are held out, which are spread evenly.
 bool isHeldOut(int r, const HiddenEffectOptions& options) {
   const int all = options.base.experiments + options.held_out;
   const auto before = [&](int count) { return count * options.held_out / all; };
   return before(r + 1) > before(r);
 }
 
+/// Names of all effects that a truth can have, in the catalogue or in none.
+std::vector<std::string> namesOf(bool unnamed) {
+  std::vector<std::string> names;
+  EffectsTruth().forEach([&](const std::string& name, const auto&) {
+    if ((name.rfind("unk_", 0) == 0) == unnamed) names.push_back(name);
+  });
+  return names;
+}
+
 }  // namespace
 
-const std::vector<std::string>& catalogueEffects() {
-  static const std::vector<std::string> kNames = {
-      "act_delay",     "act_saturation",   "act_deadzone",    "act_backlash",
-      "act_ratelimit", "act_quantisation", "act_offset",      "act_hammerstein",
-      "act_loss",      "plant_pole",       "plant_resonance", "plant_cubic",
-      "plant_coulomb", "plant_drift",      "plant_aging",     "plant_temp",
-      "plant_init",    "sens_bias",        "sens_drift",      "sens_clip",
-      "sens_quant",    "sens_outliers",    "sens_dropout",    "sens_hum",
-      "sens_wiener",   "sens_lag",         "noise_colour",    "noise_tails",
-      "noise_hetero",  "noise_step",       "exp_feedback",    "exp_mode",
-      "exp_input2",    "exp_clock",        "exp_jitter",      "plant_parameter_spread"};
-  return kNames;
-}
+std::vector<std::string> catalogueEffects() { return namesOf(false); }
 
-const std::vector<std::string>& unnamedEffects() {
-  static const std::vector<std::string> kNames = {"unk_telegraph",     "unk_bilinear",
-                                                  "unk_gravity",       "unk_outflow",
-                                                  "unk_rectification", "unk_burst"};
-  return kNames;
-}
+std::vector<std::string> unnamedEffects() { return namesOf(true); }
 
 void HiddenEffectOptions::validate() const {
   base.validate();
@@ -156,7 +149,7 @@ std::vector<Experiment> simulateFresh(const HiddenEffect& hidden, int count) {
   const double first = simulateExperiment(truth, hidden.seed, 0).start_time;
   const double last = simulateExperiment(truth, hidden.seed, truth.experiments - 1).start_time;
   truth.experiments = count;
-  constexpr std::uint64_t kOther = 0x9E3779B97F4A7C15;  // a seed that no other data set has
+  constexpr std::uint64_t kOther = 0x9E3779B97F4A7C15;  // makes a seed that no other data set uses
   std::vector<Experiment> fresh = simulate(truth, hidden.seed ^ kOther);
   for (int r = 0; r < count; ++r) {
     const double share = count > 1 ? static_cast<double>(r) / (count - 1) : 0.5;
@@ -166,4 +159,4 @@ std::vector<Experiment> simulateFresh(const HiddenEffect& hidden, int count) {
   return fresh;
 }
 
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test

@@ -1,12 +1,12 @@
-#include "simulation/effect_size.h"
+#include "support/hidden_effects/effect_size.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "configuration/require.h"
-#include "simulation/draw.h"
+#include "support/hidden_effects/draw.h"
 
-namespace uncertainty_identification {
+namespace uncertainty_identification::test {
 
 SetSize drawActuatorEffect(const std::string& name, const SignalScale& scale,
                            std::mt19937_64& random, const Truth& truth) {
@@ -37,7 +37,8 @@ SetSize drawActuatorEffect(const std::string& name, const SignalScale& scale,
 
 namespace {
 
-/// A coefficient of Go, or of a first-order plant its time constant.
+/// Chooses the parameter that is spread: a coefficient of Go, or the time constant of a plant of
+/// first order, which is then described by its time constant.
 ParameterSpreadTruth drawSpread(std::mt19937_64& random, Truth* truth) {
   PlantTruth& plant = truth->plant;
   if (plant.a.size() == 1 && plant.a(0) < 0) {
@@ -67,7 +68,8 @@ SetSize drawPlantEffect(const std::string& name, const SignalScale& scale, std::
   if (name == "plant_cubic")
     return [=](double s, Truth* t) { t->effects.plant.cubic = {s * u / (y * y * y)}; };
   if (name == "plant_coulomb")
-    return [=](double s, Truth* t) {  // less smoothing would chatter from sample to sample
+    return [=](double s,
+               Truth* t) {  // with less smoothing the output would oscillate from sample to sample
       const double friction = 2 * u * s, least = 1.5 * std::abs(t->plant.b(0)) * friction;
       t->effects.plant.coulomb = {friction, std::max(smoothing * y, least)};
     };
@@ -103,4 +105,4 @@ SetSize drawEffect(const std::string& name, const SignalScale& scale, std::mt199
                            "'; allowed: a name of config/truth_reference.yaml");
 }
 
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test

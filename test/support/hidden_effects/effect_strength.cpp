@@ -1,4 +1,4 @@
-#include "simulation/effect_strength.h"
+#include "support/hidden_effects/effect_strength.h"
 
 #include <Eigen/Cholesky>
 #include <boost/math/special_functions/beta.hpp>
@@ -13,14 +13,14 @@
 #include "simulation/simulate.h"
 #include "uncertainty_identification/errors.h"
 
-namespace uncertainty_identification {
+namespace uncertainty_identification::test {
 namespace {
 
 using Eigen::VectorXd;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// Variance of one signal over all experiments.
+/// Variance of a signal over all experiments; signal(experiment) returns it.
 template <class Signal>
 double variance(const std::vector<Experiment>& experiments, Signal signal) {
   double sum = 0, squares = 0, count = 0;
@@ -36,8 +36,8 @@ double variance(const std::vector<Experiment>& experiments, Signal signal) {
 const VectorXd& inputOf(const Experiment& experiment) { return experiment.u; }
 const VectorXd& outputOf(const Experiment& experiment) { return experiment.y; }
 
-/// Half the logarithm by which knowing the variances of a signal, known up to a factor, beats their
-/// mean.
+/// Log-likelihood per sample that a Gaussian model gains when it uses the variance of each sample
+/// instead of their mean. A common factor of the variances makes no difference.
 double gainOfVariances(const std::vector<double>& variances) {
   double mean = 0, mean_log = 0;
   for (const double each : variances) {
@@ -47,7 +47,7 @@ double gainOfVariances(const std::vector<double>& variances) {
   return 0.5 * (std::log(mean) - mean_log);
 }
 
-/// Entropy of the normal distribution less that of Student's t of the same variance.
+/// Entropy of the normal distribution minus that of Student's t of the same variance.
 double gainOfTails(double degrees) {
   const double half = degrees / 2;
   const double entropy =
@@ -57,8 +57,10 @@ double gainOfTails(double degrees) {
   return 0.5 * std::log(2 * kPi) + 0.5 - entropy;
 }
 
-/// D'/(D E) w, E the colour, keeps more than var w under the best D' of D's order: linear least
-/// squares on the impulse response of 1/(D E).
+/// The noise is w/(D E), where E is the additional colour. A model that does not know E uses the
+/// best D' of the order of D. Its prediction errors D'/(D E) w have more than the variance of w;
+/// half the logarithm of the ratio is the gain. D' is a linear least-squares fit to the impulse
+/// response of 1/(D E).
 double gainOfColour(const Truth& truth) {
   constexpr int kSamples = 2000;
   const auto& colour = *truth.effects.noise.colour;
@@ -95,7 +97,7 @@ double EffectStrength::operator()(const Truth& with) const {
   if (name_ == "noise_step" || name_ == "noise_hetero") return varianceGain(with);
   try {
     return name_ == "exp_feedback" ? loopCorrelation(with) : outputShare(with);
-  } catch (const ConfigurationError&) {  // it diverges
+  } catch (const ConfigurationError&) {  // the output diverges
     return kInfinite;
   }
 }
@@ -136,4 +138,4 @@ double EffectStrength::varianceGain(const Truth& with) const {
   return gainOfVariances(variances);
 }
 
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test

@@ -7,16 +7,16 @@
 #include "simulation/truth.h"
 #include "uncertainty_identification/data/experiment.h"
 
-namespace uncertainty_identification {
+namespace uncertainty_identification::test {
 
-/// How strong the named effect in `with` is, as randomHiddenEffect() measures it; `without` is the
-/// same truth without it, its experiments simulated with the same seed. Infinite where the output
-/// diverges or a closed loop more than triples the input's variance. exp_feedback: the correlation
-/// of an innovation with the next input.
+/// Measures how strong an effect is, as randomHiddenEffect() defines it. The truth without the
+/// effect is simulated once, with the same seed. The strength is infinite when the output diverges
+/// or when a closed loop makes the variance of the input more than three times as large.
 class EffectStrength {
  public:
   EffectStrength(std::string name, const Truth& without, std::uint64_t seed);
 
+  /// The strength of the effect in `with`, which is the truth without it plus the effect.
   double operator()(const Truth& with) const;
 
  private:
@@ -31,4 +31,4 @@ class EffectStrength {
   double input_variance_ = 0;
 };
 
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test

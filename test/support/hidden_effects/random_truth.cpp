@@ -1,4 +1,4 @@
-#include "simulation/random_truth.h"
+#include "support/hidden_effects/random_truth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,16 +8,16 @@
 
 #include "configuration/require.h"
 #include "math/polynomial.h"
-#include "simulation/draw.h"
 #include "simulation/simulate.h"
+#include "support/hidden_effects/draw.h"
 
-namespace uncertainty_identification {
+namespace uncertainty_identification::test {
 namespace {
 
 using Complex = std::complex<double>;
 using Eigen::VectorXd;
 
-/// A complex pair or two real poles, at least 0.15 apart.
+/// A complex pair, or two real poles that differ by at least 0.15.
 std::vector<Complex> twoPoles(std::mt19937_64& random) {
   if (chance(0.5, random)) {
     const Complex pole = std::polar(uniform(0.6, 0.93, random), uniform(0.15, 1.2, random));
@@ -34,7 +34,7 @@ std::vector<Complex> drawPoles(int order, std::mt19937_64& random) {
   return poles;
 }
 
-/// Product of (1 - root q^-1), without the leading 1.
+/// The product of all (1 - root q^-1), without its leading 1.
 VectorXd fromRoots(const std::vector<Complex>& roots) {
   Eigen::VectorXcd polynomial = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(roots.size()) + 1);
   polynomial(0) = 1;
@@ -66,7 +66,7 @@ void drawPlant(std::mt19937_64& random, PlantTruth* plant) {
 
 void drawNoiseModel(std::mt19937_64& random, NoiseTruth* noise) {
   noise->start = NoiseStart::stationary;
-  if (chance(0.5, random)) return;  // output error
+  if (chance(0.5, random)) return;  // the model is output error
   const double pole = signedUniform(0.3, 0.9, random), zero = signedUniform(0.2, 0.7, random);
   noise->d = VectorXd::Constant(1, -pole);
   if (chance(0.5, random) && std::abs(pole - zero) > 0.3) noise->c = VectorXd::Constant(1, -zero);
@@ -100,7 +100,7 @@ void drawInput(int samples, std::mt19937_64& random, InputTruth* input) {
   if (chance(0.5, random)) input->amplitude_spread = 0.5;
 }
 
-/// Variance of C/D w over that of w.
+/// Variance of C/D w, divided by the variance of w.
 double noiseGain(const NoiseTruth& noise) {
   const int samples = 1000;
   VectorXd response = VectorXd::Zero(samples);
@@ -175,4 +175,4 @@ SignalScale signalScale(Truth truth, std::uint64_t seed) {
   return scale;
 }
 
-}  // namespace uncertainty_identification
+}  // namespace uncertainty_identification::test
