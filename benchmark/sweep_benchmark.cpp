@@ -4,7 +4,7 @@
 #include "support/monte_carlo.h"
 
 /// One sweep over all samples, statistics with their derivatives, for Example 1's structure: what a
-/// pass of the climb costs. Arguments: experiments M, samples N.
+/// pass of the optimisation costs. Arguments: experiments M, samples N.
 namespace uncertainty_identification::test {
 namespace {
 

@@ -4,8 +4,8 @@
 #include "support/monte_carlo.h"
 
 /// The paper's Table 1: Monte Carlo runs of Example 1 from an automatic start. Prints ours beside
-/// the paper's; exits with 1 unless every run reaches the optimum that a climb from the truth
-/// reaches, and every mean lies within three standard errors of the truth.
+/// the paper's; exits with 1 unless every run reaches the optimum that an optimisation from the
+/// truth reaches, and every mean lies within three standard errors of the truth.
 namespace uncertainty_identification::test {
 namespace {
 

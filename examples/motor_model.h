@@ -37,7 +37,7 @@ class MotorModel : public uncertainty_identification::NominalModel {
     return motor;
   }
 
-  /// Both parameters are positive: climb in their logarithms.
+  /// Both parameters are positive: optimise over their logarithms.
   Eigen::VectorXd toUnbounded(const Eigen::VectorXd& theta) const override {
     return theta.array().log();
   }

@@ -26,7 +26,7 @@ function showConvergence(parent, result) {
   const end = Math.max(...trace.map(point => point.log_likelihood));
   figure(parent, {
     title: 'Convergence', height: 250, mode: 'index',
-    caption: 'How far below its end the log-likelihood was after each accepted step of the last climb. Few points mean that ' +
+    caption: 'How far below its end the log-likelihood was after each iteration of the optimisation. Few points mean that ' +
       'its start was good.',
     datasets: [{data: trace.map(point => ({x: point.passes, y: end - point.log_likelihood})), borderColor: kColors[0], backgroundColor: kColors[0],
                 clip: false, pointRadius: trace.length > 60 ? 0 : 3.5,

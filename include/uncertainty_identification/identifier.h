@@ -15,10 +15,10 @@ namespace uncertainty_identification {
 
 /// Where a running identification stands. Returning false from the callback cancels it.
 struct Progress {
-  std::string phase;    ///< "checking the data", "choosing orders", "starting values", "climbing",
-                        ///< "standard errors"
-  double fraction = 0;  ///< of the whole, 0 to 1
-  double log_likelihood = 0;  ///< NaN before there is one
+  std::string phase;    ///< "checking the data", "choosing orders", "starting values",
+                        ///< "optimising", "standard errors", ...
+  double fraction = 0;  ///< of the whole, 0 to 1; never decreases
+  std::optional<double> log_likelihood;  ///< absent before there is one
 };
 using ProgressCallback = std::function<bool(const Progress&)>;
 
@@ -55,7 +55,8 @@ class Identifier {
 
   /// Calibrates prediction intervals: identifies again, from `estimate` on, without one fold of the
   /// experiments after the other (configuration.bounds.folds of them). No folds in the result when
-  /// the experiments are fewer than two, or `progress` cancels.
+  /// the experiments are fewer than two, or `progress` cancels. A fold that cannot be fitted is
+  /// left out with a warning; throws DataError where fewer than two folds remain.
   PredictionCalibration calibrate(const Estimate& estimate,
                                   const std::vector<Experiment>& experiments,
                                   const ProgressCallback& progress = {}) const;

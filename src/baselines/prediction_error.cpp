@@ -52,22 +52,22 @@ ExperimentFit fitExperiment(const LinearModel& model, const Configuration& confi
   const std::vector<Experiment> alone{experiment};
   const std::vector<Block> blocks = makeBlocks(alone);
   const Likelihood likelihood(model, blocks, 1, 1);
-  ClimbOptions options;
+  OptimisationOptions options;
   options.constraint = Constraint::free;
   options.max_iterations = std::max(1, configuration.estimation.max_iterations);
   options.tolerance = configuration.estimation.tolerance;
-  const ModelParameters start = bestSingleComponent(
+  const std::optional<ModelParameters> start = bestSingleComponent(
       likelihood, nominalStarts(model, configuration.nominal_model, alone), options);
-  if (start.mixture.components() == 0) throw DataError("the likelihood is finite at no start");
-  const Climb climb = maximumLikelihood(likelihood, start, options);
-  if (climb.termination != Termination::converged) throw DataError(climb.message);
+  if (!start) throw DataError("the likelihood is not finite at any start");
+  const Optimum optimum = maximumLikelihood(likelihood, *start, options);
+  if (optimum.termination != Termination::converged) throw DataError(optimum.message);
   const Parametrisation parametrisation(model, Constraint::free, 1, MatrixXd(0, 0));
-  const StandardErrors errors = standardErrors(likelihood, parametrisation, climb.at);
+  const StandardErrors errors = standardErrors(likelihood, parametrisation, optimum.point);
   const NominalModel& nominal = model.nominal();
   const Index own = nominal.parameterCount();
-  const VectorXd theta = climb.at.parameters.head(own);
+  const VectorXd theta = optimum.point.parameters.head(own);
   const Polynomials p = nominal.polynomials(theta);
-  const double offset = climb.at.parameters.size() > own ? climb.at.parameters[own] : 0.0;
+  const double offset = optimum.point.parameters.size() > own ? optimum.point.parameters[own] : 0.0;
   return {experiment.id,
           listed(nominal, theta, errors.covariance, errors.robust_covariance),
           p.delay,
@@ -76,8 +76,8 @@ ExperimentFit fitExperiment(const LinearModel& model, const Configuration& confi
           p.c,
           p.d,
           offset,
-          climb.at.noise_variance,
-          climb.log_likelihood};
+          optimum.point.noise_variance,
+          optimum.log_likelihood};
 }
 
 void summarise(PredictionErrorFits* all) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <nlopt.hpp>
+#include <optional>
 #include <vector>
 
 #include "math/polynomial.h"
@@ -101,10 +102,13 @@ VectorXd clampedCoordinates(const VectorXd& monic) {
   return toUnbounded(monic).cwiseMax(-7.9).cwiseMin(7.9);
 }
 
-/// The lower order's fit with a zero and a pole more, at angles a little apart.
-std::vector<double> extended(const MinimumPhase& lower, double zero, double pole) {
-  const VectorXd n = clampedCoordinates(multiply(lower.n, VectorXd::Constant(1, -std::exp(-zero))));
-  const VectorXd d = clampedCoordinates(multiply(lower.d, VectorXd::Constant(1, -std::exp(-pole))));
+/// The lower order's fit with a zero and a pole more, at angles a little apart. None where roots
+/// that nearly lie on the unit circle leave it by rounding.
+std::optional<std::vector<double>> extended(const MinimumPhase& lower, double zero, double pole) {
+  const VectorXd more_n = multiply(lower.n, VectorXd::Constant(1, -std::exp(-zero)));
+  const VectorXd more_d = multiply(lower.d, VectorXd::Constant(1, -std::exp(-pole)));
+  if (!isStable(more_n) || !isStable(more_d)) return {};
+  const VectorXd n = clampedCoordinates(more_n), d = clampedCoordinates(more_d);
   std::vector<double> x(n.data(), n.data() + n.size());
   x.insert(x.end(), d.data(), d.data() + d.size());
   return x;
@@ -120,18 +124,19 @@ ArrayXd MinimumPhase::logMagnitude(const VectorXd& angles) const {
 
 MinimumPhase fitAbove(const VectorXd& angles, const VectorXd& log_bound, int order,
                       const MinimumPhase& lower) {
-  MinimumPhase best;
+  MinimumPhase best = lower;
   if (order > 0) {
     const double low = std::log(angles[0]), high = std::log(angles[angles.size() - 1]);
     double least = std::numeric_limits<double>::infinity();
     for (double share : {0.15, 0.4, 0.65, 0.9}) {
       for (double apart : {2.0, 0.5}) {
         const double at = std::exp(low + share * (high - low));
-        std::vector<double> x = extended(lower, at * apart, at / apart);
-        const double excess = minimise(angles, log_bound, order, &x);
+        std::optional<std::vector<double>> x = extended(lower, at * apart, at / apart);
+        if (!x) continue;
+        const double excess = minimise(angles, log_bound, order, &*x);
         if (!(excess < least)) continue;
         least = excess;
-        const Eigen::Map<const VectorXd> all(x.data(), 2 * order);
+        const Eigen::Map<const VectorXd> all(x->data(), 2 * order);
         best.n = fromUnbounded(all.head(order));
         best.d = fromUnbounded(all.tail(order));
       }

@@ -19,7 +19,8 @@ struct MinimumPhase {
 /// The function of given order that lies nowhere below exp(log_bound) at the angles and above it by
 /// least, in the mean of the logarithm: what ucover does with a linear programme and a spectral
 /// factorisation, here by unbounded reflection coefficients, from several starts. `lower` is a fit
-/// of an order less to start from.
+/// of an order less to start from, and is returned, with its gain fitted anew, where no start from
+/// it is stable.
 MinimumPhase fitAbove(const Eigen::VectorXd& angles, const Eigen::VectorXd& log_bound, int order,
                       const MinimumPhase& lower);
 

@@ -9,7 +9,7 @@
 #include "estimation/simulation_fit.h"
 #include "math/polynomial.h"
 #include "math/random_stream.h"
-#include "model/held_plant.h"
+#include "model/fixed_plant.h"
 #include "uncertainty_identification/bounds/plant_distribution.h"
 #include "uncertainty_identification/errors.h"
 
@@ -24,7 +24,7 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// What a plant's simulation leaves of each experiment.
 std::vector<VectorXd> errorsOf(const FoldModel& plant, const EstimationOptions& options,
                                const std::vector<Experiment>& experiments) {
-  const auto nominal = holdPlant({plant.delay, plant.b, plant.a, {}, {}}, 0, 0);
+  const auto nominal = fixPlant({plant.delay, plant.b, plant.a, {}, {}}, 0, 0);
   return simulationErrors(*nominal, VectorXd(0), plant.offset, options, experiments);
 }
 

@@ -130,7 +130,8 @@ void describe(const MinimumPhase& fit, double sample_time, UncertaintyWeight* we
   }
 }
 
-/// Fits of rising order until one over-bounds little, or of the order asked for.
+/// Fits of rising order until one over-bounds little, up to the order asked for, or as far as they
+/// can be fitted.
 MinimumPhase fitOfLeastOrder(const VectorXd& angles, const VectorXd& log_bound, int order) {
   MinimumPhase fit = fitAbove(angles, log_bound, 0, MinimumPhase());
   const int last = order == kAutomatic ? kLargestAutomatic : order;
@@ -138,6 +139,7 @@ MinimumPhase fitOfLeastOrder(const VectorXd& angles, const VectorXd& log_bound, 
     const ArrayXd excess = fit.logMagnitude(angles) - log_bound.array();
     if (order == kAutomatic && median(excess) < std::log(kEnough)) break;
     fit = fitAbove(angles, log_bound, k, fit);
+    if (fit.order() < k) break;
   }
   return fit;
 }

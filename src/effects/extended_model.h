@@ -41,6 +41,11 @@ class ExtendedModel : public LinearModel {
   std::unique_ptr<ExtendedModel> forExperiments(int experiments) const;
 
   std::vector<std::string> names() const override;
+  std::vector<ParameterRole> roles() const override;
+  ReportedValue reported(std::size_t k, double value, double noise_variance) const override;
+  double fromReported(std::size_t k, double reported, double noise_variance) const override;
+  Eigen::VectorXd withStartingValues(const Eigen::VectorXd& start,
+                                     const std::vector<EffectOptions>& effects) const override;
   void evaluate(const Block& block, const Eigen::VectorXd& parameters, bool derivatives,
                 Response* response) const override;
   bool fusedStatistics(const Block& block, const Eigen::VectorXd& parameters, bool derivatives,
@@ -106,6 +111,7 @@ class ExtendedModel : public LinearModel {
   Chain chain(const Block& block, const Eigen::VectorXd& parameters) const;
   double step(const Eigen::VectorXd& parameters, int j) const;
   Eigen::Index own() const;
+  const EffectParameter* effectParameter(std::size_t k) const;
 
   Effects effects_;
   DataSummary scales_;
@@ -121,17 +127,16 @@ std::unique_ptr<ExtendedModel> makeExtendedModel(std::shared_ptr<const NominalMo
                                                  const Configuration& configuration,
                                                  const std::vector<Experiment>& experiments);
 
-/// A parameter as results tell it, of the value that the model keeps, and back: the standard
-/// deviation in place of a logarithm of a variance relative to sigma^2. All others are told as
-/// kept.
-double told(const EffectParameter& parameter, double kept, double noise_variance);
-double kept(const EffectParameter& parameter, double told, double noise_variance);
+/// The value of a parameter as results report it, from its value in the model, and back: for a
+/// log-variance relative to sigma^2 the standard deviation, for all others the same value.
+double toReported(const EffectParameter& parameter, double value, double noise_variance);
+double fromReported(const EffectParameter& parameter, double reported, double noise_variance);
 
 /// Names of the parameters of `nominal` on which Go depends, which are the first of theta.
 std::vector<std::string> plantParameters(const NominalModel& nominal, const Eigen::VectorXd& theta);
 
-/// Starting values of the effects' parameters as the model keeps them: those that the options give,
-/// else the first of the catalogue.
+/// Starting values of the effects' parameters, in the model's form: those that the options give,
+/// else the first of the catalogue. Throws ConfigurationError for a parameter that an effect lacks.
 Eigen::VectorXd startingValues(const Effects& effects, const std::vector<EffectOptions>& options);
 
 }  // namespace uncertainty_identification

@@ -47,15 +47,6 @@ std::unique_ptr<ExtendedModel> makeExtendedModel(std::shared_ptr<const NominalMo
                                          static_cast<int>(experiments.size()));
 }
 
-double told(const EffectParameter& parameter, double kept, double noise_variance) {
-  return parameter.log_variance ? std::sqrt(noise_variance) * std::exp(0.5 * kept) : kept;
-}
-
-double kept(const EffectParameter& parameter, double told, double noise_variance) {
-  if (!parameter.log_variance) return told;
-  return std::clamp(std::log(told * told / noise_variance), parameter.lower, parameter.upper);
-}
-
 VectorXd startingValues(const Effects& effects, const std::vector<EffectOptions>& options) {
   std::vector<double> values;
   for (std::size_t k = 0; k < effects.size(); ++k) {

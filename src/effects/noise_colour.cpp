@@ -8,8 +8,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// White, and pairs of poles over the frequencies: from the declared poles alone the climb may end
-/// where these have taken the place of those that are missing.
+/// White, and pairs of poles over the frequencies: from the declared poles alone the optimisation
+/// may end where these have taken the place of those that are missing.
 std::vector<VectorXd> starts() {
   constexpr double kRadius = 0.7;
   std::vector<VectorXd> all{VectorXd::Zero(2)};

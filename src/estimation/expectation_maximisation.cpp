@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "estimation/climb.h"
 #include "estimation/parametrisation.h"
 #include "estimation/scoring.h"
+#include "estimation/stopwatch.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -28,68 +28,72 @@ double thetaCost(const Statistics& statistics, const LatentMoments& moments,
 }
 
 /// All parameters as one vector, for the stopping rule.
-VectorXd stacked(const Likelihood& likelihood, const ModelParameters& at) {
-  return Parametrisation(likelihood.model(), Constraint::free, at.mixture.components(), MatrixXd())
-      .natural(at);
+VectorXd stacked(const Likelihood& likelihood, const ModelParameters& point) {
+  return Parametrisation(likelihood.model(), Constraint::free, point.mixture.components(),
+                         MatrixXd())
+      .natural(point);
 }
 
 }  // namespace
 
-Climb expectationMaximisation(const Likelihood& likelihood, const ModelParameters& start,
-                              const ClimbOptions& options) {
+Optimum expectationMaximisation(const Likelihood& likelihood, const ModelParameters& start,
+                                const OptimisationOptions& options) {
   constexpr int kInformationAge = 4;  // iterations a Gauss-Newton matrix serves; it changes slowly
   const Eigen::Index p = likelihood.model().parameterCount();
-  Climb climb;
-  climb.at = start;
-  ModelParameters& at = climb.at;
-  Statistics statistics = likelihood.statistics(at.parameters, true);
-  Expectation e = likelihood.expect(statistics, at);
+  Optimum optimum;
+  optimum.point = start;
+  ModelParameters& point = optimum.point;
+  Statistics statistics = likelihood.statistics(point.parameters, true);
+  Expectation e = likelihood.expect(statistics, point);
   Damping damping;
   MatrixXd information;
   int age = kInformationAge;
-  climb.termination = Termination::iteration_limit;
-  climb.message = "the iteration limit was reached; raise estimation.max_iterations";
-  while (climb.iterations < options.max_iterations) {
-    const VectorXd previous = stacked(likelihood, at);
-    updateMixture(statistics, e, options, &at);  // (26)-(29)
-    const bool pruned = pruneComponents(options.constraint, &at.mixture);
-    e = likelihood.expect(statistics, at);  // (23), (31)-(33)
+  optimum.termination = Termination::iteration_limit;
+  optimum.message = "the iteration limit was reached; raise estimation.max_iterations";
+  while (optimum.iterations < options.max_iterations) {
+    const Stopwatch watch;
+    const VectorXd previous = stacked(likelihood, point);
+    updateMixture(statistics, e, options, &point);  // (26)-(29)
+    const bool pruned = pruneComponents(options.constraint, &point.mixture);
+    e = likelihood.expect(statistics, point);  // (23), (31)-(33)
 
     const LatentMoments moments = latentMoments(e);
     if (age >= kInformationAge) {
-      information = likelihood.information(at, moments).complete.topLeftCorner(p, p);
+      information = likelihood.information(point, moments).complete.topLeftCorner(p, p);
       age = 0;
     }
-    const double cost = thetaCost(statistics, moments, at.noise_variance);
-    const VectorXd gradient = scores(statistics, at, e).rowwise().sum().head(p);
-    const bool moved = damping.step(information, gradient, [&](const VectorXd& step) {  // (34)
-      const VectorXd theta = at.parameters + step;
+    const double cost = thetaCost(statistics, moments, point.noise_variance);
+    const VectorXd gradient = scores(statistics, point, e).rowwise().sum().head(p);
+    const auto moved = damping.step(information, gradient, [&](const VectorXd& step) {  // (34)
+      const VectorXd theta = point.parameters + step;
       if (!likelihood.model().admissible(theta)) return false;
       Statistics there = likelihood.statistics(theta, true);
-      if (!(thetaCost(there, moments, at.noise_variance) <= cost)) return false;
-      at.parameters = theta;
+      if (!(thetaCost(there, moments, point.noise_variance) <= cost)) return false;
+      point.parameters = theta;
       statistics = std::move(there);
       return true;
     });
     age = moved ? age + 1 : kInformationAge;
-    e = likelihood.expect(statistics, at);
-    ++climb.iterations;
-    climb.log_likelihood = e.total();
-    climb.trace.push_back({climb.iterations, likelihood.passes(), climb.log_likelihood});
-    if (options.on_iterate && !options.on_iterate(climb.trace.back())) {
-      climb.termination = Termination::cancelled;
-      climb.message = "cancelled";
+    e = likelihood.expect(statistics, point);
+    ++optimum.iterations;
+    optimum.log_likelihood = e.total();
+    optimum.trace.push_back({optimum.iterations, likelihood.passes(), optimum.log_likelihood,
+                             StepSummary{moved ? moved->norm() : 0.0, gradient.norm(),
+                                         moved.has_value(), watch.seconds()}});
+    if (options.on_iterate && !options.on_iterate(optimum.trace.back())) {
+      optimum.termination = Termination::cancelled;
+      optimum.message = "cancelled";
       break;
     }
-    const VectorXd now = stacked(likelihood, at);
+    const VectorXd now = stacked(likelihood, point);
     if (!pruned && (now - previous).norm() < options.tolerance * now.norm()) {
-      climb.termination = Termination::converged;
-      climb.message = "the relative change of all parameters fell below the tolerance";
+      optimum.termination = Termination::converged;
+      optimum.message = "the relative change of all parameters fell below the tolerance";
       break;
     }
   }
-  climb.log_likelihood = e.total();
-  return climb;
+  optimum.log_likelihood = e.total();
+  return optimum;
 }
 
 }  // namespace uncertainty_identification

@@ -8,6 +8,7 @@
 
 #include "estimation/embedded_start.h"
 #include "estimation/least_squares_start.h"
+#include "estimation/scoring.h"
 #include "math/polynomial.h"
 
 namespace uncertainty_identification {
@@ -65,8 +66,8 @@ VectorXd simulated(const Polynomials& p, double offset, const VectorXd& u) {
   return x.array() + offset;
 }
 
-/// What a start for Go leaves of each experiment after the best multiples of x, q^-1 x, q^-2 x and
-/// a constant are taken out: the noise, little disturbed by the error model.
+/// Residuals of each experiment's regression on x, q^-1 x, q^-2 x and a constant, x = Go u by a
+/// start for Go: mostly noise, because the regression takes up most of the error model.
 std::vector<VectorXd> noiseResiduals(const std::vector<Experiment>& experiments,
                                      const LeastSquaresModel& start) {
   constexpr std::size_t kMost = 200;
@@ -111,7 +112,7 @@ void addStart(const LinearModel& model, LeastSquaresModel go, const VectorXd& c,
   if (model.admissible(start)) starts->push_back(start);
 }
 
-/// `go` with noise models fitted to what it leaves, and with fixed guesses.
+/// Starts of `go` with noise models fitted to its residuals, and with fixed guesses.
 void addStarts(const LinearModel& model, const LeastSquaresModel& go,
                const std::vector<Experiment>& experiments, std::vector<VectorXd>* starts) {
   const Polynomials sizes = sizesOf(model.nominal());
@@ -134,10 +135,10 @@ void addStarts(const LinearModel& model, const LeastSquaresModel& go,
   }
 }
 
-constexpr std::size_t kArx = 1;  // its place among the following
+constexpr std::size_t kArx = 1;  // index of the ARX model in leastSquaresModels()
 
-/// Least-squares models of Go: pooled, as ARX, of single experiments, with errors of each
-/// experiment.
+/// Least-squares models of Go: pooled by Steiglitz-McBride, pooled as ARX, the median of single
+/// experiments, and with an error model of each experiment.
 std::vector<LeastSquaresModel> leastSquaresModels(const LinearModel& model,
                                                   const std::vector<Experiment>& experiments) {
   const Polynomials sizes = sizesOf(model.nominal());
@@ -158,7 +159,7 @@ std::vector<LeastSquaresModel> leastSquaresModels(const LinearModel& model,
   return models;
 }
 
-/// A mixture of one component; the spread of a relative error of a few tenths in each free
+/// A mixture of one component, with the variance of relative errors of about 0.2 in each free
 /// direction.
 Mixture singleComponent(int n) {
   Mixture mixture;
@@ -230,19 +231,20 @@ std::vector<VectorXd> noiseStarts(const LinearModel& model, const Polynomials& p
 
 std::vector<SingleComponent> rankedSingleComponents(const Likelihood& likelihood,
                                                     const std::vector<VectorXd>& starts,
-                                                    std::size_t wanted, ClimbOptions options) {
+                                                    std::size_t wanted,
+                                                    OptimisationOptions options) {
   constexpr int kRankingSteps = 20, kFirstSteps = 3;
   std::vector<SingleComponent> ranked;
-  for (const VectorXd& start : starts) {  // one sweep each
-    ModelParameters at{start, singleComponent(likelihood.model().regressors()), 1.0};
+  for (const VectorXd& start : starts) {  // each takes one sweep
+    ModelParameters point{start, singleComponent(likelihood.model().regressors()), 1.0};
     const Statistics statistics = likelihood.statistics(start, false);
     const Index n = statistics.regressors();
     double sum = 0;
     for (int r = 0; r < statistics.experiments(); ++r) sum += statistics.gram(r)(n, n);
-    at.noise_variance = std::max(sum / statistics.samples().sum(), 1e-300);
-    options.floor = covarianceFloor(at.mixture);
-    const double reached = fitMixture(likelihood, statistics, options, kRankingSteps, 1e-2, &at);
-    if (std::isfinite(reached)) ranked.push_back({at, reached});
+    point.noise_variance = std::max(sum / statistics.samples().sum(), 1e-300);
+    options.floor = covarianceFloor(point.mixture);
+    const double reached = fitMixture(likelihood, statistics, options, kRankingSteps, 1e-2, &point);
+    if (std::isfinite(reached)) ranked.push_back({point, reached});
   }
   const auto sort = [&ranked] {
     std::stable_sort(ranked.begin(), ranked.end(),
@@ -254,10 +256,10 @@ std::vector<SingleComponent> rankedSingleComponents(const Likelihood& likelihood
   ranked.resize(std::min(ranked.size(), wanted));
   if (ranked.size() < 2) return ranked;
   for (SingleComponent& finalist : ranked) {
-    options.floor = covarianceFloor(finalist.at.mixture);
-    finalist.at = scoringSteps(likelihood, finalist.at, options, kFirstSteps, 1e-2);
+    options.floor = covarianceFloor(finalist.point.mixture);
+    finalist.point = scoringSteps(likelihood, finalist.point, options, kFirstSteps, 1e-2);
     const double reached =
-        likelihood.expect(likelihood.statistics(finalist.at.parameters, false), finalist.at)
+        likelihood.expect(likelihood.statistics(finalist.point.parameters, false), finalist.point)
             .total();
     finalist.log_likelihood =
         std::isfinite(reached) ? reached : -std::numeric_limits<double>::infinity();
@@ -266,22 +268,23 @@ std::vector<SingleComponent> rankedSingleComponents(const Likelihood& likelihood
   return ranked;
 }
 
-ModelParameters bestSingleComponent(const Likelihood& likelihood,
-                                    const std::vector<VectorXd>& starts, ClimbOptions options) {
+std::optional<ModelParameters> bestSingleComponent(const Likelihood& likelihood,
+                                                   const std::vector<VectorXd>& starts,
+                                                   OptimisationOptions options) {
   constexpr std::size_t kFinalists = 3;
   constexpr int kLastSteps = 20;
   const std::vector<SingleComponent> ranked =
       rankedSingleComponents(likelihood, starts, kFinalists, options);
   if (ranked.empty()) return {};
   const SingleComponent& best = ranked.front();
-  if (!std::isfinite(best.log_likelihood)) return best.at;
-  options.floor = covarianceFloor(best.at.mixture);
-  return scoringSteps(likelihood, best.at, options, kLastSteps, 1e-3);
+  if (!std::isfinite(best.log_likelihood)) return best.point;
+  options.floor = covarianceFloor(best.point.mixture);
+  return scoringSteps(likelihood, best.point, options, kLastSteps, 1e-3);
 }
 
 ModelParameters spreadComponents(const Likelihood& likelihood, const Statistics& statistics,
                                  const ModelParameters& single, int components, int restarts,
-                                 std::uint64_t seed, const ClimbOptions& options,
+                                 std::uint64_t seed, const OptimisationOptions& options,
                                  double* log_likelihood) {
   constexpr int kIterations = 300;
   constexpr double kFewest = 2.0, kPenalty = 1e3;
@@ -294,31 +297,30 @@ ModelParameters spreadComponents(const Likelihood& likelihood, const Statistics&
   double highest = -std::numeric_limits<double>::infinity();
   for (int start = 0; start <= restarts; ++start) {
     const double so_far = std::max(highest, of_single.total());
-    if (options.on_iterate && !options.on_iterate({start, likelihood.passes(), so_far})) break;
+    if (options.on_iterate && !options.on_iterate({start, likelihood.passes(), so_far, {}})) break;
     const MatrixXd means =
         start == 0 ? evenlySpread(points, components) : drawn(points, components, &engine);
-    ModelParameters at = single;
-    at.mixture = Mixture();
+    ModelParameters point = single;
+    point.mixture = Mixture();
     for (int i = 0; i < components; ++i) {
-      at.mixture.weights.push_back(1.0 / components);
-      at.mixture.means.push_back(means.col(i));
-      // alternately the spread of the whole and of a part of it: overlapping and separate
-      // components
-      at.mixture.covariances.push_back((start % 2 == 0 ? 1.0 : 0.2) * pooled +
-                                       1e-9 * MatrixXd::Identity(n, n));
+      point.mixture.weights.push_back(1.0 / components);
+      point.mixture.means.push_back(means.col(i));
+      // alternately the whole covariance and a part of it: overlapping and separate components
+      point.mixture.covariances.push_back((start % 2 == 0 ? 1.0 : 0.2) * pooled +
+                                          1e-9 * MatrixXd::Identity(n, n));
     }
     if (options.constraint == Constraint::zero_mean) {
-      const VectorXd mean = at.mixture.mean();
-      for (VectorXd& of_component : at.mixture.means) of_component -= mean;
+      const VectorXd mean = point.mixture.mean();
+      for (VectorXd& of_component : point.mixture.means) of_component -= mean;
     }
-    const double reached = fitMixture(likelihood, statistics, options, kIterations, 1e-5, &at);
+    const double reached = fitMixture(likelihood, statistics, options, kIterations, 1e-5, &point);
     double penalty = 0;
-    for (double weight : at.mixture.weights) {
+    for (double weight : point.mixture.weights) {
       if (weight * static_cast<double>(points.cols()) < kFewest) penalty += kPenalty;
     }
     if (reached - penalty > highest) {
       highest = reached - penalty;
-      best = at;
+      best = point;
     }
   }
   *log_likelihood = highest;

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
-#include "estimation/climb.h"
+#include "estimation/optimisation.h"
 #include "model/linear_model.h"
 #include "uncertainty_identification/configuration.h"
 
@@ -10,14 +11,14 @@ namespace uncertainty_identification {
 
 /// Starts for the nominal model in the manner of the paper's section 5: prediction-error fits
 /// (least squares, refined by Steiglitz-McBride) pooled over all experiments, and of each
-/// experiment alone with the median of their coefficients taken; the noise model from what they
-/// leave (Hannan-Rissanen, and fixed guesses beside it). In the model's parameters.
+/// experiment alone with the median of their coefficients taken; the noise model from their
+/// residuals (Hannan-Rissanen) and from fixed guesses. In the model's parameters; empty where no
+/// start is admissible.
 std::vector<Eigen::VectorXd> nominalStarts(const LinearModel& model,
                                            const NominalModelOptions& options,
                                            const std::vector<Experiment>& experiments);
 
-/// Starts for a model around a given Go (its b, a, delay) and offset: the noise model from what Go
-/// leaves.
+/// Starts for the noise model around a given Go (its b, a, delay) and offset, from Go's residuals.
 std::vector<Eigen::VectorXd> noiseStarts(const LinearModel& model, const Polynomials& plant,
                                          double offset, const std::vector<Experiment>& experiments);
 
@@ -26,30 +27,31 @@ std::vector<Eigen::VectorXd> noiseStarts(const LinearModel& model, const Polynom
 std::vector<Eigen::VectorXd> plantStarts(const LinearModel& model, const Polynomials& noise,
                                          const std::vector<Experiment>& experiments);
 
-/// Where a start leads with a single Gaussian component.
+/// A start fitted with a single Gaussian component.
 struct SingleComponent {
-  ModelParameters at;
+  ModelParameters point;
   double log_likelihood = 0;
 };
 
-/// The best of `starts`, as many as wanted, each three scoring steps on, best first.
+/// The best `wanted` of `starts`, each fitted by three scoring steps, best first.
 std::vector<SingleComponent> rankedSingleComponents(const Likelihood& likelihood,
                                                     const std::vector<Eigen::VectorXd>& starts,
-                                                    std::size_t wanted, ClimbOptions options);
+                                                    std::size_t wanted,
+                                                    OptimisationOptions options);
 
-/// The start among `starts` that leads highest with a single Gaussian component, a few scoring
-/// steps on.
-ModelParameters bestSingleComponent(const Likelihood& likelihood,
-                                    const std::vector<Eigen::VectorXd>& starts,
-                                    ClimbOptions options);
+/// The start of highest likelihood with a single Gaussian component, after a few scoring steps;
+/// none where the likelihood is not finite at any of them.
+std::optional<ModelParameters> bestSingleComponent(const Likelihood& likelihood,
+                                                   const std::vector<Eigen::VectorXd>& starts,
+                                                   OptimisationOptions options);
 
-/// A mixture of kappa components for given statistics, grown from a fit with one: the paper's
+/// A mixture of kappa components for given statistics, started from a fit with one: the paper's
 /// evenly spread means, and `restarts` seeded draws from the experiments' posterior means, each
-/// followed by EM without a sweep; the highest likelihood wins, components that hold fewer than two
-/// experiments counting against it.
+/// followed by EM at fixed theta. Returns the one of highest log-likelihood, less a penalty for
+/// components that hold fewer than two experiments.
 ModelParameters spreadComponents(const Likelihood& likelihood, const Statistics& statistics,
                                  const ModelParameters& single, int components, int restarts,
-                                 std::uint64_t seed, const ClimbOptions& options,
+                                 std::uint64_t seed, const OptimisationOptions& options,
                                  double* log_likelihood);
 
 }  // namespace uncertainty_identification

@@ -16,8 +16,8 @@ struct LeastSquaresModel {
 };
 
 /// Rational models by pooled least squares: ARX, refined by the Steiglitz-McBride iteration (ARX on
-/// data filtered by 1/A, which tends to output-error least squares). Only a start: the likelihood
-/// is climbed from there.
+/// data filtered by 1/A, which tends to output-error least squares). Only a start for
+/// the optimisation of the likelihood.
 class LeastSquaresStart {
  public:
   /// `experiments` must outlive this object; at most about `max_samples` of their samples are used.

@@ -15,8 +15,8 @@ struct ScoringInformation {
   Eigen::MatrixXd observed;  ///< less what not knowing xi costs: - (Phi'd_j)' P (Phi'd_k)/sigma^4
 };
 
-/// The observed likelihood (16) of a set of experiments under a model, and all that climbing it
-/// needs. Counts its sweeps over the samples.
+/// The observed likelihood (16) of a set of experiments under a model, and all that maximising
+/// it needs. Counts its sweeps over the samples.
 class Likelihood {
  public:
   /// The model and the blocks must outlive this object; `experiments` of them in all.

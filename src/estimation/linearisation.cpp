@@ -9,7 +9,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// `target`, or a point on the way to it from `point` where the model is defined.
+/// `target`, or the first point on the way from it back to `point` where the model is defined.
 VectorXd towards(const LinearModel& model, const VectorXd& parameters, const VectorXd& point,
                  const VectorXd& target) {
   constexpr int kHalvings = 10;
@@ -32,33 +32,34 @@ double largestMove(const LinearModel& model, const ModelParameters& at, const Ma
 }  // namespace
 
 Linearisation nextLinearisation(const LinearModel& model, const Likelihood& likelihood,
-                                const ModelParameters& at, const MatrixXd& points) {
-  const Statistics statistics = likelihood.statistics(at.parameters, false);
-  const MatrixXd means = latentMoments(likelihood.expect(statistics, at)).means;
+                                const ModelParameters& point, const MatrixXd& points) {
+  const Statistics statistics = likelihood.statistics(point.parameters, false);
+  const MatrixXd means = latentMoments(likelihood.expect(statistics, point)).means;
   Linearisation next;
-  next.points = model.pointsOf(likelihood.blocks(), at.parameters, means);
+  next.points = model.pointsOf(likelihood.blocks(), point.parameters, means);
   next.model = model.linearisedAbout(next.points);
-  if (!next.points.allFinite() || !next.model->admissible(at.parameters)) {
+  if (!next.points.allFinite() || !next.model->admissible(point.parameters)) {
     for (Index r = 0; r < points.cols(); ++r)
-      next.points.col(r) = towards(model, at.parameters, points.col(r), next.points.col(r));
+      next.points.col(r) = towards(model, point.parameters, points.col(r), next.points.col(r));
     next.model = model.linearisedAbout(next.points);
   }
-  next.move = largestMove(model, at, points, next.points);
+  next.move = largestMove(model, point, points, next.points);
   return next;
 }
 
-Linearisation linearisedAtPosteriorMeans(const LinearModel& model, const std::vector<Block>& blocks,
-                                         int experiments, int threads, const ModelParameters& at,
-                                         int* passes) {
+std::optional<Linearisation> linearisedAtPosteriorMeans(const LinearModel& model,
+                                                        const std::vector<Block>& blocks,
+                                                        int experiments, int threads,
+                                                        const ModelParameters& point, int* passes) {
   constexpr int kMostSteps = 50;
+  if (!model.isLocallyLinear()) return {};
   Linearisation now;
-  if (!model.isLocallyLinear()) return now;
-  now.points = model.points(at.parameters, MatrixXd::Zero(model.regressors(), experiments));
+  now.points = model.points(point.parameters, MatrixXd::Zero(model.regressors(), experiments));
   now.model = model.linearisedAbout(now.points);
   now.move = 1;
-  for (int k = 0; k < kMostSteps && now.move >= kStandingStill; ++k) {
+  for (int k = 0; k < kMostSteps && now.move >= kFixedPointTolerance; ++k) {
     const Likelihood likelihood(*now.model, blocks, experiments, threads);
-    Linearisation next = nextLinearisation(*now.model, likelihood, at, now.points);
+    Linearisation next = nextLinearisation(*now.model, likelihood, point, now.points);
     *passes += likelihood.passes();
     now = std::move(next);
   }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "estimation/likelihood.h"
@@ -9,27 +10,30 @@
 
 namespace uncertainty_identification {
 
-/// Points that a model is linearised about, one for each experiment.
+/// A model linearised about a point for each experiment.
 struct Linearisation {
-  std::unique_ptr<LinearModel> model;  ///< null where the model is linear everywhere
-  Eigen::MatrixXd points;              ///< n x M
-  double move = 0;                     ///< of the last step, as of nextLinearisation()
+  std::unique_ptr<LinearModel> model;
+  Eigen::MatrixXd points;  ///< columns, one for each experiment
+  double move = 0;         ///< of the last step, as of nextLinearisation()
 };
 
-/// Points that move less stand still: a climb leaves theta itself uncertain by about as much, and
-/// what a move leaves out of the linearisation goes with its square.
-constexpr double kStandingStill = 1e-3;
+/// The fixed-point iteration of linearisations has converged when no point moves by more. An
+/// optimisation leaves theta itself uncertain by about as much, and the error of the linearisation
+/// goes with the move's square.
+constexpr double kFixedPointTolerance = 1e-3;
 
-/// One step: `model` (locally linear) about the posterior means of the error parameters, or, for
-/// experiments where it is not defined there, as far on the way to them as it is. The move is the
-/// largest of any experiment, in standard deviations of the mixture. One sweep.
+/// One step of the iteration: `model` (locally linear) about the posterior means of the error
+/// parameters at `point`. For an experiment where the model is not defined there, the step from its
+/// column of `points` is halved until it is. The move is the largest of any experiment, in standard
+/// deviations of the mixture. One sweep.
 Linearisation nextLinearisation(const LinearModel& model, const Likelihood& likelihood,
-                                const ModelParameters& at, const Eigen::MatrixXd& points);
+                                const ModelParameters& point, const Eigen::MatrixXd& points);
 
-/// The model about each experiment's posterior mean at given parameters, found by iteration from
-/// zero. Adds its sweeps to `passes`.
-Linearisation linearisedAtPosteriorMeans(const LinearModel& model, const std::vector<Block>& blocks,
-                                         int experiments, int threads, const ModelParameters& at,
-                                         int* passes);
+/// The model about each experiment's posterior mean at given parameters, by the fixed-point
+/// iteration from zero; none where the model is linear everywhere. Adds its sweeps to `passes`.
+std::optional<Linearisation> linearisedAtPosteriorMeans(const LinearModel& model,
+                                                        const std::vector<Block>& blocks,
+                                                        int experiments, int threads,
+                                                        const ModelParameters& point, int* passes);
 
 }  // namespace uncertainty_identification

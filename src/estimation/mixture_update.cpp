@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "estimation/climb.h"
+#include "estimation/optimisation.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -114,8 +114,8 @@ MatrixXd floored(const MatrixXd& covariance, const MatrixXd& floor) {
 
 }  // namespace
 
-void updateMixture(const Statistics& statistics, const Expectation& e, const ClimbOptions& options,
-                   ModelParameters* at) {
+void updateMixture(const Statistics& statistics, const Expectation& e,
+                   const OptimisationOptions& options, ModelParameters* at) {
   const Index kappa = e.responsibilities.rows(), n = e.means.rows();
   const double experiments = static_cast<double>(e.responsibilities.cols());
   at->noise_variance =
@@ -154,7 +154,7 @@ void updateMixture(const Statistics& statistics, const Expectation& e, const Cli
 }
 
 double fitMixture(const Likelihood& likelihood, const Statistics& statistics,
-                  const ClimbOptions& options, int iterations, double tolerance,
+                  const OptimisationOptions& options, int iterations, double tolerance,
                   ModelParameters* at) {
   double last = -std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < iterations; ++iteration) {

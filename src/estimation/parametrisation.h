@@ -11,14 +11,15 @@
 
 namespace uncertainty_identification {
 
-/// Unbounded coordinates of all parameters, in which the likelihood is climbed without constraints:
+/// Unbounded coordinates of all parameters, in which the likelihood is maximised without
+/// constraints:
 ///   model parameters through Model::toUnbounded; the mixture through MixtureCoordinates;
 ///   log sigma^2.
 /// and natural coordinates [parameters; weights; means; covariances; log sigma^2] as of scores().
 class Parametrisation {
  public:
-  /// `floor` (n x n, positive semidefinite) is the smallest covariance a component may take in a
-  /// climb.
+  /// `floor` (n x n, positive semidefinite) is the smallest covariance a component may take
+  /// while the likelihood is maximised.
   Parametrisation(const Model& model, Constraint constraint, int components,
                   const Eigen::MatrixXd& floor);
 

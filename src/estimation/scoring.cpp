@@ -2,15 +2,18 @@
 
 #include <Eigen/Cholesky>
 
+#include "estimation/stopwatch.h"
+
 namespace uncertainty_identification {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-bool Damping::step(const MatrixXd& information, const VectorXd& gradient,
-                   const std::function<bool(const VectorXd&)>& improves) {
+std::optional<VectorXd> Damping::step(const MatrixXd& information, const VectorXd& gradient,
+                                      const std::function<bool(const VectorXd&)>& improves) {
+  constexpr int kAttempts = 12;
   const VectorXd diagonal = information.diagonal().cwiseAbs().array() + 1e-300;
-  for (int attempt = 0; attempt < 12; ++attempt) {
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
     MatrixXd damped = information;
     damped.diagonal() += lambda_ * diagonal;
     const Eigen::LLT<MatrixXd> factor(damped);
@@ -18,57 +21,111 @@ bool Damping::step(const MatrixXd& information, const VectorXd& gradient,
       const VectorXd step = factor.solve(gradient);
       if (step.allFinite() && improves(step)) {
         lambda_ = std::max(lambda_ / 8, 1e-9);
-        return true;
+        return step;
       }
     }
     lambda_ = std::max(lambda_ * 8, 1e-6);
   }
-  return false;
+  return {};
 }
 
-ModelParameters scoringSteps(const Likelihood& likelihood, ModelParameters at,
-                             const ClimbOptions& options, int steps, double tolerance) {
-  constexpr int kMixtureSteps = 10;
-  const Eigen::Index p = likelihood.model().parameterCount(), n = likelihood.model().regressors();
-  const bool shift = options.constraint != Constraint::zero_mean && n > 0;
-  const Eigen::Index size = shift ? p + n : p;
-  Damping damping;
-  Statistics statistics = likelihood.statistics(at.parameters, true);
-  double reached = fitMixture(likelihood, statistics, options, kMixtureSteps, tolerance, &at);
-  for (int k = 0; k < steps && size > 0; ++k) {
-    const double before = reached;
-    const Expectation e = likelihood.expect(statistics, at);
-    const VectorXd score = scores(statistics, at, e).rowwise().sum();
-    VectorXd gradient(size);
-    gradient.head(p) = score.head(p);
-    if (shift) {
-      gradient.tail(n).setZero();
-      const int kappa = at.mixture.components();
-      for (int i = 0; i < kappa; ++i) gradient.tail(n) += score.segment(p + kappa + i * n, n);
-    }
-    const MatrixXd information =
-        likelihood.information(at, latentMoments(e)).observed.topLeftCorner(size, size);
-    const bool moved = damping.step(information, gradient, [&](const VectorXd& step) {
-      ModelParameters trial = at;
-      trial.parameters += step.head(p);
-      for (VectorXd& mean : trial.mixture.means) {
-        if (shift) mean += step.tail(n);
-      }
-      if (!likelihood.model().admissible(trial.parameters)) return false;
-      Statistics there = likelihood.statistics(trial.parameters, true);
-      const double value = likelihood.expect(there, trial).total();
-      if (!(value >= reached)) return false;
-      at = std::move(trial);
-      statistics = std::move(there);
-      return true;
-    });
-    if (!moved) break;
-    reached = fitMixture(likelihood, statistics, options, kMixtureSteps, tolerance, &at);
-    const bool going_on =
-        !options.on_iterate || options.on_iterate({k + 1, likelihood.passes(), reached});
-    if (!going_on || reached - before < tolerance) break;
+namespace {
+
+/// A point of the scoring iteration with its statistics and its log-likelihood.
+class Scoring {
+ public:
+  Scoring(const Likelihood& likelihood, ModelParameters start, const OptimisationOptions& options,
+          double tolerance)
+      : likelihood_(likelihood),
+        options_(options),
+        tolerance_(tolerance),
+        theta_(likelihood.model().parameterCount()),
+        means_(likelihood.model().regressors()),
+        shifts_(options.constraint != Constraint::zero_mean && means_ > 0),
+        point_(std::move(start)),
+        statistics_(likelihood.statistics(point_.parameters, true)) {
+    fitMixture();
   }
-  return at;
+
+  const ModelParameters& point() const { return point_; }
+  double reached() const { return reached_; }
+
+  /// Number of coordinates: theta, and the means' common shift where the constraint allows one.
+  Eigen::Index size() const { return shifts_ ? theta_ + means_ : theta_; }
+
+  /// One step; what it did, without the number of the iteration.
+  TracePoint step() {
+    const Stopwatch watch;
+    const Expectation e = likelihood_.expect(statistics_, point_);
+    const VectorXd gradient = gradientOf(scores(statistics_, point_, e).rowwise().sum());
+    const MatrixXd information =
+        likelihood_.information(point_, latentMoments(e)).observed.topLeftCorner(size(), size());
+    const auto step = damping_.step(information, gradient,
+                                    [this](const VectorXd& along) { return improves(along); });
+    if (step) fitMixture();
+    return {
+        0, likelihood_.passes(), reached_,
+        StepSummary{step ? step->norm() : 0.0, gradient.norm(), step.has_value(), watch.seconds()}};
+  }
+
+ private:
+  VectorXd gradientOf(const VectorXd& score) const {
+    VectorXd gradient(size());
+    gradient.head(theta_) = score.head(theta_);
+    if (!shifts_) return gradient;
+    gradient.tail(means_).setZero();
+    const int kappa = point_.mixture.components();
+    for (int i = 0; i < kappa; ++i)
+      gradient.tail(means_) += score.segment(theta_ + kappa + i * means_, means_);
+    return gradient;
+  }
+
+  /// Moves there if the log-likelihood is no lower.
+  bool improves(const VectorXd& step) {
+    ModelParameters trial = point_;
+    trial.parameters += step.head(theta_);
+    for (VectorXd& mean : trial.mixture.means) {
+      if (shifts_) mean += step.tail(means_);
+    }
+    if (!likelihood_.model().admissible(trial.parameters)) return false;
+    Statistics there = likelihood_.statistics(trial.parameters, true);
+    const double value = likelihood_.expect(there, trial).total();
+    if (!(value >= reached_)) return false;
+    point_ = std::move(trial);
+    statistics_ = std::move(there);
+    return true;
+  }
+
+  void fitMixture() {
+    constexpr int kMixtureSteps = 10;
+    reached_ = uncertainty_identification::fitMixture(likelihood_, statistics_, options_,
+                                                      kMixtureSteps, tolerance_, &point_);
+  }
+
+  const Likelihood& likelihood_;
+  const OptimisationOptions& options_;
+  double tolerance_;
+  Eigen::Index theta_, means_;
+  bool shifts_;
+  ModelParameters point_;
+  Statistics statistics_;
+  double reached_ = 0;
+  Damping damping_;
+};
+
+}  // namespace
+
+ModelParameters scoringSteps(const Likelihood& likelihood, ModelParameters start,
+                             const OptimisationOptions& options, int steps, double tolerance) {
+  Scoring scoring(likelihood, std::move(start), options, tolerance);
+  for (int k = 1; k <= steps && scoring.size() > 0; ++k) {
+    const double before = scoring.reached();
+    TracePoint done = scoring.step();
+    done.iteration = k;
+    const bool cancelled = options.on_iterate && !options.on_iterate(done);
+    if (cancelled || !done.step->accepted || done.log_likelihood - before < tolerance) break;
+  }
+  return scoring.point();
 }
 
 }  // namespace uncertainty_identification

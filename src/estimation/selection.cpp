@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "estimation/excerpt.h"
 #include "estimation/initial_guess.h"
@@ -17,7 +18,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kNotUsed = std::numeric_limits<double>::quiet_NaN();
+constexpr double kWorst = -std::numeric_limits<double>::infinity();
 
 struct Split {
   std::vector<Experiment> fitted, held_out;
@@ -42,10 +43,10 @@ Split splitData(const std::vector<Experiment>& experiments) {
 /// A model without error model, fitted by scoring steps.
 struct Fitted {
   NominalModelOptions options;
-  ModelParameters at;
-  double log_likelihood = -std::numeric_limits<double>::infinity();
-  double samples = 0;
-  double validation_fit = kNotUsed;
+  Eigen::VectorXd parameters;  ///< empty where it could not be fitted
+  double log_likelihood = kWorst;
+  double bic = std::numeric_limits<double>::quiet_NaN();
+  std::optional<double> held_out_fit;  ///< of the simulation [%]
 };
 
 class Selection {
@@ -83,36 +84,39 @@ class Selection {
                             configuration_.estimation);
     const std::vector<Block> blocks = makeBlocks(experiments);
     const Likelihood likelihood(model, blocks, static_cast<int>(experiments.size()), threads_);
-    ClimbOptions climb;
-    const std::vector<VectorXd> starts = nominalStarts(model, options, experiments);
-    fitted.at = bestSingleComponent(likelihood, starts, climb);
-    if (fitted.at.parameters.size() == 0) return fitted;
-    const Statistics statistics = likelihood.statistics(fitted.at.parameters, false);
-    fitted.log_likelihood = likelihood.expect(statistics, fitted.at).total();
-    fitted.samples = statistics.samples().sum();
+    const std::optional<ModelParameters> point = bestSingleComponent(
+        likelihood, nominalStarts(model, options, experiments), OptimisationOptions());
+    if (!point) return fitted;
+    const Statistics statistics = likelihood.statistics(point->parameters, false);
+    fitted.parameters = point->parameters;
+    fitted.log_likelihood = likelihood.expect(statistics, *point).total();
+    fitted.bic =
+        bic(fitted.log_likelihood, model.parameterCount() + 1, 0, statistics.samples().sum(), 1);
     return fitted;
   }
 
+  /// Simulation fit [%] on the held-out experiments.
   double validate(const Fitted& fitted) const {
-    if (fitted.at.parameters.size() == 0) return -std::numeric_limits<double>::infinity();
+    if (fitted.parameters.size() == 0) return kWorst;
     const auto nominal = makeNominalModel(fitted.options, sample_time_);
-    const VectorXd theta = fitted.at.parameters.head(nominal->parameterCount());
-    const bool offset = fitted.at.parameters.size() > theta.size();
+    const VectorXd theta = fitted.parameters.head(nominal->parameterCount());
+    const bool offset = fitted.parameters.size() > theta.size();
     const double fit =
-        simulationFit(*nominal, theta, offset ? fitted.at.parameters[theta.size()] : 0.0,
+        simulationFit(*nominal, theta, offset ? fitted.parameters[theta.size()] : 0.0,
                       configuration_.estimation, split_.held_out)
             .pooled;
-    return std::isfinite(fit) ? fit : -std::numeric_limits<double>::infinity();
+    return std::isfinite(fit) ? fit : kWorst;
   }
 
-  static double bicOf(const Fitted& f) {
-    return bic(f.log_likelihood, static_cast<int>(f.at.parameters.size()) + 1, 0, f.samples, 1);
-  }
-
-  void record(const std::string& description, const Fitted& fitted) {
-    candidates_->push_back({"orders", description,
-                            static_cast<int>(fitted.at.parameters.size()) + 1,
-                            fitted.log_likelihood, bicOf(fitted), fitted.validation_fit, false});
+  void record(const Fitted& fitted) {
+    const int parameters = static_cast<int>(fitted.parameters.size()) + 1;
+    Candidate candidate{"orders", describe(fitted.options), parameters, {}, {}, {}, false};
+    if (fitted.parameters.size() > 0) {
+      candidate.log_likelihood = fitted.log_likelihood;
+      candidate.bic = fitted.bic;
+    }
+    candidate.validation_fit = fitted.held_out_fit;
+    candidates_->push_back(std::move(candidate));
   }
 
   static std::string describe(const NominalModelOptions& o) {
@@ -123,7 +127,8 @@ class Selection {
     return text + " delay=" + std::to_string(o.delay);
   }
 
-  bool goOn(double share) const { return !progress_ || progress_(share); }
+  /// False once the choice is to end with the best so far.
+  bool report(double share) const { return !progress_ || progress_(share); }
 
   int largestOrder() const {
     int shortest = std::numeric_limits<int>::max();
@@ -132,7 +137,7 @@ class Selection {
     return std::max(1, std::min(configuration_.nominal_model.max_order, shortest / 12));
   }
 
-  /// Output-error models of rising order, each with the delay Steiglitz-McBride likes best.
+  /// Output-error models of rising order, each with the delay of least Steiglitz-McBride residual.
   std::vector<Fitted> outputErrorModels() {
     const int largest = largestOrder();
     std::vector<const Experiment*> all;
@@ -151,31 +156,32 @@ class Selection {
       options.nb = options.na = order;
       options.delay = scan.steiglitzMcBride(order, order, 0, longest_delay).polynomials.delay;
       Fitted model = fit(options, fitted_);
-      model.validation_fit = validate(model);
-      record(describe(options), model);
+      model.held_out_fit = validate(model);
+      record(model);
       models.push_back(std::move(model));
-      if (!goOn(0.7 * order / largest)) break;
+      if (!report(0.7 * order / largest)) break;
     }
     return models;
   }
 
-  /// The smallest model whose simulation is nearly as good as the best one's. Where some models
-  /// settle, those with a pole on the unit circle are passed over: they owe their fit to a free
-  /// response that never ends.
+  /// The smallest model whose simulation is nearly as good as the best one's. Where there are
+  /// clearly stable models, those with a pole on the unit circle are left out: their fit is that of
+  /// a free response that never decays.
   static std::size_t smallestGood(const std::vector<Fitted>& models) {
     constexpr double kTolerance = 0.5;  // [%] a larger model must gain more to be taken
-    constexpr double kSettling = 0.9995;
-    const auto settles = [](const Fitted& model) {
-      return model.at.parameters.size() > 0 &&
-             isStable(model.at.parameters.segment(model.options.nb, model.options.na), kSettling);
+    constexpr double kStable = 0.9995;
+    const auto isClearlyStable = [](const Fitted& model) {
+      return model.parameters.size() > 0 &&
+             isStable(model.parameters.segment(model.options.nb, model.options.na), kStable);
     };
-    const bool any = std::any_of(models.begin(), models.end(), settles);
-    double best = -std::numeric_limits<double>::infinity();
+    const bool any = std::any_of(models.begin(), models.end(), isClearlyStable);
+    double best = kWorst;
     for (const Fitted& model : models) {
-      if (!any || settles(model)) best = std::max(best, model.validation_fit);
+      if (!any || isClearlyStable(model)) best = std::max(best, *model.held_out_fit);
     }
     for (std::size_t k = 0; k < models.size(); ++k) {
-      if ((!any || settles(models[k])) && models[k].validation_fit >= best - kTolerance) return k;
+      if ((!any || isClearlyStable(models[k])) && *models[k].held_out_fit >= best - kTolerance)
+        return k;
     }
     return 0;
   }
@@ -196,8 +202,8 @@ class Selection {
       options.structure = Structure::box_jenkins;
       options.nc = options.nd = order;
       Fitted model = fit(options, fitted_);
-      record(describe(options), model);
-      if (bicOf(model) < bicOf(best)) {
+      record(model);
+      if (model.bic < best.bic) {
         best = model;
         best_row_ = candidates_->size() - 1;
       }
@@ -210,12 +216,13 @@ class Selection {
     const std::size_t first = candidates_->size() - models.size();
     Fitted best;
     std::size_t chosen = first;
-    for (std::size_t k = 0; k < models.size() && goOn(0.7 + 0.3 * static_cast<double>(k) /
-                                                                static_cast<double>(models.size()));
+    for (std::size_t k = 0;
+         k < models.size() &&
+         report(0.7 + 0.3 * static_cast<double>(k) / static_cast<double>(models.size()));
          ++k) {
       best_row_ = first + k;
       const Fitted coloured = noiseModel(models[k]);
-      if (std::isfinite(best.log_likelihood) && bicOf(coloured) >= bicOf(best)) continue;
+      if (std::isfinite(best.log_likelihood) && coloured.bic >= best.bic) continue;
       best = coloured;
       chosen = best_row_;
     }
@@ -230,7 +237,7 @@ class Selection {
   const SelectionProgress& progress_;
   Split split_;
   std::vector<Experiment> fitted_;
-  std::size_t best_row_ = 0;  ///< of the candidate that noiseModel() likes best
+  std::size_t best_row_ = 0;  ///< of the candidate that noiseModel() chose
 };
 
 }  // namespace
@@ -245,6 +252,17 @@ int mixtureParameters(Constraint constraint, int dimension, int components) {
   if (dimension == 0) return 0;
   const int free_means = constraint == Constraint::zero_mean ? components - 1 : components;
   return components - 1 + free_means * dimension + components * dimension * (dimension + 1) / 2;
+}
+
+std::optional<std::size_t> chooseLeastBic(std::size_t first, std::vector<Candidate>* candidates) {
+  std::optional<std::size_t> least;
+  for (std::size_t k = first; k < candidates->size(); ++k) {
+    const std::optional<double>& bic = (*candidates)[k].bic;
+    if (!bic || !std::isfinite(*bic)) continue;
+    if (!least || *bic < *(*candidates)[*least].bic) least = k;
+  }
+  if (least) (*candidates)[*least].chosen = true;
+  return least;
 }
 
 NominalModelOptions selectOrders(const Configuration& configuration, double sample_time,

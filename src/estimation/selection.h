@@ -1,9 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
-#include "estimation/climb.h"
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/experiment.h"
 #include "uncertainty_identification/estimation/estimate.h"
@@ -17,6 +17,10 @@ double bic(double log_likelihood, int model_parameters, int mixture_parameters, 
 
 /// Free parameters of a mixture under a constraint.
 int mixtureParameters(Constraint constraint, int dimension, int components);
+
+/// Marks the candidate of least BIC among those from `first` on as chosen and returns its index.
+/// Where no BIC is finite none is chosen.
+std::optional<std::size_t> chooseLeastBic(std::size_t first, std::vector<Candidate>* candidates);
 
 /// Called between candidates with the share done; returning false ends the choice with the best so
 /// far.

@@ -53,7 +53,7 @@ Statistics simulatedStatistics(const Statistics& of, const ModelParameters& at,
 double reachedWith(const Likelihood& likelihood, const Statistics& statistics,
                    const ModelParameters& single, int components, const FitContext& context) {
   constexpr int kRestarts = 4, kSteps = 200;
-  ClimbOptions options = context.options;
+  OptimisationOptions options = context.options;
   options.floor = covarianceFloor(single.mixture);
   double reached = 0;
   ModelParameters at = single;

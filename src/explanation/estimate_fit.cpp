@@ -75,7 +75,7 @@ Estimate estimateOf(const Fit& fit, const FitData& data, const Estimate& base) {
       options.parameters[parameter.name] = psi[static_cast<Index>(i)];
       estimate.parameters.push_back(
           {parameter.name, parameter.unit,
-           told(parameter, psi[static_cast<Index>(i)], fit.at.noise_variance), 0, 0});
+           toReported(parameter, psi[static_cast<Index>(i)], fit.at.noise_variance), 0, 0});
     }
     start.configuration.effects.push_back(std::move(options));
     start.effects.push_back(std::move(estimate));

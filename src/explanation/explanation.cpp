@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "configuration/require.h"
@@ -66,7 +67,7 @@ class Explaining {
                   const std::vector<Experiment>& validation);
 
  private:
-  bool report(const std::string& phase, double fraction, double log_likelihood);
+  bool report(const std::string& phase, double fraction, std::optional<double> log_likelihood);
   bool isExcluded(const std::string& name) const;
   std::vector<Signature> takeOutSpoiled(Split* data);
   Estimate identify(const std::vector<Experiment>& experiments);
@@ -90,7 +91,8 @@ class Explaining {
   Explanation explanation_;
 };
 
-bool Explaining::report(const std::string& phase, double fraction, double log_likelihood) {
+bool Explaining::report(const std::string& phase, double fraction,
+                        std::optional<double> log_likelihood) {
   cancelled_ = cancelled_ || (progress_ && !progress_({phase, fraction, log_likelihood}));
   return !cancelled_;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "estimation/scoring.h"
 #include "explanation/clock.h"
 #include "model/filter.h"
 
@@ -47,7 +48,7 @@ Fit evaluated(std::shared_ptr<const ExtendedModel> model, const ModelParameters&
 }
 
 Fit mixtureFitted(std::shared_ptr<const ExtendedModel> model, const ModelParameters& at,
-                  const FitData& data, const ClimbOptions& options, int iterations) {
+                  const FitData& data, const OptimisationOptions& options, int iterations) {
   if (!model->admissible(at.parameters)) return failed(std::move(model), at);
   constexpr double kTolerance = 1e-2;
   const Likelihood likelihood(*model, data.blocks(), data.count(), 1);
@@ -89,7 +90,7 @@ Fit relinearised(const Fit& fit, const FitData& data) {
                    fit.at, data);
 }
 
-Fit improved(Fit fit, const FitData& data, const ClimbOptions& options, int steps,
+Fit improved(Fit fit, const FitData& data, const OptimisationOptions& options, int steps,
              double tolerance) {
   constexpr int kSettling = 3;  // rounds until points and posterior means agree
   const bool local = fit.model->isLocallyLinear();

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "effects/extended_model.h"
-#include "estimation/climb.h"
+#include "estimation/optimisation.h"
 
 namespace uncertainty_identification {
 
@@ -45,7 +45,7 @@ Fit evaluated(std::shared_ptr<const ExtendedModel> model, const ModelParameters&
 
 /// The same with the mixture and the noise variance fitted to it, theta and psi as they are.
 Fit mixtureFitted(std::shared_ptr<const ExtendedModel> model, const ModelParameters& at,
-                  const FitData& data, const ClimbOptions& options, int iterations);
+                  const FitData& data, const OptimisationOptions& options, int iterations);
 
 Residuals residualsOf(const Fit& fit, const FitData& data);
 
@@ -55,7 +55,7 @@ Fit relinearised(const Fit& fit, const FitData& data);
 
 /// Up to `steps` joint scoring steps with mixture updates, linearised anew after each two where the
 /// model is linear only locally; ends when one gains less than `tolerance` [nats].
-Fit improved(Fit fit, const FitData& data, const ClimbOptions& options, int steps,
+Fit improved(Fit fit, const FitData& data, const OptimisationOptions& options, int steps,
              double tolerance);
 
 /// A fit of an experiment set that was not fitted to: points found for each experiment.

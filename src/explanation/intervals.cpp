@@ -70,7 +70,7 @@ std::vector<CauseParameter> parametersOf(const Fit& fit, const FitData& data,
   for (int i = 0; i < effect->parameterCount(); ++i) {
     const EffectParameter& of = effect->description().parameters[static_cast<std::size_t>(i)];
     const int at = first + i;
-    const double value = told(of, fit.at.parameters[at], fit.at.noise_variance);
+    const double value = toReported(of, fit.at.parameters[at], fit.at.noise_variance);
     const CauseParameter bare{of.name, of.unit, value, 0, 0, 0};
     const double error = std::sqrt(std::max(covariance(at, at), 0.0));
     if (of.log_variance) {

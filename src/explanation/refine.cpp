@@ -88,7 +88,7 @@ std::optional<ModelParameters> singleFromNear(const Fit& fit, const Likelihood& 
       rankedSingleComponents(likelihood, starts, kFinalists, context.options);
   if (ranked.empty() || ranked.front().log_likelihood < withSingleComponent(fit, data, context))
     return {};
-  return ranked.front().at;
+  return ranked.front().point;
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ Fit withNewMixture(const Fit& fit, const FitData& data, const FitContext& contex
   const Statistics statistics = likelihood.statistics(fit.at.parameters, false);
   ModelParameters single = fit.at;
   single.mixture = {{1.0}, {fit.at.mixture.mean()}, {fit.at.mixture.covariance()}};
-  ClimbOptions options = context.options;
+  OptimisationOptions options = context.options;
   options.floor = covarianceFloor(single.mixture);
   double reached = 0;
   const ModelParameters at = spreadComponents(likelihood, statistics, single, components, restarts,

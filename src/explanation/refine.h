@@ -7,10 +7,10 @@
 
 namespace uncertainty_identification {
 
-/// What fits share: options of a climb, the seed of the mixture's restarts, threads, and whether to
-/// go on.
+/// What fits share: options of an optimisation, the seed of the mixture's restarts, threads, and
+/// whether to go on.
 struct FitContext {
-  ClimbOptions options;
+  OptimisationOptions options;
   std::uint64_t seed = 1;
   WorkerPool* pool = nullptr;
   std::function<bool()> going_on;        ///< may be called from any thread

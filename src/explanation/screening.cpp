@@ -42,7 +42,7 @@ double leftover(const MatrixXd& gram, VectorXd* least) {
 
 }  // namespace
 
-Screening::Screening(const Fit& base, const FitData& data, const ClimbOptions& options)
+Screening::Screening(const Fit& base, const FitData& data, const OptimisationOptions& options)
     : base_(base), data_(data), options_(options) {
   const Likelihood likelihood(*base.model, data.blocks(), data.count(), 1);
   const Statistics statistics = likelihood.statistics(base.at.parameters, false);

@@ -10,7 +10,7 @@ namespace uncertainty_identification {
 /// test. What all candidates share is computed once.
 class Screening {
  public:
-  Screening(const Fit& base, const FitData& data, const ClimbOptions& options);
+  Screening(const Fit& base, const FitData& data, const OptimisationOptions& options);
 
   /// A starting value of an effect with the gain of likelihood [nats] expected from there.
   struct Start {
@@ -39,7 +39,7 @@ class Screening {
 
   const Fit& base_;
   const FitData& data_;
-  ClimbOptions options_;
+  OptimisationOptions options_;
   std::vector<BaseBlock> blocks_;
   Eigen::MatrixXd covariances_;  ///< posterior, of xi, n^2 x M
   double samples_ = 0, base_gain_ = 0, base_jacobian_ = 0;

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "identification/identification.h"
+#include "identification/identify.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {
 
-/// Those that passed the checks, in the order of the estimate.
+/// The experiments that the estimate was fitted to, in its order.
 std::vector<Experiment> usedExperiments(const Estimate& estimate,
                                         const std::vector<Experiment>& experiments) {
   std::vector<Experiment> used;
@@ -20,6 +20,55 @@ std::vector<Experiment> usedExperiments(const Estimate& estimate,
     ++next;
   }
   return used;
+}
+
+/// A model identified without the experiments k, k + folds, ..., and their scores under it.
+struct Fold {
+  int number;
+  FoldModel model;
+  std::vector<double> scores;
+};
+
+Fold fitFold(const Request& request, const std::vector<Experiment>& experiments, int number,
+             int folds) {
+  std::vector<Experiment> others, own;
+  for (std::size_t r = 0; r < experiments.size(); ++r)
+    (static_cast<int>(r) % folds == number ? own : others).push_back(experiments[r]);
+  Fold fold{number, identifyPlant(request, others), {}};
+  fold.scores = predictionScores(fold.model, request.configuration.estimation, own);
+  return fold;
+}
+
+std::string leftOut(int number, int folds, const DataError& error) {
+  return "fold " + std::to_string(number + 1) + " of " + std::to_string(folds) +
+         " could not be fitted, and its experiments are left out of the calibration: " +
+         error.what();
+}
+
+/// Scores in the order of the experiments, of those whose fold was fitted.
+PredictionCalibration calibrationOf(const std::vector<Fold>& folds, int total, int experiments) {
+  PredictionCalibration calibration;
+  for (const Fold& fold : folds) calibration.folds.push_back(fold.model);
+  for (int r = 0; r < experiments; ++r) {
+    const auto fold = std::find_if(folds.begin(), folds.end(),
+                                   [&](const Fold& one) { return one.number == r % total; });
+    if (fold == folds.end()) continue;
+    calibration.fold.push_back(static_cast<int>(fold - folds.begin()));
+    calibration.scores.push_back(fold->scores[static_cast<std::size_t>(r / total)]);
+  }
+  return calibration;
+}
+
+/// Radii within which the identified model expects the shares `levels` of experiments.
+std::vector<double> modelRadii(const Estimate& estimate,
+                               const std::vector<Experiment>& experiments) {
+  const std::vector<double> expected = expectedScores(estimate, experiments);
+  std::vector<double> radii;
+  for (double level : estimate.configuration.bounds.levels) {
+    const auto rank = static_cast<std::size_t>(level * static_cast<double>(expected.size()));
+    radii.push_back(expected[std::min(rank, expected.size() - 1)]);
+  }
+  return radii;
 }
 
 }  // namespace
@@ -47,53 +96,50 @@ Identifier::Identifier(Configuration configuration, NominalModelFactory nominal_
 Estimate Identifier::identify(const std::vector<Experiment>& experiments,
                               const std::vector<Experiment>& validation,
                               const ProgressCallback& progress) const {
-  return Identification(configuration_, nominal_model_, progress)
-      .run(experiments, validation, nullptr);
+  return uncertainty_identification::identify({configuration_, nominal_model_, progress},
+                                              experiments, validation);
 }
 
 Estimate Identifier::reidentify(const Estimate& previous,
                                 const std::vector<Experiment>& experiments,
                                 const ProgressCallback& progress) const {
   if (!previous.usable()) return identify(experiments, {}, progress);
-  return Identification(previous.configuration, nominal_model_, progress)
-      .run(experiments, {}, &previous);
+  return uncertainty_identification::identify(
+      {previous.configuration, nominal_model_, progress, &previous}, experiments, {});
 }
 
 PredictionCalibration Identifier::calibrate(const Estimate& estimate,
                                             const std::vector<Experiment>& experiments,
                                             const ProgressCallback& progress) const {
+  const Configuration& configuration = estimate.configuration;
   const std::vector<Experiment> used = usedExperiments(estimate, experiments);
   const int count = static_cast<int>(used.size());
-  const int folds = std::min(estimate.configuration.bounds.folds, count);
-  PredictionCalibration calibration;
-  if (folds < 2) return calibration;
-  const EstimationOptions& options = estimate.configuration.estimation;
-  std::vector<double> scores(used.size());
+  const int folds = std::min(configuration.bounds.folds, count);
+  if (folds < 2) return {};
+  std::vector<Fold> fitted;
+  std::optional<DataError> failure;
+  std::vector<std::string> warnings;
   bool cancelled = false;
   for (int k = 0; k < folds && !cancelled; ++k) {
-    std::vector<Experiment> others, own;
-    for (int r = 0; r < count; ++r)
-      (r % folds == k ? own : others).push_back(used[static_cast<std::size_t>(r)]);
-    const auto of_fold = [&](const Progress& at) {
+    const auto of_fold = [&](const Progress& now) {
       cancelled =
-          progress && !progress({"calibrating", (k + at.fraction) / folds, at.log_likelihood});
+          progress && !progress({"calibrating", (k + now.fraction) / folds, now.log_likelihood});
       return !cancelled;
     };
-    calibration.folds.push_back(
-        Identification(estimate.configuration, nominal_model_, of_fold).plant(others, estimate));
-    const std::vector<double> left = predictionScores(calibration.folds.back(), options, own);
-    for (std::size_t j = 0; j < left.size(); ++j)
-      scores[static_cast<std::size_t>(k) + j * static_cast<std::size_t>(folds)] = left[j];
+    try {
+      fitted.push_back(
+          fitFold({configuration, nominal_model_, of_fold, &estimate}, used, k, folds));
+    } catch (const DataError& error) {
+      failure = error;
+      warnings.push_back(leftOut(k, folds, error));
+    }
   }
   if (cancelled) return {};
-  calibration.scores = std::move(scores);
-  for (int r = 0; r < count; ++r) calibration.fold.push_back(r % folds);
-  const std::vector<double> expected = expectedScores(estimate, used);
-  for (double level : estimate.configuration.bounds.levels) {
-    const auto rank = static_cast<std::size_t>(level * static_cast<double>(expected.size()));
-    calibration.model_radius.push_back(expected[std::min(rank, expected.size() - 1)]);
-  }
-  uncertainty_identification::calibrate(estimate.configuration.bounds.levels, &calibration);
+  if (fitted.size() < 2) throw *failure;
+  PredictionCalibration calibration = calibrationOf(fitted, folds, count);
+  calibration.warnings = std::move(warnings);
+  calibration.model_radius = modelRadii(estimate, used);
+  uncertainty_identification::calibrate(configuration.bounds.levels, &calibration);
   return calibration;
 }
 

@@ -25,9 +25,9 @@ void ProgressBar::show(const Progress& progress) {
   out_ << kClearLine << '[' << std::string(static_cast<std::size_t>(filled), '#')
        << std::string(static_cast<std::size_t>(kWidth - filled), ' ') << "] "
        << std::lround(100 * fraction) << " % " << progress.phase;
-  if (std::isfinite(progress.log_likelihood)) {
+  if (progress.log_likelihood && std::isfinite(*progress.log_likelihood)) {
     char text[48];
-    std::snprintf(text, sizeof text, ", log-likelihood %.3f", progress.log_likelihood);
+    std::snprintf(text, sizeof text, ", log-likelihood %.3f", *progress.log_likelihood);
     out_ << text;
   }
   out_ << std::flush;

@@ -69,10 +69,19 @@ void bind(Archive& archive, EffectEstimate& effect) {
 }
 
 template <class Archive>
+void bind(Archive& archive, StepSummary& step) {
+  archive("norm", step.norm);
+  archive("gradient_norm", step.gradient_norm);
+  archive("accepted", step.accepted);
+  archive("seconds", step.seconds);
+}
+
+template <class Archive>
 void bind(Archive& archive, TracePoint& point) {
   archive("iteration", point.iteration);
   archive("passes", point.passes);
   archive("log_likelihood", point.log_likelihood);
+  archive("step", whenPresent(point.step));
 }
 
 template <class Archive>
@@ -80,9 +89,9 @@ void bind(Archive& archive, Candidate& candidate) {
   archive("choice", candidate.choice);
   archive("description", candidate.description);
   archive("parameters", candidate.parameters);
-  archive("log_likelihood", candidate.log_likelihood);
-  archive("bic", candidate.bic);
-  archive("validation_fit", candidate.validation_fit);
+  archive("log_likelihood", orNull(candidate.log_likelihood));
+  archive("bic", orNull(candidate.bic));
+  archive("validation_fit", orNull(candidate.validation_fit));
   archive("chosen", candidate.chosen);
 }
 

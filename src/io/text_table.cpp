@@ -36,6 +36,10 @@ std::string numberText(double value) {
   return text;
 }
 
+std::string numberText(const std::optional<double>& value) {
+  return value ? numberText(*value) : "-";
+}
+
 std::string estimateText(double value, double standard_error) {
   if (!std::isfinite(value) || !std::isfinite(standard_error) || standard_error <= 0) {
     return numberText(value);

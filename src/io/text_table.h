@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,9 @@ namespace uncertainty_identification {
 /// spaces.
 std::string textTable(const std::vector<std::vector<std::string>>& rows);
 
-/// A number with six significant digits; "-" for one that is not finite.
+/// A number with six significant digits; "-" for one that is absent or not finite.
 std::string numberText(double value);
+std::string numberText(const std::optional<double>& value);
 
 /// An estimate with its standard error, "0.3102 +- 0.0041": both to the second digit of the error.
 /// The number alone where the error is not a positive number.

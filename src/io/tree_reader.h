@@ -40,6 +40,14 @@ class TreeReader {
     if (const nlohmann::json* node = find(key)) read(*node, pathOf(path_, key), value);
   }
 
+  /// The same for a value that any document may leave out.
+  template <class Value>
+  void operator()(const std::string& key, WhenPresent<Value> value) {
+    keys_.push_back(key);
+    const auto found = node_.find(key);
+    if (found != node_.end()) read(*found, pathOf(path_, key), value);
+  }
+
   /// Reads keys that stand one level deeper without a struct of their own.
   template <class Body>
   void section(const std::string& key, Body&& body) {

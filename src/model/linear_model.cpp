@@ -129,6 +129,18 @@ std::vector<std::string> LinearModel::names() const {
   return all;
 }
 
+std::vector<ParameterRole> LinearModel::roles() const {
+  const std::vector<std::string> names = nominal_->names(), units = nominal_->units();
+  std::vector<ParameterRole> all;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    all.push_back({ParameterRole::Of::nominal_model, names[k], units[k], 0, "", ""});
+  if (!hasCommonOffset()) return all;
+  const bool at_input = options_.offset_side == OffsetSide::input;
+  all.push_back({at_input ? ParameterRole::Of::input_offset : ParameterRole::Of::output_offset,
+                 at_input ? "offset_u" : "offset_y", "", 0, "", ""});
+  return all;
+}
+
 VectorXd LinearModel::theta(const VectorXd& parameters) const {
   return parameters.head(parameters.size() - (hasCommonOffset() ? 1 : 0));
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "model/model.h"
 #include "uncertainty_identification/model/error_basis.h"
@@ -11,6 +13,21 @@ namespace uncertainty_identification {
 /// Number of directions that unknown past inputs and the initial state of Go (1 + GDelta) span,
 /// whatever eta, in a record of `samples`.
 int freeResponseDirections(const Polynomials& go, const ErrorBasis& basis, int samples);
+
+/// What a parameter of a linear model belongs to, and its name there.
+struct ParameterRole {
+  enum class Of { nominal_model, input_offset, output_offset, effect };
+  Of of = Of::nominal_model;
+  std::string name;        ///< e.g. "b1", "offset_y", "width"
+  std::string unit;        ///< empty where it follows from the units of u and y
+  std::size_t effect = 0;  ///< Of::effect only: its place among the configuration's effects
+  std::string effect_name, effect_variant;  ///< likewise
+};
+
+/// A parameter's value in the form that results report, and its derivative to the model's value.
+struct ReportedValue {
+  double value = 0, derivative = 1;
+};
 
 /// The paper's model (2), (13): y = Go (1 + GDelta(eta_r)) u + H omega with the nuisances of real
 /// records, an unknown initial state of Go, noise that was running before the first sample, missing
@@ -36,6 +53,24 @@ class LinearModel : public Model {
   Eigen::VectorXd toUnbounded(const Eigen::VectorXd& parameters) const override;
   Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& unbounded) const override;
   Eigen::MatrixXd unboundedJacobian(const Eigen::VectorXd& unbounded) const override;
+
+  /// The role of each parameter.
+  virtual std::vector<ParameterRole> roles() const;
+
+  /// Parameter k as results report it, from its value in the model, and back.
+  virtual ReportedValue reported(std::size_t /*k*/, double value, double /*noise_variance*/) const {
+    return {value, 1};
+  }
+  virtual double fromReported(std::size_t /*k*/, double reported, double /*noise_variance*/) const {
+    return reported;
+  }
+
+  /// A start of theta and the offset, completed by starting values of what extends the model: those
+  /// that the configuration's effects give, else those of the catalogue.
+  virtual Eigen::VectorXd withStartingValues(const Eigen::VectorXd& start,
+                                             const std::vector<EffectOptions>& /*effects*/) const {
+    return start;
+  }
 
   /// Whether the output is linear in the error parameters xi only near a point for each experiment.
   virtual bool isLocallyLinear() const { return false; }

@@ -62,7 +62,8 @@ class Model {
   /// Whether the parameters lie where the likelihood is defined (stable, minimum phase, finite).
   virtual bool admissible(const Eigen::VectorXd& parameters) const = 0;
 
-  /// Unbounded coordinates for an unconstrained climb, the way back, and dparameters/d(unbounded).
+  /// Unbounded coordinates for an unconstrained optimisation, the way back, and
+  /// dparameters/d(unbounded).
   virtual Eigen::VectorXd toUnbounded(const Eigen::VectorXd& parameters) const = 0;
   virtual Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& unbounded) const = 0;
   virtual Eigen::MatrixXd unboundedJacobian(const Eigen::VectorXd& unbounded) const = 0;

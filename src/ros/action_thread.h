@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -133,7 +134,8 @@ class ActionThread {
     Feedback feedback;
     feedback.phase = progress.phase;
     feedback.fraction = progress.fraction;
-    feedback.log_likelihood = progress.log_likelihood;
+    feedback.log_likelihood =
+        progress.log_likelihood.value_or(std::numeric_limits<double>::quiet_NaN());
     return feedback;
   }
 

@@ -179,7 +179,7 @@ TEST_F(IdentifyRequestTest, CancellingEndsReadingAndIdentifying) {
   };
   EXPECT_EQ(until("reading bags").code, messages::IdentifyBagsResult::CANCELLED);
   EXPECT_EQ(phases, std::set<std::string>{"reading bags"});
-  EXPECT_EQ(until("climbing").code, messages::IdentifyBagsResult::CANCELLED);
+  EXPECT_EQ(until("optimising").code, messages::IdentifyBagsResult::CANCELLED);
   EXPECT_EQ(until("").code, messages::IdentifyBagsResult::OK);
 }
 

@@ -92,9 +92,9 @@ VectorXd appended(const VectorXd& parameters, double value) {
   return longer;
 }
 
-ClimbOptions climbOptions(const Configuration& configuration, const Mixture& start,
-                          double tolerance) {
-  ClimbOptions options;
+OptimisationOptions optimisationOptions(const Configuration& configuration, const Mixture& start,
+                                        double tolerance) {
+  OptimisationOptions options;
   options.constraint = configuration.error_model.constraint;
   options.tolerance = tolerance;
   options.floor = covarianceFloor(start);

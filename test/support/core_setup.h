@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "estimation/climb.h"
 #include "estimation/likelihood.h"
+#include "estimation/optimisation.h"
 #include "model/linear_model.h"
 #include "support/golden.h"
 #include "support/random_system.h"
@@ -59,9 +59,9 @@ ModelParameters parametersOf(const GoldenPoint& point);
 /// `parameters` with one entry more.
 Eigen::VectorXd appended(const Eigen::VectorXd& parameters, double value);
 
-/// Options of a climb from `start`, with the covariance floor that goes with it.
-ClimbOptions climbOptions(const Configuration& configuration, const Mixture& start,
-                          double tolerance);
+/// Options of an optimisation from `start`, with the covariance floor that goes with it.
+OptimisationOptions optimisationOptions(const Configuration& configuration, const Mixture& start,
+                                        double tolerance);
 
 using VectorFunction = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 

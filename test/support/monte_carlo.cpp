@@ -53,9 +53,9 @@ MonteCarloRun example1Run(std::uint64_t seed) {
   const ModelParameters truth = example1Parameters();
   MonteCarloRun run;
   run.estimate = Identifier(configuration).identify(setup.experiments());
-  run.from_truth =
-      maximumLikelihood(setup.likelihood(), truth, climbOptions(configuration, truth.mixture, 1e-7))
-          .log_likelihood;
+  run.from_truth = maximumLikelihood(setup.likelihood(), truth,
+                                     optimisationOptions(configuration, truth.mixture, 1e-7))
+                       .log_likelihood;
   return run;
 }
 

@@ -27,7 +27,7 @@ ModelParameters paperStart();
 /// One data set, identified.
 struct MonteCarloRun {
   Estimate estimate;      ///< by Identifier, from an automatic start
-  double from_truth = 0;  ///< log-likelihood of the optimum that a climb from the truth reaches
+  double from_truth = 0;  ///< log-likelihood of the optimum reached from the truth
 };
 
 /// Simulates Example 1 with this seed and identifies it.

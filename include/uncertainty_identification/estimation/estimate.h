@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,16 +67,16 @@ struct ExperimentEstimate {
 
 /// A candidate tried by an automatic choice.
 struct Candidate {
-  std::string choice;         ///< "orders", "components", "taps"
-  std::string description;    ///< e.g. "output_error nb=2 na=2 delay=1"
-  int parameters = 0;         ///< number of free parameters
-  double log_likelihood = 0;  ///< NaN where the criterion is not likelihood based
-  double bic = 0;
-  double validation_fit = 0;  ///< held-out simulation fit [%]; NaN where not used
+  std::string choice;                    ///< "orders", "components", "taps"
+  std::string description;               ///< e.g. "output_error nb=2 na=2 delay=1"
+  int parameters = 0;                    ///< number of free parameters
+  std::optional<double> log_likelihood;  ///< absent where the candidate could not be fitted
+  std::optional<double> bic;             ///< likewise
+  std::optional<double> validation_fit;  ///< held-out simulation fit [%]; absent where not used
   bool chosen = false;
 };
 
-/// Fit on experiments not used for fitting (or, without any, absent: `experiments` empty).
+/// Fit on experiments not used for fitting; `experiments` is empty where there are none.
 struct Validation {
   std::vector<std::string> experiments;  ///< ids
   std::vector<double>
@@ -94,11 +95,21 @@ struct ResidualTests {
   double independence_p_value = 0;        ///< of a test of all cross-correlations together
 };
 
-/// One accepted iterate.
+/// The step of an iteration, in the coordinates that the method steps in.
+struct StepSummary {
+  double norm = 0;           ///< Euclidean norm; 0 where no step raised the log-likelihood
+  double gradient_norm = 0;  ///< of the log-likelihood, where the step begins
+  bool accepted = false;     ///< false: the point before it is kept
+  double seconds = 0;        ///< [s] wall time
+};
+
+/// One iteration.
 struct TracePoint {
   int iteration = 0;
-  int passes = 0;  ///< sweeps over all samples so far
-  double log_likelihood = 0;
+  int passes = 0;             ///< sweeps over all samples so far
+  double log_likelihood = 0;  ///< highest so far
+  /// Absent where there was no step: at the start of L-BFGS, and in results of older versions.
+  std::optional<StepSummary> step{};
 };
 
 /// The result of an identification: a value that carries what is needed to use and to reproduce it.

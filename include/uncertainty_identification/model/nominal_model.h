@@ -41,8 +41,8 @@ class NominalModel {
   /// d[b; a; c; d]/dtheta, (nb + na + nc + nd) x p. Default: central differences.
   virtual Eigen::MatrixXd jacobian(const Eigen::VectorXd& theta) const;
 
-  /// Unbounded coordinates of theta in which an unconstrained climb stays admissible (stable A and
-  /// D, minimum-phase C, positive time constants, ...), and back. Default: theta itself.
+  /// Unbounded coordinates of theta in which an unconstrained optimisation stays admissible (stable
+  /// A and D, minimum-phase C, positive time constants, ...), and back. Default: theta itself.
   virtual Eigen::VectorXd toUnbounded(const Eigen::VectorXd& theta) const { return theta; }
   virtual Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& unbounded) const {
     return unbounded;
@@ -55,7 +55,7 @@ class NominalModel {
   virtual bool admissible(const Eigen::VectorXd& theta) const;
 
   /// Parameters that reproduce given polynomials of this model's sizes as nearly as possible: a
-  /// start for the climb. Throws ConfigurationError where the model cannot be started from
+  /// start for the optimisation. Throws ConfigurationError where the model cannot be started from
   /// polynomials (then `initial: theta` is needed).
   virtual Eigen::VectorXd fromPolynomials(const Polynomials& polynomials) const;
 

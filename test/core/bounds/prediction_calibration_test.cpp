@@ -111,6 +111,26 @@ TEST(PredictionCalibration, ScoresWhatIsNotRejected) {
   EXPECT_EQ(calibration.scores.size(), estimate.experiments.size());
 }
 
+/// Only the first fold's experiments have an input that moves: without them nothing can be fitted.
+TEST(PredictionCalibration, LeavesOutAFoldThatCannotBeFitted) {
+  constexpr int kFolds = 4;
+  const Identifier identifier(configuration(kFolds, 1));
+  std::vector<Experiment> experiments = example1Experiments(12);
+  const Estimate estimate = identifier.identify(experiments);
+  for (std::size_t r = 0; r < experiments.size(); ++r) {
+    if (r % kFolds != 0) experiments[r].u.setZero();
+  }
+  const PredictionCalibration calibration = identifier.calibrate(estimate, experiments);
+  EXPECT_EQ(calibration.folds.size(), 3u);
+  EXPECT_EQ(calibration.scores.size(), 9u);
+  EXPECT_EQ(calibration.fold, (std::vector<int>{0, 1, 2, 0, 1, 2, 0, 1, 2}));
+  ASSERT_FALSE(calibration.warnings.empty());
+  EXPECT_NE(calibration.warnings[0].find("fold 1 of 4"), std::string::npos)
+      << calibration.warnings[0];
+  for (std::size_t r = 0; r < experiments.size(); r += kFolds) experiments[r].u.setZero();
+  EXPECT_THROW(identifier.calibrate(estimate, experiments), DataError);
+}
+
 TEST(PredictionCalibration, CanBeCancelled) {
   const Identifier identifier(configuration(4, 1));
   const std::vector<Experiment> experiments = example1Experiments(12);

@@ -36,6 +36,13 @@ TEST(FitAbove, FindsARationalBoundAgain) {
   EXPECT_LT(excess.mean(), (first.logMagnitude(angles) - bound.array()).mean());
 }
 
+/// Roots on the unit circle, as rounding may leave them, give no start for a higher order.
+TEST(FitAbove, KeepsTheLowerOrderWhereNoStartIsStable) {
+  const VectorXd angles = logSpaced(1e-3, 3.14, 50), bound = VectorXd::Zero(50);
+  const MinimumPhase lower{1, vectorOf({-0.5}), vectorOf({-1.0})};
+  EXPECT_EQ(fitAbove(angles, bound, 2, lower).order(), 1);
+}
+
 UncertaintyWeight weightOf(const Estimate& estimate, const BoundsOptions& options = {}) {
   return uncertaintyWeight(PlantDistribution(estimate), frequencyGrid(estimate.nominal_model, 500),
                            options, 1);

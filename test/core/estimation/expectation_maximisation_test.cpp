@@ -45,21 +45,21 @@ Problem problemOf(Constraint constraint, int components, int dimension, std::uin
   return problem;
 }
 
-void expectMonotone(const Problem& problem, const ClimbOptions& options) {
+void expectMonotone(const Problem& problem, const OptimisationOptions& options) {
   const test::CoreSetup setup(problem.configuration, problem.experiments);
-  const Climb climb = expectationMaximisation(setup.likelihood(), problem.start, options);
-  ASSERT_GE(climb.trace.size(), 2u);
-  ASSERT_EQ(climb.at.mixture.components(), problem.start.mixture.components()) << "pruned";
+  const Optimum optimum = expectationMaximisation(setup.likelihood(), problem.start, options);
+  ASSERT_GE(optimum.trace.size(), 2u);
+  ASSERT_EQ(optimum.point.mixture.components(), problem.start.mixture.components()) << "pruned";
   double last = setup.logLikelihood(problem.start);
-  for (const TracePoint& point : climb.trace) {
+  for (const TracePoint& point : optimum.trace) {
     EXPECT_GE(point.log_likelihood, last - 1e-9 * std::abs(last))
         << "iteration " << point.iteration;
     last = point.log_likelihood;
   }
-  EXPECT_NEAR(setup.logLikelihood(climb.at), climb.log_likelihood,
-              1e-10 * std::abs(climb.log_likelihood));
+  EXPECT_NEAR(setup.logLikelihood(optimum.point), optimum.log_likelihood,
+              1e-10 * std::abs(optimum.log_likelihood));
   if (options.constraint == Constraint::zero_mean) {
-    EXPECT_LT(climb.at.mixture.mean().norm(), 1e-8);
+    EXPECT_LT(optimum.point.mixture.mean().norm(), 1e-8);
   }
 }
 
@@ -71,7 +71,8 @@ TEST_P(Monotone, NeverDescends) {
   const auto [constraint, components, dimension] = GetParam();
   for (std::uint64_t seed : {3u, 4u}) {
     const Problem problem = problemOf(constraint, components, dimension, seed);
-    ClimbOptions options = test::climbOptions(problem.configuration, problem.start.mixture, 1e-12);
+    OptimisationOptions options =
+        test::optimisationOptions(problem.configuration, problem.start.mixture, 1e-12);
     options.max_iterations = 60;
     expectMonotone(problem, options);
   }
@@ -85,7 +86,8 @@ TEST_P(Monotone, NeverDescendsNearSingularCovariances) {
     covariance = (dimension == 1 ? 1e-9 : 0.3) * MatrixXd::Ones(dimension, dimension);
     covariance.diagonal().array() += 1e-10;
   }
-  ClimbOptions options = test::climbOptions(problem.configuration, problem.start.mixture, 1e-12);
+  OptimisationOptions options =
+      test::optimisationOptions(problem.configuration, problem.start.mixture, 1e-12);
   options.max_iterations = 40;
   options.floor.setZero();
   expectMonotone(problem, options);
@@ -108,7 +110,8 @@ TEST(ExpectationMaximisation, IsMonotoneWithTheNuisancesOfRealRecords) {
   problem.configuration.estimation.noise_start = NoiseStart::stationary;
   problem.configuration.estimation.offsets = Offsets::estimate;
   problem.start.parameters = test::appended(problem.start.parameters, 0.5);
-  ClimbOptions options = test::climbOptions(problem.configuration, problem.start.mixture, 1e-12);
+  OptimisationOptions options =
+      test::optimisationOptions(problem.configuration, problem.start.mixture, 1e-12);
   options.max_iterations = 60;
   expectMonotone(problem, options);
 }
@@ -116,17 +119,20 @@ TEST(ExpectationMaximisation, IsMonotoneWithTheNuisancesOfRealRecords) {
 TEST(ExpectationMaximisation, EndsWhereTheGradientVanishes) {
   const Problem problem = problemOf(Constraint::zero_static_gain, 2, 1, 3);
   const test::CoreSetup setup(problem.configuration, problem.experiments);
-  const Climb climb = expectationMaximisation(
+  const Optimum optimum = expectationMaximisation(
       setup.likelihood(), problem.start,
-      test::climbOptions(problem.configuration, problem.start.mixture, 1e-9));
-  EXPECT_EQ(climb.termination, Termination::converged);
-  EXPECT_EQ(climb.iterations, static_cast<int>(climb.trace.size()));
-  const Statistics statistics = setup.likelihood().statistics(climb.at.parameters, true);
-  const Expectation e = setup.likelihood().expect(statistics, climb.at);
-  const MatrixXd all = scores(statistics, climb.at, e);
+      test::optimisationOptions(problem.configuration, problem.start.mixture, 1e-9));
+  EXPECT_EQ(optimum.termination, Termination::converged);
+  EXPECT_EQ(optimum.iterations, static_cast<int>(optimum.trace.size()));
+  EXPECT_GT(optimum.trace.front().step->norm, optimum.trace.back().step->norm);
+  EXPECT_GT(optimum.trace.front().step->gradient_norm, optimum.trace.back().step->gradient_norm);
+  const Statistics statistics = setup.likelihood().statistics(optimum.point.parameters, true);
+  const Expectation e = setup.likelihood().expect(statistics, optimum.point);
+  const MatrixXd all = scores(statistics, optimum.point, e);
   const VectorXd gradient = all.rowwise().sum(), size = all.rowwise().norm();
   for (Eigen::Index j = 0; j < gradient.size(); ++j) {
-    const bool weight = j >= climb.at.parameters.size() && j < climb.at.parameters.size() + 2;
+    const bool weight =
+        j >= optimum.point.parameters.size() && j < optimum.point.parameters.size() + 2;
     const double vanishing = gradient[j] - (weight ? 40.0 : 0.0);  // sum of weights is kept
     EXPECT_LT(std::abs(vanishing), 1e-3 * size[j]) << "coordinate " << j;
   }
@@ -135,19 +141,20 @@ TEST(ExpectationMaximisation, EndsWhereTheGradientVanishes) {
 TEST(ExpectationMaximisation, SaysHowItEnded) {
   const Problem problem = problemOf(Constraint::zero_static_gain, 2, 1, 3);
   const test::CoreSetup setup(problem.configuration, problem.experiments);
-  ClimbOptions options = test::climbOptions(problem.configuration, problem.start.mixture, 1e-12);
+  OptimisationOptions options =
+      test::optimisationOptions(problem.configuration, problem.start.mixture, 1e-12);
   options.max_iterations = 3;
-  const Climb limited = expectationMaximisation(setup.likelihood(), problem.start, options);
+  const Optimum limited = expectationMaximisation(setup.likelihood(), problem.start, options);
   EXPECT_EQ(limited.termination, Termination::iteration_limit);
   EXPECT_EQ(limited.iterations, 3);
   EXPECT_NE(limited.message.find("max_iterations"), std::string::npos);
   options.on_iterate = [](const TracePoint& point) { return point.iteration < 2; };
-  const Climb cancelled = expectationMaximisation(setup.likelihood(), problem.start, options);
+  const Optimum cancelled = expectationMaximisation(setup.likelihood(), problem.start, options);
   EXPECT_EQ(cancelled.termination, Termination::cancelled);
   EXPECT_EQ(cancelled.iterations, 2);
 }
 
-/// A component that explains no experiment is given up, and the climb goes on.
+/// A component that explains no experiment is removed, and the optimisation goes on.
 TEST(ExpectationMaximisation, PrunesEmptyComponents) {
   Problem problem = problemOf(Constraint::zero_static_gain, 2, 1, 3);
   Mixture& mixture = problem.start.mixture;
@@ -155,11 +162,12 @@ TEST(ExpectationMaximisation, PrunesEmptyComponents) {
   mixture.means.push_back(VectorXd::Constant(1, 40));
   mixture.covariances.push_back(MatrixXd::Constant(1, 1, 0.01));
   const test::CoreSetup setup(problem.configuration, problem.experiments);
-  const Climb climb = expectationMaximisation(
-      setup.likelihood(), problem.start, test::climbOptions(problem.configuration, mixture, 1e-7));
-  EXPECT_EQ(climb.at.mixture.components(), 2);
-  EXPECT_EQ(climb.termination, Termination::converged);
-  EXPECT_NEAR(climb.at.mixture.weights[0] + climb.at.mixture.weights[1], 1, 1e-12);
+  const Optimum optimum =
+      expectationMaximisation(setup.likelihood(), problem.start,
+                              test::optimisationOptions(problem.configuration, mixture, 1e-7));
+  EXPECT_EQ(optimum.point.mixture.components(), 2);
+  EXPECT_EQ(optimum.termination, Termination::converged);
+  EXPECT_NEAR(optimum.point.mixture.weights[0] + optimum.point.mixture.weights[1], 1, 1e-12);
 }
 
 }  // namespace

@@ -47,22 +47,22 @@ TEST_P(Golden, Gradients) {
 TEST_P(Golden, MaximumLikelihoodReachesTheOptimum) {
   const ModelParameters start = test::parametersOf(golden_.start);
   const int passes = setup_.likelihood().passes();
-  const Climb climb = maximumLikelihood(setup_.likelihood(), start,
-                                        test::climbOptions(configuration_, start.mixture, 1e-6));
-  EXPECT_EQ(climb.termination, Termination::converged) << climb.message;
-  EXPECT_GT(climb.log_likelihood, golden_.optimum.log_likelihood - 1e-5);
+  const Optimum optimum = maximumLikelihood(
+      setup_.likelihood(), start, test::optimisationOptions(configuration_, start.mixture, 1e-6));
+  EXPECT_EQ(optimum.termination, Termination::converged) << optimum.message;
+  EXPECT_GT(optimum.log_likelihood, golden_.optimum.log_likelihood - 1e-5);
   EXPECT_LE(setup_.likelihood().passes() - passes, 100);
-  EXPECT_NEAR(climb.log_likelihood, setup_.logLikelihood(climb.at), 1e-8);
-  EXPECT_LT((climb.at.parameters - golden_.optimum.theta).norm(),
+  EXPECT_NEAR(optimum.log_likelihood, setup_.logLikelihood(optimum.point), 1e-8);
+  EXPECT_LT((optimum.point.parameters - golden_.optimum.theta).norm(),
             1e-3 * golden_.optimum.theta.norm());
 }
 
 TEST_P(Golden, ExpectationMaximisationReachesTheOptimum) {
   const ModelParameters start = test::parametersOf(golden_.start);
-  const Climb climb = expectationMaximisation(
-      setup_.likelihood(), start, test::climbOptions(configuration_, start.mixture, 1e-9));
-  EXPECT_EQ(climb.termination, Termination::converged) << climb.message;
-  EXPECT_GT(climb.log_likelihood, golden_.optimum.log_likelihood - 1e-5);
+  const Optimum optimum = expectationMaximisation(
+      setup_.likelihood(), start, test::optimisationOptions(configuration_, start.mixture, 1e-9));
+  EXPECT_EQ(optimum.termination, Termination::converged) << optimum.message;
+  EXPECT_GT(optimum.log_likelihood, golden_.optimum.log_likelihood - 1e-5);
 }
 
 TEST_P(Golden, PassesAreCounted) {

@@ -20,8 +20,8 @@ TEST_P(Example1, AutomaticStartReachesTheOptimumNextToTheTruth) {
   const Configuration configuration = test::example1Configuration();
   const test::CoreSetup setup(configuration, system.experiments);
   const ModelParameters truth = test::parametersOf(system.truth);
-  const Climb from_truth = maximumLikelihood(
-      setup.likelihood(), truth, test::climbOptions(configuration, truth.mixture, 1e-7));
+  const Optimum from_truth = maximumLikelihood(
+      setup.likelihood(), truth, test::optimisationOptions(configuration, truth.mixture, 1e-7));
   ASSERT_EQ(from_truth.termination, Termination::converged);
   const Estimate estimate = Identifier(configuration).identify(system.experiments);
   EXPECT_EQ(estimate.termination, Termination::converged) << estimate.message;
@@ -40,11 +40,18 @@ TEST(NominalStarts, AreAdmissibleAndNearTheTruth) {
     ASSERT_EQ(start.size(), 4);
     EXPECT_TRUE(setup.model().admissible(start));
   }
-  const ModelParameters best =
-      bestSingleComponent(setup.likelihood(), starts, test::climbOptions(configuration, {}, 1e-6));
-  EXPECT_EQ(best.mixture.components(), 1);
-  EXPECT_LT((best.parameters - test::parametersOf(system.truth).parameters).norm(), 0.1)
-      << best.parameters.transpose();
+  const std::optional<ModelParameters> best = bestSingleComponent(
+      setup.likelihood(), starts, test::optimisationOptions(configuration, {}, 1e-6));
+  ASSERT_TRUE(best.has_value());
+  EXPECT_EQ(best->mixture.components(), 1);
+  EXPECT_LT((best->parameters - test::parametersOf(system.truth).parameters).norm(), 0.1)
+      << best->parameters.transpose();
+}
+
+TEST(BestSingleComponent, IsAbsentWithoutAStart) {
+  const auto system = test::example1(3);
+  const test::CoreSetup setup(test::example1Configuration(), system.experiments);
+  EXPECT_FALSE(bestSingleComponent(setup.likelihood(), {}, OptimisationOptions()).has_value());
 }
 
 TEST(NominalStarts, HoldTheOffset) {
@@ -87,7 +94,7 @@ TEST(SpreadComponents, FindsTheTwoComponentsOfExample1) {
   double reached = 0;
   const ModelParameters two =
       spreadComponents(setup.likelihood(), statistics, single, 2, 4, 1,
-                       test::climbOptions(configuration, single.mixture, 1e-6), &reached);
+                       test::optimisationOptions(configuration, single.mixture, 1e-6), &reached);
   EXPECT_EQ(setup.likelihood().passes(), passes) << "no sweep is needed";
   ASSERT_EQ(two.mixture.components(), 2);
   EXPECT_NEAR(reached, setup.logLikelihood(two), 1e-8);

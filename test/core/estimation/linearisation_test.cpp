@@ -70,23 +70,23 @@ TEST(Linearisation, EndsWhereThePointsAreThePosteriorMeans) {
   at_estimate.initial.mixture = estimate.error_model.mixture;
   at_estimate.initial.noise_variance = estimate.noise_variance.value;
   const Estimate evaluated = identified(at_estimate);
-  // the points iterated from zero are those that the climb ended with
+  // the points iterated from zero are those that the optimisation ended with
   EXPECT_NEAR(evaluated.log_likelihood, estimate.log_likelihood, 1e-3);
   for (std::size_t r = 0; r < estimate.experiments.size(); ++r) {
     EXPECT_NEAR(evaluated.experiments[r].error_mean[0], estimate.experiments[r].error_mean[0],
-                kStandingStill * 0.3);
+                kFixedPointTolerance * 0.3);
   }
 }
 
 TEST(Linearisation, BothAlgorithmsAgree) {
   Configuration em = configuration("example2_parameter_spread");
-  const Estimate climbed = identified(em);
+  const Estimate by_quasi_newton = identified(em);
   em.estimation.algorithm = Algorithm::em;
   const Estimate by_em = identified(em);
-  EXPECT_NEAR(by_em.log_likelihood, climbed.log_likelihood, 0.01);
+  EXPECT_NEAR(by_em.log_likelihood, by_quasi_newton.log_likelihood, 0.01);
   EXPECT_NEAR(by_em.nominal_model.parameters.front().value,
-              climbed.nominal_model.parameters.front().value,
-              0.05 * climbed.nominal_model.parameters.front().standard_error);
+              by_quasi_newton.nominal_model.parameters.front().value,
+              0.05 * by_quasi_newton.nominal_model.parameters.front().standard_error);
 }
 
 TEST(Linearisation, SensitivitiesExpressTheSpreadBetterThanOneTap) {

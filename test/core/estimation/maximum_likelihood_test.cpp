@@ -1,4 +1,4 @@
-// The quasi-Newton climb: same optimum as Algorithm 1, few sweeps, and it says how it ended.
+// The quasi-Newton optimisation: same optimum as Algorithm 1, few sweeps, and it says how it ended.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "estimation/observed_information.h"
+#include "estimation/scoring.h"
 #include "support/core_setup.h"
 
 namespace uncertainty_identification {
@@ -54,27 +55,27 @@ TEST_P(BothAlgorithms, ReachTheSameOptimum) {
   const Problem problem = problemOf(std::get<0>(GetParam()), std::get<1>(GetParam()));
   const test::CoreSetup setup(problem.configuration, problem.experiments);
   const auto options = [&](double tolerance) {
-    return test::climbOptions(problem.configuration, problem.start.mixture, tolerance);
+    return test::optimisationOptions(problem.configuration, problem.start.mixture, tolerance);
   };
   const int before = setup.likelihood().passes();
-  const Climb fast = maximumLikelihood(setup.likelihood(), problem.start, options(1e-7));
+  const Optimum fast = maximumLikelihood(setup.likelihood(), problem.start, options(1e-7));
   EXPECT_EQ(fast.termination, Termination::converged) << fast.message;
   EXPECT_LE(setup.likelihood().passes() - before, 100);
-  ClimbOptions patient = options(1e-9);
+  OptimisationOptions patient = options(1e-9);
   patient.max_iterations = 20000;
   ModelParameters start = problem.start;
   if (patient.constraint ==
       Constraint::zero_mean) {  // the gain of Go against the mixture: EM crawls
-    start = fast.at;
+    start = fast.point;
     start.noise_variance *= 1.1;
     for (MatrixXd& covariance : start.mixture.covariances) covariance *= 1.2;
   }
-  const Climb slow = expectationMaximisation(setup.likelihood(), start, patient);
+  const Optimum slow = expectationMaximisation(setup.likelihood(), start, patient);
   EXPECT_EQ(slow.termination, Termination::converged) << slow.message;
   EXPECT_NEAR(fast.log_likelihood, slow.log_likelihood, 1e-4);
   EXPECT_GT(fast.log_likelihood, slow.log_likelihood - 1e-5);
   if (patient.constraint == Constraint::zero_mean) {
-    EXPECT_LT(fast.at.mixture.mean().norm(), 1e-12);
+    EXPECT_LT(fast.point.mixture.mean().norm(), 1e-12);
   }
 }
 
@@ -87,17 +88,27 @@ INSTANTIATE_TEST_SUITE_P(All, BothAlgorithms,
 TEST(MaximumLikelihood, EndsAtAMaximum) {
   const Problem problem = problemOf(Constraint::zero_static_gain, true);
   const test::CoreSetup setup(problem.configuration, problem.experiments);
-  const ClimbOptions options =
-      test::climbOptions(problem.configuration, problem.start.mixture, 1e-8);
-  const Climb climb = maximumLikelihood(setup.likelihood(), problem.start, options);
-  EXPECT_NEAR(setup.logLikelihood(climb.at), climb.log_likelihood, 1e-9);
-  for (std::size_t k = 1; k < climb.trace.size(); ++k) {
-    EXPECT_GT(climb.trace[k].log_likelihood, climb.trace[k - 1].log_likelihood);
-    EXPECT_GT(climb.trace[k].passes, climb.trace[k - 1].passes);
+  const OptimisationOptions options =
+      test::optimisationOptions(problem.configuration, problem.start.mixture, 1e-8);
+  const Optimum optimum = maximumLikelihood(setup.likelihood(), problem.start, options);
+  EXPECT_NEAR(setup.logLikelihood(optimum.point), optimum.log_likelihood, 1e-9);
+  int steps = 1;
+  for (std::size_t k = 1; k < optimum.trace.size(); ++k) {
+    const TracePoint& before = optimum.trace[k - 1];
+    const TracePoint& now = optimum.trace[k];
+    EXPECT_GT(now.passes, before.passes);
+    if (!now.step) continue;  // the start of L-BFGS
+    EXPECT_EQ(now.iteration, ++steps);
+    EXPECT_EQ(now.log_likelihood > before.log_likelihood, now.step->accepted) << k;
+    EXPECT_GT(now.step->norm, 0);
+    EXPECT_GE(now.step->seconds, 0);
   }
+  EXPECT_EQ(optimum.trace.front().iteration, 1) << "scoring steps count, too";
+  EXPECT_EQ(optimum.iterations, steps);
+  EXPECT_LT(optimum.trace.back().step->gradient_norm, optimum.trace[0].step->gradient_norm);
   const Parametrisation parametrisation(setup.model(), options.constraint, 2, MatrixXd::Zero(1, 1));
-  const ScoredPoint top =
-      scoredPoint(setup.likelihood(), parametrisation, parametrisation.toCoordinates(climb.at));
+  const ScoredPoint top = scoredPoint(setup.likelihood(), parametrisation,
+                                      parametrisation.toCoordinates(optimum.point));
   const MatrixXd information = observedInformation(setup.likelihood(), parametrisation, top, true);
   const Eigen::LLT<MatrixXd> factor(information);
   ASSERT_EQ(factor.info(), Eigen::Success) << "curved upwards somewhere";
@@ -112,7 +123,8 @@ TEST(ScoringSteps, NeverDescend) {
       problem.start.parameters *= distance;
       problem.start.noise_variance = 1e-3;
       const test::CoreSetup setup(problem.configuration, problem.experiments);
-      ClimbOptions options = test::climbOptions(problem.configuration, problem.start.mixture, 1e-9);
+      OptimisationOptions options =
+          test::optimisationOptions(problem.configuration, problem.start.mixture, 1e-9);
       double last = setup.logLikelihood(problem.start);
       int steps = 0;
       options.on_iterate = [&](const TracePoint& point) {
@@ -132,15 +144,22 @@ TEST(ScoringSteps, NeverDescend) {
 TEST(MaximumLikelihood, SaysHowItEnded) {
   const Problem problem = problemOf(Constraint::zero_static_gain, false);
   const test::CoreSetup setup(problem.configuration, problem.experiments);
-  ClimbOptions options = test::climbOptions(problem.configuration, problem.start.mixture, 1e-9);
+  OptimisationOptions options =
+      test::optimisationOptions(problem.configuration, problem.start.mixture, 1e-9);
   options.max_iterations = 2;
-  const Climb limited = maximumLikelihood(setup.likelihood(), problem.start, options);
+  const Optimum limited = maximumLikelihood(setup.likelihood(), problem.start, options);
   EXPECT_EQ(limited.termination, Termination::iteration_limit) << limited.message;
   EXPECT_TRUE(std::isfinite(limited.log_likelihood));
+  EXPECT_EQ(limited.iterations, 2);
+  options.max_iterations = 1;
+  const Optimum one = maximumLikelihood(setup.likelihood(), problem.start, options);
+  EXPECT_EQ(one.termination, Termination::iteration_limit) << one.message;
+  EXPECT_EQ(one.iterations, 1);
+  EXPECT_GT(limited.log_likelihood, one.log_likelihood);
   options.max_iterations = 1000;
   int calls = 0;
   options.on_iterate = [&](const TracePoint&) { return ++calls < 7; };
-  const Climb cancelled = maximumLikelihood(setup.likelihood(), problem.start, options);
+  const Optimum cancelled = maximumLikelihood(setup.likelihood(), problem.start, options);
   EXPECT_EQ(cancelled.termination, Termination::cancelled);
   EXPECT_GT(cancelled.log_likelihood, setup.logLikelihood(problem.start));
 }
@@ -149,10 +168,11 @@ TEST(MaximumLikelihood, SaysHowItEnded) {
 TEST(MaximumLikelihood, IsCancelledAtItsFirstIterate) {
   const Problem problem = problemOf(Constraint::zero_static_gain, false);
   const test::CoreSetup setup(problem.configuration, problem.experiments);
-  ClimbOptions options = test::climbOptions(problem.configuration, problem.start.mixture, 1e-9);
+  OptimisationOptions options =
+      test::optimisationOptions(problem.configuration, problem.start.mixture, 1e-9);
   int calls = 0;
   options.on_iterate = [&](const TracePoint&) { return ++calls != 1; };
-  const Climb cancelled = maximumLikelihood(setup.likelihood(), problem.start, options);
+  const Optimum cancelled = maximumLikelihood(setup.likelihood(), problem.start, options);
   EXPECT_EQ(cancelled.termination, Termination::cancelled);
 }
 
@@ -161,11 +181,11 @@ TEST(MaximumLikelihood, StallsWhereTheLikelihoodIsNotFinite) {
   Problem problem = problemOf(Constraint::zero_static_gain, false);
   for (Experiment& experiment : problem.experiments) experiment.y *= 1e200;
   const test::CoreSetup setup(problem.configuration, problem.experiments);
-  const Climb climb =
-      maximumLikelihood(setup.likelihood(), problem.start,
-                        test::climbOptions(problem.configuration, problem.start.mixture, 1e-6));
-  EXPECT_EQ(climb.termination, Termination::stalled);
-  EXPECT_FALSE(climb.message.empty());
+  const Optimum optimum = maximumLikelihood(
+      setup.likelihood(), problem.start,
+      test::optimisationOptions(problem.configuration, problem.start.mixture, 1e-6));
+  EXPECT_EQ(optimum.termination, Termination::stalled);
+  EXPECT_FALSE(optimum.message.empty());
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ struct Drawn {
 
 TEST(UpdateMixture, FollowsThePapersEquations) {
   Drawn drawn(3, 2, 30);
-  ClimbOptions options;
+  OptimisationOptions options;
   options.constraint = Constraint::free;
   updateMixture(drawn.statistics, drawn.e, options, &drawn.at);
   for (Index i = 0; i < 3; ++i) {
@@ -99,7 +99,7 @@ class ZeroMean : public testing::TestWithParam<int> {};
 TEST_P(ZeroMean, SolvesTheConstrainedProblem) {
   Drawn drawn(GetParam(), 2, 30);
   const Mixture before = drawn.at.mixture;
-  ClimbOptions options;
+  OptimisationOptions options;
   options.constraint = Constraint::zero_mean;
   updateMixture(drawn.statistics, drawn.e, options, &drawn.at);
   const Mixture& mixture = drawn.at.mixture;
@@ -131,7 +131,7 @@ TEST_P(ZeroMean, KeepsADistributionWhereTheDataContradictIt) {
     for (int draw = 0; draw < 20; ++draw) {
       Drawn drawn(GetParam(), 2, 30);
       drawn.e.means.array() += shift;
-      ClimbOptions options;
+      OptimisationOptions options;
       options.constraint = Constraint::zero_mean;
       updateMixture(drawn.statistics, drawn.e, options, &drawn.at);
       ASSERT_NO_THROW(drawn.at.mixture.validate("mixture")) << "shift " << shift;
@@ -142,7 +142,7 @@ TEST_P(ZeroMean, KeepsADistributionWhereTheDataContradictIt) {
 
 TEST(ZeroMeanOfOneComponent, IsZero) {
   Drawn drawn(1, 2, 30);
-  ClimbOptions options;
+  OptimisationOptions options;
   options.constraint = Constraint::zero_mean;
   updateMixture(drawn.statistics, drawn.e, options, &drawn.at);
   EXPECT_EQ(drawn.at.mixture.weights[0], 1);
@@ -153,7 +153,7 @@ TEST(ZeroMeanOfOneComponent, IsZero) {
 
 TEST(Floor, LiftsOnlyWhatLiesBelow) {
   Drawn drawn(2, 2, 30);
-  ClimbOptions options;
+  OptimisationOptions options;
   options.constraint = Constraint::free;
   updateMixture(drawn.statistics, drawn.e, options, &drawn.at);
   const MatrixXd free = drawn.at.mixture.covariances[0];
@@ -227,19 +227,19 @@ TEST_P(CollapseGuard, HoldsComponentsAboveTheFloor) {
   start.mixture = {{0.9, 0.1},
                    {VectorXd::Zero(1), VectorXd::Constant(1, 7)},
                    std::vector<MatrixXd>(2, MatrixXd::Constant(1, 1, 0.5))};
-  ClimbOptions climbing;
-  climbing.constraint = Constraint::zero_static_gain;
-  climbing.floor = covarianceFloor(start.mixture);
-  climbing.max_iterations = 300;
-  const Climb climb = GetParam() ? maximumLikelihood(setup.likelihood(), start, climbing)
-                                 : expectationMaximisation(setup.likelihood(), start, climbing);
-  ASSERT_EQ(climb.at.mixture.components(), 2);
-  const double floor = climbing.floor(0, 0);
-  EXPECT_NEAR(climb.at.mixture.weights[1], 2.0 / 32, 1e-3);
-  EXPECT_NEAR(climb.at.mixture.means[1][0], 8, 0.1);
-  EXPECT_GE(climb.at.mixture.covariances[1](0, 0), floor * (1 - 1e-9));
-  EXPECT_LT(climb.at.mixture.covariances[1](0, 0), 1.01 * floor) << "what to guard against";
-  EXPECT_TRUE(std::isfinite(climb.log_likelihood));
+  OptimisationOptions limited;
+  limited.constraint = Constraint::zero_static_gain;
+  limited.floor = covarianceFloor(start.mixture);
+  limited.max_iterations = 300;
+  const Optimum optimum = GetParam() ? maximumLikelihood(setup.likelihood(), start, limited)
+                                     : expectationMaximisation(setup.likelihood(), start, limited);
+  ASSERT_EQ(optimum.point.mixture.components(), 2);
+  const double floor = limited.floor(0, 0);
+  EXPECT_NEAR(optimum.point.mixture.weights[1], 2.0 / 32, 1e-3);
+  EXPECT_NEAR(optimum.point.mixture.means[1][0], 8, 0.1);
+  EXPECT_GE(optimum.point.mixture.covariances[1](0, 0), floor * (1 - 1e-9));
+  EXPECT_LT(optimum.point.mixture.covariances[1](0, 0), 1.01 * floor) << "what to guard against";
+  EXPECT_TRUE(std::isfinite(optimum.log_likelihood));
 }
 
 INSTANTIATE_TEST_SUITE_P(BothAlgorithms, CollapseGuard, testing::Bool());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "support/core_setup.h"
 
@@ -20,6 +21,24 @@ TEST(MixtureParameters, AreTheFreeOnes) {
   EXPECT_EQ(mixtureParameters(Constraint::free, 3, 2), 1 + 6 + 12);
   EXPECT_EQ(mixtureParameters(Constraint::zero_mean, 3, 2), 1 + 3 + 12);
   EXPECT_EQ(mixtureParameters(Constraint::zero_mean, 2, 1), 3);
+}
+
+Candidate candidateOf(std::optional<double> bic) { return {"taps", "", 3, 0.0, bic, {}, false}; }
+
+TEST(ChooseLeastBic, MarksTheFirstOfLeastBic) {
+  std::vector<Candidate> candidates{candidateOf(1), candidateOf(5), candidateOf({}), candidateOf(4),
+                                    candidateOf(4)};
+  EXPECT_EQ(chooseLeastBic(1, &candidates), std::optional<std::size_t>(3));
+  for (std::size_t k = 0; k < candidates.size(); ++k) EXPECT_EQ(candidates[k].chosen, k == 3) << k;
+}
+
+/// What is not a number or infinite is no reason to choose a candidate.
+TEST(ChooseLeastBic, MarksNoneWhereNoBicIsFinite) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::vector<Candidate> candidates{candidateOf(kInfinity), candidateOf(-kInfinity),
+                                    candidateOf(std::nan("")), candidateOf({})};
+  EXPECT_FALSE(chooseLeastBic(0, &candidates).has_value());
+  for (const Candidate& candidate : candidates) EXPECT_FALSE(candidate.chosen);
 }
 
 class SelectOrders : public testing::Test {
@@ -71,11 +90,11 @@ TEST_F(SelectOrders, ByPredictionFindsThemToo) {
   EXPECT_EQ(chosen.delay, 3);
   EXPECT_EQ(chosen.structure, Structure::output_error);
   int marked = 0;
-  double lowest = candidates_[0].bic, of_marked = 0;
+  double lowest = *candidates_[0].bic, of_marked = 0;
   for (const Candidate& candidate : candidates_) {
     marked += candidate.chosen ? 1 : 0;
-    if (candidate.chosen) of_marked = candidate.bic;
-    lowest = std::min(lowest, candidate.bic);
+    if (candidate.chosen) of_marked = *candidate.bic;
+    lowest = std::min(lowest, *candidate.bic);
   }
   EXPECT_EQ(marked, 1);
   EXPECT_EQ(of_marked, lowest);

@@ -22,8 +22,9 @@ struct Maximum {
   Maximum(const Configuration& configuration, const std::vector<Experiment>& experiments,
           const ModelParameters& start)
       : setup(configuration, experiments) {
-    const ClimbOptions options = test::climbOptions(configuration, start.mixture, 1e-8);
-    at = maximumLikelihood(setup.likelihood(), start, options).at;
+    const OptimisationOptions options =
+        test::optimisationOptions(configuration, start.mixture, 1e-8);
+    at = maximumLikelihood(setup.likelihood(), start, options).point;
     const Index n = setup.model().regressors();
     const Parametrisation parametrisation(setup.model(), options.constraint,
                                           at.mixture.components(), MatrixXd::Zero(n, n));

@@ -33,10 +33,10 @@ OneOfTwo judged(double distance, const FitContext& context) {
   const Fit one = mixtureFitted(start.model, start.at, data, context.options, 50);
   const Likelihood likelihood(*one.model, data.blocks(), data.count(), 1);
   double reached = 0;
-  ClimbOptions climb = context.options;
-  climb.floor = covarianceFloor(one.at.mixture);
+  OptimisationOptions with_floor = context.options;
+  with_floor.floor = covarianceFloor(one.at.mixture);
   spreadComponents(likelihood, likelihood.statistics(one.at.parameters, false), one.at, 2, 4, 1,
-                   climb, &reached);
+                   with_floor, &reached);
   return {one, data, reached - one.log_likelihood};
 }
 

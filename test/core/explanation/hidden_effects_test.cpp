@@ -95,7 +95,7 @@ TEST(HiddenEffects, AreNamedThoughTheDeclaredNoiseModelHoldsThem) {
 }
 
 // In scripts/benchmark_explanation's run 8 the declared noise pole has taken the place of a pair
-// that is missing, from where no climb leads to all three.
+// that is missing, from where no optimisation finds all three.
 TEST(HiddenEffects, AreNamedThoughTheDeclaredNoisePoleTookTheirPlace) {
   const Explanation explanation = explainedInBenchmark({"noise_colour"}, 15283938968436521478U);
   EXPECT_EQ(explanation.verdict, Verdict::explained) << explanation.message;

@@ -199,7 +199,7 @@ TEST_P(Cancelled, InAnyPhaseEndsAndIsTold) {
 
 INSTANTIATE_TEST_SUITE_P(Phases, Cancelled,
                          testing::Values("checking the data", "choosing orders", "starting values",
-                                         "climbing", "standard errors"));
+                                         "optimising", "standard errors"));
 
 TEST(Identifier, ReportsRisingProgress) {
   double last = 0;
@@ -319,7 +319,7 @@ TEST(Identifier, GivesTheJointCovarianceOfPlantAndMixture) {
   EXPECT_EQ(held.joint_covariance.rows(), joint.rows());
 }
 
-TEST(Identifier, ClimbsFromAZeroDeadTime) {
+TEST(Identifier, LeavesAStartWithoutDeadTime) {
   test::RandomSystemOptions options;
   options.nc = options.nd = options.taps = 0;
   auto system = test::randomSystem(options, 2);

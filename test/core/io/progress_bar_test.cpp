@@ -14,9 +14,9 @@ TEST(ProgressBar, ShowsPhaseShareAndLikelihoodAndClearsItself) {
   std::ostringstream out;
   {
     ProgressBar bar(out, true);
-    bar.show({"climbing", 0.5, -3092.5331});
+    bar.show({"optimising", 0.5, -3092.5331});
     EXPECT_EQ(out.str(),
-              "\r\x1b[K[############            ] 50 % climbing, log-likelihood -3092.533");
+              "\r\x1b[K[############            ] 50 % optimising, log-likelihood -3092.533");
     out.str("");
     bar.show({"choosing orders", kNan, kNan});
     EXPECT_EQ(out.str(), "\r\x1b[K[                        ] 0 % choosing orders");
@@ -30,7 +30,7 @@ TEST(ProgressBar, ShowsPhaseShareAndLikelihoodAndClearsItself) {
 
 TEST(ProgressBar, IsSilentWhereThereIsNoTerminal) {
   std::ostringstream out;
-  { ProgressBar(out, false).show({"climbing", 0.5, -1}); }
+  { ProgressBar(out, false).show({"optimising", 0.5, -1}); }
   EXPECT_EQ(out.str(), "");
 }
 

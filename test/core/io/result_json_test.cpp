@@ -54,9 +54,9 @@ Estimate estimate() {
   full.iterations = 7;
   full.passes = 9;
   full.seconds = 0.5;
-  full.trace = {{1, 2, -5.5}, {2, 4, -4.5}};
+  full.trace = {{1, 2, -5.5, StepSummary{0.5, 3, true, 0.25}}, {2, 4, -4.5}};
   full.experiments = {{"exp \"1\"", 100, {0.1, 0.9}, vector({0.7}), -10.25}};
-  full.candidates = {{"orders", "output_error nb=2 na=2 delay=1", 4, kNan, 5, 93.5, true}};
+  full.candidates = {{"orders", "output_error nb=2 na=2 delay=1", 4, {}, 5.0, 93.5, true}};
   full.validation = {{"v1", "v2"}, {90.5, -3}, 85, -12};
   full.residual_tests = {150, {0.1, -0.2}, {1.0 / 3, 0.01}, 0.25, kNan};
   full.warnings = {"a warning"};
@@ -109,6 +109,8 @@ TEST(ResultJson, HoldsTheFieldsOfTheFormat) {
   EXPECT_EQ(tree["passes"], 9);
   EXPECT_EQ(tree["seconds"], 0.5);
   EXPECT_EQ(tree["data_fingerprint"], "abc");
+  EXPECT_EQ(tree["trace"][0]["step"],
+            json({{"norm", 0.5}, {"gradient_norm", 3}, {"accepted", true}, {"seconds", 0.25}}));
   EXPECT_EQ(tree["trace"][1], json({{"iteration", 2}, {"passes", 4}, {"log_likelihood", -4.5}}));
   EXPECT_EQ(tree["experiments"]["estimates"][0]["responsibilities"], json({0.1, 0.9}));
   EXPECT_EQ(tree["validation"]["simulation_fit_percent_pooled"], 85);
@@ -136,6 +138,15 @@ TEST(ResultJson, RoundTripThroughTextKeepsEveryBit) {
   EXPECT_EQ(back.noise_variance.unit, "V^2");
   EXPECT_EQ(back.termination, Termination::iteration_limit);
   EXPECT_EQ(back.experiments[0].id, "exp \"1\"");
+}
+
+TEST(ResultJson, StepsOfTheTraceMayBeAbsentAsInOlderResults) {
+  const Estimate back = estimateFromJson(toJson(estimate()));
+  ASSERT_EQ(back.trace.size(), 2u);
+  EXPECT_EQ(back.trace[0].step->norm, 0.5);
+  EXPECT_TRUE(back.trace[0].step->accepted);
+  EXPECT_FALSE(back.trace[1].step.has_value());
+  EXPECT_FALSE(back.candidates[0].log_likelihood.has_value());
 }
 
 TEST(ResultJson, ExplicitMatrixSurvives) {

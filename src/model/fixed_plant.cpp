@@ -1,4 +1,4 @@
-#include "model/held_plant.h"
+#include "model/fixed_plant.h"
 
 #include "model/box_jenkins.h"
 
@@ -6,9 +6,9 @@ namespace uncertainty_identification {
 namespace {
 
 /// The noise part of a Box-Jenkins model beside a plant that does not move.
-class HeldPlant : public NominalModel {
+class FixedPlant : public NominalModel {
  public:
-  HeldPlant(const Polynomials& plant, int nc, int nd) : plant_(plant), nc_(nc), nd_(nd) {
+  FixedPlant(const Polynomials& plant, int nc, int nd) : plant_(plant), nc_(nc), nd_(nd) {
     NominalModelOptions options;
     options.nb = static_cast<int>(plant.b.size());
     options.na = static_cast<int>(plant.a.size());
@@ -63,8 +63,8 @@ class HeldPlant : public NominalModel {
 
 }  // namespace
 
-std::shared_ptr<const NominalModel> holdPlant(const Polynomials& plant, int nc, int nd) {
-  return std::make_shared<HeldPlant>(plant, nc, nd);
+std::shared_ptr<const NominalModel> fixPlant(const Polynomials& plant, int nc, int nd) {
+  return std::make_shared<FixedPlant>(plant, nc, nd);
 }
 
 }  // namespace uncertainty_identification

@@ -1,4 +1,4 @@
-#include "model/held_plant.h"
+#include "model/fixed_plant.h"
 
 #include <gtest/gtest.h>
 
@@ -18,8 +18,8 @@ Polynomials plant() {
   return p;
 }
 
-TEST(HeldPlant, HasOnlyTheNoiseForParameters) {
-  const auto model = holdPlant(plant(), 1, 2);
+TEST(FixedPlant, HasOnlyTheNoiseForParameters) {
+  const auto model = fixPlant(plant(), 1, 2);
   EXPECT_EQ(model->names(), (std::vector<std::string>{"c1", "d1", "d2"}));
   EXPECT_EQ(model->structure(), "box_jenkins");
   const Polynomials p = model->polynomials(vectorOf({0.3, -0.5, 0.2}));
@@ -33,8 +33,8 @@ TEST(HeldPlant, HasOnlyTheNoiseForParameters) {
   EXPECT_FALSE(model->admissible(vectorOf({1.3, -0.5, 0.2})));
 }
 
-TEST(HeldPlant, CoordinatesAndJacobians) {
-  const auto model = holdPlant(plant(), 2, 2);
+TEST(FixedPlant, CoordinatesAndJacobians) {
+  const auto model = fixPlant(plant(), 2, 2);
   const VectorXd z = vectorOf({0.3, -0.6, 1.1, 0.2}), theta = model->fromUnbounded(z);
   EXPECT_LT((model->toUnbounded(theta) - z).norm(), 1e-12);
   const auto theta_of = [&](const VectorXd& at) { return model->fromUnbounded(at); };
@@ -43,8 +43,8 @@ TEST(HeldPlant, CoordinatesAndJacobians) {
   EXPECT_LT((model->jacobian(theta) - test::differences(stacked, theta)).norm(), 1e-9);
 }
 
-TEST(HeldPlant, WithWhiteNoiseHasNoParameters) {
-  const auto model = holdPlant(plant(), 0, 0);
+TEST(FixedPlant, WithWhiteNoiseHasNoParameters) {
+  const auto model = fixPlant(plant(), 0, 0);
   EXPECT_EQ(model->structure(), "output_error");
   EXPECT_EQ(model->parameterCount(), 0);
   EXPECT_EQ(model->polynomials(VectorXd(0)).b, plant().b);

@@ -1,0 +1,51 @@
+#include "data/check.h"
+#include "identification/steps.h"
+#include "uncertainty_identification/errors.h"
+
+namespace uncertainty_identification {
+
+CheckedData checkData(const Configuration& configuration,
+                      const std::vector<Experiment>& experiments, Journal* journal) {
+  journal->progress.report(Phase::check, 0);
+  std::vector<std::string> covariates;
+  for (const SignalOptions& covariate : configuration.covariates)
+    covariates.push_back(covariate.name);
+  const CheckReport checked =
+      checkExperiments(experiments, configuration.limits, covariates, configuration.sample_time);
+  journal->warnings = checked.warnings;
+  CheckedData data;
+  data.rejected = checked.rejected;
+  for (int r : checked.usable) data.experiments.push_back(experiments[static_cast<std::size_t>(r)]);
+  if (data.experiments.empty()) {
+    std::string reasons;
+    for (const RejectedExperiment& rejected : checked.rejected) reasons += "\n  " + rejected.reason;
+    throw DataError(experiments.empty() ? "no experiments were given"
+                                        : "no usable experiment is left:" + reasons);
+  }
+  data.blocks = makeBlocks(data.experiments);
+  return data;
+}
+
+Configuration limitErrorModel(Configuration configuration, int experiments, Journal* journal) {
+  constexpr int kFewest = 4;  // experiments that a mixture needs
+  ErrorModelOptions& options = configuration.error_model;
+  if (options.taps == 0) options.components = 1;
+  if (experiments >= kFewest || options.taps == 0) return configuration;
+  if (experiments == 1) {
+    options.taps = 0;
+    options.components = 1;
+    options.constraint = Constraint::free;
+    journal->warnings.push_back(
+        "one experiment shows no spread of the plant: a plain nominal model was identified; record "
+        "more experiments to learn its uncertainty");
+  } else if (options.components != 1) {
+    options.components = 1;
+    journal->warnings.push_back(
+        std::to_string(experiments) +
+        " experiments cannot carry a mixture: one Gaussian component was identified; a mixture "
+        "needs at least 4 experiments, better 20");
+  }
+  return configuration;
+}
+
+}  // namespace uncertainty_identification

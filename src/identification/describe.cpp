@@ -1,0 +1,77 @@
+#include <algorithm>
+
+#include "data/check.h"
+#include "estimation/residual_tests.h"
+#include "estimation/selection.h"
+#include "identification/steps.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::VectorXd;
+
+std::vector<ExperimentEstimate> describeExperiments(const Problem& problem,
+                                                    const FittedModel& fitted) {
+  const ModelParameters& point = fitted.optimum.point;
+  const Expectation e =
+      fitted.likelihood->expect(fitted.likelihood->statistics(point.parameters, false), point);
+  const LatentMoments moments = latentMoments(e);
+  std::vector<ExperimentEstimate> described;
+  for (Eigen::Index r = 0; r < e.log_likelihood.size(); ++r) {
+    const Experiment& experiment = problem.data.experiments[static_cast<std::size_t>(r)];
+    const VectorXd responsibilities = e.responsibilities.col(r);
+    described.push_back(
+        {experiment.id,
+         experiment.validSamples(),
+         {responsibilities.data(), responsibilities.data() + responsibilities.size()},
+         moments.means.col(r),
+         e.log_likelihood[r]});
+  }
+  return described;
+}
+
+}  // namespace
+
+Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* journal) {
+  const LinearModel& model = *fitted.model;
+  const Optimum& optimum = fitted.optimum;
+  const ModelParameters& point = optimum.point;
+  const NominalModel& nominal = model.nominal();
+  const Polynomials p = nominal.polynomials(point.parameters.head(nominal.parameterCount()));
+  Estimate estimate;
+  estimate.configuration = problem.configuration;
+  estimate.configuration.error_model.components = fitted.components;
+  estimate.data_fingerprint = dataFingerprint(problem.data.experiments);
+  estimate.experiment_count = problem.data.count();
+  estimate.sample_count = problem.data.validSamples();
+  estimate.rejected = problem.data.rejected;
+  estimate.nominal_model = {
+      nominal.structure(), problem.data.sampleTime(), p.delay, p.b, p.a, p.c, p.d, {}, {}};
+  estimate.error_model.options = estimate.configuration.error_model;
+  estimate.error_model.T = model.basis().T();
+  estimate.error_model.mixture = point.mixture;
+  estimate.experiments = describeExperiments(problem, fitted);
+  describeParameters(problem, fitted, journal, &estimate);
+  if (!journal->progress.cancelled()) {
+    const int noise = static_cast<int>(p.c.size() + p.d.size());
+    estimate.residual_tests = residualTests(model, problem.data.blocks, point.parameters, noise,
+                                            std::max(0, nominal.parameterCount() - noise));
+  }
+  estimate.log_likelihood = optimum.log_likelihood;
+  estimate.termination = optimum.termination;
+  estimate.message = optimum.message;
+  estimate.iterations = optimum.iterations;
+  estimate.trace = optimum.trace;
+  if (optimum.termination == Termination::stalled ||
+      optimum.termination == Termination::iteration_limit)
+    journal->warnings.push_back("the estimation did not converge: " + optimum.message);
+  const std::size_t fixed = problem.plant ? problem.plant->parameters.size() : 0;
+  estimate.bic = bic(estimate.log_likelihood, model.parameterCount() + static_cast<int>(fixed) + 1,
+                     mixtureParameters(problem.configuration.error_model.constraint,
+                                       model.regressors(), point.mixture.components()),
+                     static_cast<double>(estimate.sample_count), estimate.experiment_count);
+  journal->passes += fitted.likelihood->passes();
+  return estimate;
+}
+
+}  // namespace uncertainty_identification

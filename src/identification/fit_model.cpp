@@ -1,0 +1,124 @@
+#include <Eigen/Eigenvalues>
+
+#include "estimation/linearisation.h"
+#include "identification/steps.h"
+#include "uncertainty_identification/errors.h"
+
+/// The optimisation of the likelihood. Models that are linear in the error parameters only near a
+/// point for each experiment are linearised about the posterior means, by a fixed-point iteration
+/// (docs/method.md, section on parameters that vary).
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::MatrixXd;
+
+/// Replaces the model, and the likelihood with it.
+void useModel(const Problem& problem, std::unique_ptr<LinearModel> model, FittedModel* fitted,
+              Journal* journal) {
+  if (fitted->likelihood != nullptr) journal->passes += fitted->likelihood->passes();
+  fitted->likelihood = likelihoodOf(problem, *model);
+  fitted->model = std::move(model);
+}
+
+void requireEnoughSamples(const Problem& problem, const LinearModel& model) {
+  const int parameters = model.parameterCount() + 1;
+  Response response;
+  const Eigen::VectorXd anywhere =
+      model.fromUnbounded(Eigen::VectorXd::Zero(model.parameterCount()));
+  model.evaluate(problem.data.blocks.back(), anywhere, false, &response);
+  const long nuisances = static_cast<long>(response.column_precision.size()) * problem.data.count();
+  const long samples = problem.data.validSamples();
+  if (samples >= 2 * (parameters + nuisances)) return;
+  throw DataError(
+      "the orders are too large for the data: " + std::to_string(parameters) + " parameters and " +
+      std::to_string(nuisances) + " unknown initial values or offsets against " +
+      std::to_string(samples) +
+      " measured samples; lower the orders (nominal_model: nb, na, nc, nd, delay), set "
+      "estimation.initial_state: zero if the experiments start at rest, or record longer "
+      "experiments");
+}
+
+/// Optimises from the point reached so far, with the iterations that are left.
+void optimise(const Problem& problem, OptimisationOptions options, int passes,
+              FittedModel* fitted) {
+  const Optimum& before = fitted->optimum;
+  options.max_iterations -= before.iterations;
+  const bool em = problem.configuration.estimation.algorithm == Algorithm::em;
+  Optimum next = (em ? expectationMaximisation : maximumLikelihood)(*fitted->likelihood,
+                                                                    before.point, options);
+  next.point.mixture.sortComponents();
+  for (TracePoint& done : next.trace) {
+    done.iteration += before.iterations;
+    done.passes += passes;
+  }
+  next.iterations += before.iterations;
+  next.trace.insert(next.trace.begin(), before.trace.begin(), before.trace.end());
+  fitted->optimum = std::move(next);
+}
+
+/// Optimises and linearises about the new posterior means in turn until these no longer move: then
+/// the estimate maximises the likelihood that is linearised about its own posterior means.
+void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& options,
+                          MatrixXd points, FittedModel* fitted, Journal* journal) {
+  constexpr int kMostRounds = 50;
+  optimise(problem, options, journal->passes, fitted);
+  for (int round = 0; fitted->model->isLocallyLinear(); ++round) {
+    Optimum& optimum = fitted->optimum;
+    if (journal->progress.cancelled() || optimum.iterations >= options.max_iterations) return;
+    Linearisation next =
+        nextLinearisation(*fitted->model, *fitted->likelihood, optimum.point, points);
+    if (next.move < kFixedPointTolerance) return;
+    if (round == kMostRounds) {
+      optimum.termination = Termination::stalled;
+      optimum.message =
+          "the points that the model is linearised about did not converge; the experiments may be "
+          "too short to determine their own parameters";
+      return;
+    }
+    points = std::move(next.points);
+    useModel(problem, std::move(next.model), fitted, journal);
+    optimise(problem, options, journal->passes, fitted);
+  }
+}
+
+void warnAboutFloor(const Mixture& mixture, const MatrixXd& floor, Journal* journal) {
+  for (std::size_t i = 0; floor.size() > 0 && i < mixture.covariances.size(); ++i) {
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(mixture.covariances[i], floor);
+    if (eigen.eigenvalues().minCoeff() > 1.01) continue;
+    journal->warnings.push_back(
+        "the covariance of component " + std::to_string(i + 1) +
+        " is at its lower limit in some direction: the experiments hardly differ there, or the "
+        "component holds too few of them");
+  }
+}
+
+}  // namespace
+
+FittedModel fitModel(const Problem& problem, Journal* journal) {
+  const Configuration& configuration = problem.configuration;
+  FittedModel fitted;
+  useModel(problem, buildModel(problem), &fitted, journal);
+  requireEnoughSamples(problem, *fitted.model);
+  const ModelParameters start = findStart(problem, *fitted.model, *fitted.likelihood, journal);
+  fitted.components = givenMixture(problem).components() > 0 ? configuration.error_model.components
+                                                             : start.mixture.components();
+  fitted.optimum.point = start;
+  auto about =
+      linearisedAtPosteriorMeans(*fitted.model, problem.data.blocks, problem.data.count(),
+                                 threadsOf(configuration.estimation), start, &journal->passes);
+  if (about) useModel(problem, std::move(about->model), &fitted, journal);
+  if (configuration.estimation.max_iterations == 0) {
+    const Statistics statistics = fitted.likelihood->statistics(start.parameters, false);
+    fitted.optimum.log_likelihood = fitted.likelihood->expect(statistics, start).total();
+    fitted.optimum.message = "evaluated at the start, as max_iterations: 0 asks";
+    return fitted;
+  }
+  OptimisationOptions options =
+      optimisationOptions(configuration, Phase::optimum, &journal->progress);
+  options.floor = covarianceFloor(start.mixture);
+  optimiseToFixedPoint(problem, options, about ? about->points : MatrixXd(), &fitted, journal);
+  warnAboutFloor(fitted.optimum.point.mixture, options.floor, journal);
+  return fitted;
+}
+
+}  // namespace uncertainty_identification

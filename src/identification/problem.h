@@ -1,0 +1,89 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "estimation/optimisation.h"
+#include "identification/progress_phases.h"
+#include "model/linear_model.h"
+
+namespace uncertainty_identification {
+
+/// What one identification is asked for.
+struct Request {
+  Configuration configuration;
+  NominalModelFactory nominal_model;   ///< empty: the model that the configuration names
+  ProgressCallback progress;           ///< may be empty
+  const Estimate* previous = nullptr;  ///< the estimate to start from; null: none
+};
+
+/// Experiments that passed the checks, and those that did not.
+struct CheckedData {
+  std::vector<Experiment> experiments;
+  std::vector<Block> blocks;
+  std::vector<RejectedExperiment> rejected;
+
+  int count() const { return static_cast<int>(experiments.size()); }
+  double sampleTime() const { return experiments.front().sample_time; }  ///< [s]
+  long validSamples() const;
+};
+
+/// Go fitted to its free simulation, before H and the error model are.
+struct FittedPlant {
+  Polynomials polynomials;
+  double offset = 0;
+  ModelParameters point;  ///< of the output-error model that was fitted
+  std::vector<ParameterEstimate> parameters{};
+  Eigen::MatrixXd covariance{};             ///< of `parameters`
+  Eigen::MatrixXd coordinate_covariance{};  ///< of plantCoordinates()
+};
+
+/// What the steps of an identification start from. Each step that chooses something returns it, and
+/// the next one gets a problem that contains it.
+struct Problem {
+  const CheckedData& data;
+  NominalModelFactory nominal_model;  ///< as in Request
+  const Estimate* previous;           ///< as in Request
+  Configuration configuration;        ///< `auto` is replaced by what was chosen so far
+  std::optional<FittedPlant> plant;   ///< nominal_model.fit: simulation only
+};
+
+/// What all steps add to.
+struct Journal {
+  ProgressPhases progress;
+  std::vector<Candidate> candidates{};  ///< tried by the automatic choices
+  std::vector<std::string> warnings{};
+  int passes = 0;  ///< sweeps over all samples
+};
+
+/// The model of the whole problem at the highest likelihood that was found.
+struct FittedModel {
+  std::unique_ptr<LinearModel> model;  ///< linearised about the posterior means where need be
+  std::unique_ptr<Likelihood> likelihood;
+  int components = kAutomatic;  ///< of the mixture, as chosen; automatic where `initial` gives one
+  Optimum optimum;
+};
+
+/// The number of threads that the options name or, where automatic, one less than there are cores.
+int threadsOf(const EstimationOptions& options);
+
+/// Options of an optimisation whose iterations are reported as progress of `phase`.
+OptimisationOptions optimisationOptions(const Configuration& configuration, Phase phase,
+                                        ProgressPhases* progress);
+
+/// The nominal model that the request or its configuration names.
+std::shared_ptr<const NominalModel> nominalModelOf(const Problem& problem);
+
+/// The same, or, once the plant is fitted, the noise model around the fixed plant.
+std::shared_ptr<const NominalModel> remainingNominalModel(const Problem& problem);
+
+/// The model to be fitted, with the error model and the effects of the configuration. Where it is
+/// only locally linear it is linearised about zero.
+std::unique_ptr<LinearModel> buildModel(const Problem& problem);
+
+/// The likelihood of the problem's data. The model must outlive it.
+std::unique_ptr<Likelihood> likelihoodOf(const Problem& problem, const LinearModel& model);
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+
+#include "uncertainty_identification/identifier.h"
+
+namespace uncertainty_identification {
+
+/// The phases of an identification, in their order.
+enum class Phase { check, orders, plant, noise_orders, taps, start, components, optimum, errors };
+
+/// Tells a caller how far an identification is. The fraction that it reports never decreases, even
+/// where a phase runs again. The only place that knows whether the caller has cancelled.
+class ProgressPhases {
+ public:
+  explicit ProgressPhases(const ProgressCallback& callback) : callback_(callback) {}
+
+  /// A share of `phase` is done. False once the caller has cancelled.
+  bool report(Phase phase, double share, std::optional<double> log_likelihood = {});
+
+  bool cancelled() const { return cancelled_; }
+
+ private:
+  ProgressCallback callback_;
+  double fraction_ = 0;
+  bool cancelled_ = false;
+};
+
+}  // namespace uncertainty_identification

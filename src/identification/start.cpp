@@ -1,0 +1,189 @@
+#include <algorithm>
+
+#include "estimation/initial_guess.h"
+#include "estimation/selection.h"
+#include "identification/steps.h"
+#include "uncertainty_identification/errors.h"
+
+/// Where the optimisation starts, and with how many components.
+namespace uncertainty_identification {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+const ParameterEstimate* named(const std::vector<ParameterEstimate>& parameters,
+                               const std::string& name) {
+  const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                  [&](const ParameterEstimate& one) { return one.name == name; });
+  return found == parameters.end() ? nullptr : &*found;
+}
+
+/// Parameter k of a model as an earlier estimate has it; 0 where it has none.
+double previousValue(const Estimate& previous, const LinearModel& model, std::size_t k,
+                     const ParameterRole& role) {
+  if (role.of == ParameterRole::Of::input_offset) return previous.offset_u;
+  if (role.of == ParameterRole::Of::output_offset) return previous.offset_y;
+  if (role.of == ParameterRole::Of::nominal_model) {
+    const ParameterEstimate* found = named(previous.nominal_model.parameters, role.name);
+    return found == nullptr ? 0.0 : found->value;
+  }
+  for (const EffectEstimate& effect : previous.effects) {
+    if (effect.name != role.effect_name || effect.variant != role.effect_variant) continue;
+    if (const ParameterEstimate* found = named(effect.parameters, role.name))
+      return model.fromReported(k, found->value, previous.noise_variance.value);
+  }
+  return 0.0;
+}
+
+VectorXd previousParameters(const Estimate& previous, const LinearModel& model) {
+  const std::vector<ParameterRole> roles = model.roles();
+  VectorXd parameters(static_cast<Index>(roles.size()));
+  for (std::size_t k = 0; k < roles.size(); ++k)
+    parameters[static_cast<Index>(k)] = previousValue(previous, model, k, roles[k]);
+  return parameters;
+}
+
+/// `initial.theta`, an offset of zero and the effects' starting values.
+VectorXd initialParameters(const Problem& problem, const LinearModel& model) {
+  const std::vector<std::string> names = nominalModelOf(problem)->names();
+  const VectorXd& theta = problem.configuration.initial.theta;
+  if (theta.size() != static_cast<Index>(names.size())) {
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+    throw ConfigurationError("initial.theta: the model has " + std::to_string(names.size()) +
+                             " parameters (" + all + "), found " + std::to_string(theta.size()));
+  }
+  VectorXd own = VectorXd::Zero(model.parameterCount());
+  Index count = 0;
+  for (const ParameterRole& role : model.roles()) {
+    if (role.of == ParameterRole::Of::effect) continue;
+    const auto found = std::find(names.begin(), names.end(), role.name);
+    if (found != names.end()) own[count] = theta[found - names.begin()];
+    ++count;
+  }
+  return model.withStartingValues(own.head(count), problem.configuration.effects);
+}
+
+/// A start with the given mixture, and the noise variance that is given or fits it.
+ModelParameters withGivenMixture(const Problem& problem, const Mixture& mixture,
+                                 const VectorXd& parameters, const Likelihood& likelihood) {
+  const int dimension = likelihood.model().regressors();
+  if (mixture.dimension() != dimension) {
+    throw ConfigurationError("initial.means: the error model has " + std::to_string(dimension) +
+                             " free parameters, found " + std::to_string(mixture.dimension()));
+  }
+  ModelParameters start{parameters, mixture, 1.0};
+  const std::optional<double>& given = problem.configuration.initial.noise_variance;
+  if (problem.previous != nullptr) {
+    start.noise_variance = problem.previous->noise_variance.value;
+  } else if (given) {
+    start.noise_variance = *given;
+  } else {
+    const Statistics statistics = likelihood.statistics(parameters, false);
+    updateMixture(statistics, likelihood.expect(statistics, start), OptimisationOptions(), &start);
+    start.mixture = mixture;
+  }
+  return start;
+}
+
+/// The mixture of the number of components asked for or, where it is automatic, of least BIC.
+ModelParameters chooseComponents(const Problem& problem, const ModelParameters& single,
+                                 const Likelihood& likelihood, Journal* journal) {
+  const ErrorModelOptions& error_model = problem.configuration.error_model;
+  const EstimationOptions& estimation = problem.configuration.estimation;
+  OptimisationOptions options =
+      optimisationOptions(problem.configuration, Phase::components, &journal->progress);
+  options.floor = covarianceFloor(single.mixture);
+  const bool automatic = error_model.components == kAutomatic;
+  const int first = automatic ? 1 : error_model.components;
+  const int last =
+      automatic ? std::min(error_model.max_components, problem.data.count() / 4) : first;
+  const Statistics statistics = likelihood.statistics(single.parameters, false);
+  const int parameters = likelihood.model().parameterCount() + 1;
+  std::vector<ModelParameters> points;
+  std::vector<Candidate> candidates;
+  for (int components = first; components <= std::max(last, first); ++components) {
+    double reached = 0;
+    points.push_back(spreadComponents(likelihood, statistics, single, components,
+                                      estimation.restarts, estimation.seed, options, &reached));
+    const int mixture =
+        mixtureParameters(error_model.constraint, likelihood.model().regressors(), components);
+    candidates.push_back(
+        {"components",
+         "components=" + std::to_string(components),
+         parameters + mixture,
+         reached,
+         bic(reached, parameters, mixture, statistics.samples().sum(), problem.data.count()),
+         {},
+         false});
+  }
+  const std::optional<std::size_t> least = chooseLeastBic(0, &candidates);
+  if (automatic)
+    journal->candidates.insert(journal->candidates.end(), candidates.begin(), candidates.end());
+  return least ? points[*least] : single;
+}
+
+}  // namespace
+
+bool hasGivenParameters(const Problem& problem) {
+  return problem.previous != nullptr || problem.configuration.initial.theta.size() > 0;
+}
+
+const Mixture& givenMixture(const Problem& problem) {
+  return problem.previous != nullptr ? problem.previous->error_model.mixture
+                                     : problem.configuration.initial.mixture;
+}
+
+VectorXd givenParameters(const Problem& problem, const LinearModel& model) {
+  const VectorXd parameters = problem.previous != nullptr
+                                  ? previousParameters(*problem.previous, model)
+                                  : initialParameters(problem, model);
+  if (!model.admissible(parameters)) {
+    throw ConfigurationError(
+        "initial.theta: A, C and D must have their roots inside the unit circle");
+  }
+  return parameters;
+}
+
+std::vector<VectorXd> startsFromData(const Problem& problem, const LinearModel& model) {
+  const Configuration& configuration = problem.configuration;
+  const std::vector<Experiment>& experiments = problem.data.experiments;
+  const LinearModel plain(remainingNominalModel(problem), model.basis(), configuration.estimation);
+  std::vector<VectorXd> starts =
+      problem.plant
+          ? noiseStarts(plain, problem.plant->polynomials, problem.plant->offset, experiments)
+          : nominalStarts(plain, configuration.nominal_model, experiments);
+  for (VectorXd& start : starts) start = model.withStartingValues(start, configuration.effects);
+  return starts;
+}
+
+ModelParameters requireStart(const std::optional<ModelParameters>& found,
+                             const LinearModel& model) {
+  if (found && model.admissible(found->parameters)) return *found;
+  throw DataError(
+      "the likelihood is not finite at any start; check the units and the scale of the data, or "
+      "give a start: initial.theta");
+}
+
+ModelParameters findStart(const Problem& problem, const LinearModel& model,
+                          const Likelihood& likelihood, Journal* journal) {
+  const std::vector<VectorXd> starts = hasGivenParameters(problem)
+                                           ? std::vector<VectorXd>{givenParameters(problem, model)}
+                                           : startsFromData(problem, model);
+  if (starts.empty())
+    throw DataError("no start could be found for these orders; give `initial: {theta: [...]}`");
+  const Mixture& mixture = givenMixture(problem);
+  if (mixture.components() > 0)
+    return withGivenMixture(problem, mixture, starts.front(), likelihood);
+  const ModelParameters single = requireStart(
+      bestSingleComponent(
+          likelihood, starts,
+          optimisationOptions(problem.configuration, Phase::start, &journal->progress)),
+      model);
+  if (problem.configuration.error_model.components == 1) return single;
+  return chooseComponents(problem, single, likelihood, journal);
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,39 @@
+#include "data/check.h"
+#include "estimation/linearisation.h"
+#include "estimation/simulation_fit.h"
+#include "identification/steps.h"
+#include "uncertainty_identification/errors.h"
+
+namespace uncertainty_identification {
+
+Validation validate(const Problem& problem, const FittedModel& fitted,
+                    const std::vector<Experiment>& experiments, Journal* journal) {
+  Validation validation;
+  if (experiments.empty()) return validation;
+  const Configuration& configuration = problem.configuration;
+  const CheckReport checked =
+      checkExperiments(experiments, configuration.limits, {}, problem.data.sampleTime());
+  for (const RejectedExperiment& rejected : checked.rejected)
+    journal->warnings.push_back("validation: " + rejected.reason);
+  std::vector<Experiment> used;
+  for (int r : checked.usable) used.push_back(experiments[static_cast<std::size_t>(r)]);
+  if (used.empty()) throw DataError("no usable experiment is left for validation");
+  for (const Experiment& experiment : used) validation.experiments.push_back(experiment.id);
+  const ModelParameters& point = fitted.optimum.point;
+  const NominalModel& nominal = fitted.model->nominal();
+  const SimulationFit fit =
+      simulationFit(nominal, point.parameters.head(nominal.parameterCount()),
+                    plantOf(*fitted.model, point).offset, configuration.estimation, used);
+  validation.simulation_fit_percent = fit.percent;
+  validation.simulation_fit_percent_pooled = fit.pooled;
+  const std::vector<Block> blocks = makeBlocks(used);
+  const int count = static_cast<int>(used.size()), threads = threadsOf(configuration.estimation);
+  const auto about =
+      linearisedAtPosteriorMeans(*fitted.model, blocks, count, threads, point, &journal->passes);
+  const Likelihood likelihood(about ? *about->model : *fitted.model, blocks, count, threads);
+  const Statistics statistics = likelihood.statistics(point.parameters, false);
+  validation.log_density_per_experiment = likelihood.expect(statistics, point).total() / count;
+  return validation;
+}
+
+}  // namespace uncertainty_identification
