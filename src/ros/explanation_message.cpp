@@ -1,6 +1,7 @@
 #include "ros/explanation_message.h"
 
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "uncertainty_identification/io/explanation_json.h"

@@ -2,6 +2,7 @@
 
 #include <std_msgs/Bool.h>
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "ros/deserialise.h"

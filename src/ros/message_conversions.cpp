@@ -1,5 +1,7 @@
 #include "ros/message_conversions.h"
 
+#include <nlohmann/json.hpp>
+
 #include "ros/number_list.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"

@@ -1,5 +1,6 @@
 #include "ros/robust_margin_server.h"
 
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "uncertainty_identification/errors.h"

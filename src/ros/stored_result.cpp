@@ -1,5 +1,7 @@
 #include "ros/stored_result.h"
 
+#include <nlohmann/json.hpp>
+
 #include "io/atomic_file.h"
 #include "io/read_file.h"
 #include "uncertainty_identification/errors.h"

@@ -1,12 +1,10 @@
-#include "io/baseline_json.h"
+#include "io/baseline_binding.h"
 
+#include "io/archive.h"
 #include "io/estimate_binding.h"
-#include "io/tree_reader.h"
-#include "io/tree_writer.h"
 
 namespace uncertainty_identification {
 
-template <class Archive>
 void bind(Archive& archive, ExperimentFit& fit) {
   archive("id", fit.id);
   archive("parameters", fit.parameters);
@@ -20,7 +18,6 @@ void bind(Archive& archive, ExperimentFit& fit) {
   archive("log_likelihood", fit.log_likelihood);
 }
 
-template <class Archive>
 void bind(Archive& archive, Baseline& baseline) {
   archive("method", baseline.method);
   archive("experiments", baseline.fits);
@@ -29,21 +26,6 @@ void bind(Archive& archive, Baseline& baseline) {
   archive("error_models", baseline.error_models);
   archive("omega", baseline.omega);
   archive("magnitude_bands", baseline.magnitude_bands);
-}
-
-nlohmann::json toJson(const Baseline& baseline) {
-  Baseline copy = baseline;
-  TreeWriter writer;
-  bind(writer, copy);
-  return writer.tree();
-}
-
-Baseline baselineFromJson(const nlohmann::json& json) {
-  const std::map<std::string, int> no_lines;
-  TreeReader reader(json, no_lines, ReadingRule::record);
-  Baseline baseline;
-  bind(reader, baseline);
-  return baseline;
 }
 
 }  // namespace uncertainty_identification
