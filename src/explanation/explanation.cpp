@@ -8,13 +8,13 @@
 #include <optional>
 
 #include "configuration/require.h"
+#include "configuration/thread_count.h"
 #include "explanation/attempt.h"
 #include "explanation/checks.h"
 #include "explanation/estimate_fit.h"
 #include "explanation/intervals.h"
 #include "explanation/order_candidates.h"
 #include "explanation/verdict.h"
-#include "math/thread_count.h"
 #include "model/sensitivity.h"
 #include "uncertainty_identification/errors.h"
 

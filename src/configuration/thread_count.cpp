@@ -1,4 +1,4 @@
-#include "math/thread_count.h"
+#include "configuration/thread_count.h"
 
 #include <algorithm>
 #include <thread>
