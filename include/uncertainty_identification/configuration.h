@@ -87,11 +87,13 @@ struct ErrorModelOptions {
 /// How the parameters are found.
 struct EstimationOptions {
   Algorithm algorithm = Algorithm::maximum_likelihood;
-  int max_iterations = 2000;  ///< 0 evaluates the model at `initial`
-  double tolerance = 1e-6;    ///< em: relative change of all parameters (paper, section 5);
-                              ///< maximum_likelihood: predicted gain left [nats]
-  int restarts = 8;           ///< further seeded starts of the mixture
-  int threads = kAutomatic;   ///< kAutomatic: cores - 1, at least 1; never changes a result
+  /// Of the optimisation, scoring steps included, without the search for a start. 0 evaluates the
+  /// model at `initial`.
+  int max_iterations = 2000;
+  double tolerance = 1e-6;   ///< em: relative change of all parameters (paper, section 5);
+                             ///< maximum_likelihood: predicted gain left [nats]
+  int restarts = 8;          ///< further seeded starts of the mixture
+  int threads = kAutomatic;  ///< kAutomatic: cores - 1, at least 1; never changes a result
   std::uint64_t seed = 1;
   InitialState initial_state = InitialState::estimate;
   int discard_samples = 50;  ///< initial_state: discard; leading samples kept out of the likelihood

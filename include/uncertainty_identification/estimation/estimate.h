@@ -97,7 +97,7 @@ struct ResidualTests {
 
 /// The step of an iteration, in the coordinates that the method steps in.
 struct StepSummary {
-  double norm = 0;           ///< Euclidean norm; 0 where no step raised the log-likelihood
+  double norm = 0;  ///< Euclidean norm; 0 where none was found or L-BFGS evaluates its start
   double gradient_norm = 0;  ///< of the log-likelihood, where the step begins
   bool accepted = false;     ///< false: the point before it is kept
   double seconds = 0;        ///< [s] wall time
