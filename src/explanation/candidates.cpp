@@ -45,8 +45,8 @@ std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
                      }),
       candidates.end());
   inParallel(context, candidates.size(), [&](std::size_t k) {
-    converge(&candidates[k], approached(candidates[k], data, context), base, data, context, 4,
-             leadsFar(*candidates[k].effect));
+    converge(&candidates[k], afterPredictedStep(candidates[k], data, context), base, data, context,
+             4, leadsFar(*candidates[k].effect));
   });
   for (std::size_t k = 0; wrong && k < candidates.size(); ++k) {
     if (candidates[k].effect->name() == "act_delay")  // the error model imitates short ones
@@ -69,8 +69,8 @@ FittedEffect oneMoreComponent(const Fit& base, const FitData& data,
   const int components = base.at.mixture.components(), n = base.at.mixture.dimension();
   FittedEffect candidate{effect, base, 0, kNone, {}, false};
   if (n == 0 || data.count() < 4 * (components + 1)) return candidate;
-  candidate.fit = improved(withNewMixture(base, data, context, components + 1, 8), data,
-                           context.options, 4, 0.05);
+  candidate.fit = takeScoringSteps(withNewMixture(base, data, context, components + 1, 8), data,
+                                   context.options, 4, 0.05);
   candidate.penalty = 0.5 * (1 + n + n * (n + 1) / 2.0) * std::log(data.count()) + kSelection;
   candidate.score = candidate.fit.log_likelihood - base.log_likelihood - candidate.penalty;
   for (const double weight : candidate.fit.at.mixture.weights)

@@ -9,11 +9,12 @@
 #include <thread>
 
 #include "configuration/require.h"
-#include "explanation/attempt.h"
-#include "explanation/checks.h"
 #include "explanation/estimate_fit.h"
 #include "explanation/intervals.h"
 #include "explanation/order_candidates.h"
+#include "explanation/residual_checks.h"
+#include "explanation/residual_picture.h"
+#include "explanation/search_outcome.h"
 #include "explanation/verdict.h"
 #include "model/sensitivity.h"
 #include "uncertainty_identification/errors.h"
@@ -69,11 +70,11 @@ class Explaining {
  private:
   bool report(const std::string& phase, double fraction, std::optional<double> log_likelihood);
   bool isExcluded(const std::string& name) const;
-  std::vector<Signature> takeOutSpoiled(Split* data);
+  std::vector<SpoiltSamples> takeOutSpoiled(Split* data);
   Estimate identify(const std::vector<Experiment>& experiments);
-  Attempt bestAttempt(const Split& data, const std::vector<Signature>& signatures);
+  SearchOutcome bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt);
   void tellOrders(const Estimate& chosen, const Estimate& explained);
-  void tellTie(const Attempt& other, const Attempt& best);
+  void tellTie(const SearchOutcome& other, const SearchOutcome& best);
   void tellHeldOut(const Split& data);
   FitContext context(const Estimate& estimate);
   Cause described(const FoundCause& found, const SearchState& state) const;
@@ -102,20 +103,20 @@ bool Explaining::isExcluded(const std::string& name) const {
   return std::find(excluded.begin(), excluded.end(), name) != excluded.end();
 }
 
-std::vector<Signature> Explaining::takeOutSpoiled(Split* data) {
+std::vector<SpoiltSamples> Explaining::takeOutSpoiled(Split* data) {
   constexpr double kAny = 0.999;  // what is taken out here was not missing from the recording
   data->train = withoutRest(std::move(data->train));
   data->held = withoutRest(std::move(data->held));
-  std::vector<Signature> signatures;
-  for (Signature& signature : signaturesOf(data->train)) {
-    if (!isExcluded(signature.name)) signatures.push_back(std::move(signature));
+  std::vector<SpoiltSamples> spoilt;
+  for (SpoiltSamples& each : checkSamples(data->train)) {
+    if (!isExcluded(each.name)) spoilt.push_back(std::move(each));
   }
-  for (const Signature& signature : signatures) {
-    data->train = withoutSpoiled(std::move(data->train), signature);
-    data->held = withoutSpoiled(std::move(data->held), signature);
-    if (signature.name != "sens_quant") configuration_.limits.max_missing = kAny;
+  for (const SpoiltSamples& each : spoilt) {
+    data->train = withoutSpoiled(std::move(data->train), each);
+    data->held = withoutSpoiled(std::move(data->held), each);
+    if (each.name != "sens_quant") configuration_.limits.max_missing = kAny;
   }
-  return signatures;
+  return spoilt;
 }
 
 Estimate Explaining::identify(const std::vector<Experiment>& experiments) {
@@ -132,7 +133,7 @@ void Explaining::tellOrders(const Estimate& chosen, const Estimate& explained) {
                                   after + ", which is explained here");
 }
 
-void Explaining::tellTie(const Attempt& other, const Attempt& best) {
+void Explaining::tellTie(const SearchOutcome& other, const SearchOutcome& best) {
   if (other.merit() <= best.merit() || other.found.causes.size() <= best.found.causes.size())
     return;
   std::string names;
@@ -160,7 +161,7 @@ FitContext Explaining::context(const Estimate& estimate) {
     const std::lock_guard<std::mutex> lock(reporting_);  // asked by all threads
     return report("searching causes", 0.3 + 0.6 * searched_, reached);
   };
-  context.searched = [this](double share) {
+  context.report_searched = [this](double share) {
     const std::lock_guard<std::mutex> lock(reporting_);
     searched_ = std::max(searched_, share);
   };
@@ -169,29 +170,31 @@ FitContext Explaining::context(const Estimate& estimate) {
 
 /// Where the orders are not told, a model with more poles and zeros may take up what an effect of
 /// fewer parameters explains on top of a smaller one.
-Attempt Explaining::bestAttempt(const Split& data, const std::vector<Signature>& signatures) {
+SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt) {
   const Estimate chosen = identify(data.train);
   const std::vector<Estimate> candidates = orderCandidates(
       configuration_, chosen, data.train, context(chosen),
       [this](const Progress& at) { return report("choosing orders", 0.3, at.log_likelihood); });
-  const auto worth = [this](const Attempt& of) {  // a tie is no reason to name anything
+  const auto worth = [this](const SearchOutcome& of) {  // a tie is no reason to name anything
     return of.merit() -
            configuration_.explanation.acceptance * static_cast<double>(of.found.causes.size());
   };
-  std::vector<Attempt> attempts;
+  std::vector<SearchOutcome> attempts;
   for (const Estimate& candidate : candidates) {
     attempts.push_back(
-        attempted(configuration_.explanation, context(candidate), candidate, data, signatures));
-    const SearchState& first = attempts.front().found;
-    if (!first.causes.empty() && allPassed(checksOf(first.fit, first.train, first.heavy_tails)))
+        searchOnTopOf(configuration_.explanation, context(candidate), candidate, data, spoilt));
+    const SearchState& first = outcomes.front().found;
+    if (!first.causes.empty() &&
+        allPassed(checkResiduals(first.fit, first.train, first.heavy_tails)))
       break;
   }
-  auto best = std::max_element(
-      attempts.begin(), attempts.end(),
-      [&](const Attempt& left, const Attempt& right) { return worth(left) < worth(right); });
+  auto best = std::max_element(attempts.begin(), attempts.end(),
+                               [&](const SearchOutcome& left, const SearchOutcome& right) {
+                                 return worth(left) < worth(right);
+                               });
   explanation_.warnings = best->estimate.warnings;
   tellOrders(chosen, best->estimate);
-  for (const Attempt& other : attempts) tellTie(other, *best);
+  for (const SearchOutcome& other : attempts) tellTie(other, *best);
   return std::move(*best);
 }
 
@@ -204,11 +207,12 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
           "fir, laguerre or kautz: explain looks for parameters that vary by itself");
   requireKnown(configuration_.explanation.exclude, experiments);
   Split data = split(configuration_, experiments, validation);
-  const std::vector<Signature> signatures = takeOutSpoiled(&data);
-  const Attempt best = bestAttempt(data, signatures);
+  const std::vector<SpoiltSamples> spoilt = takeOutSpoiled(&data);
+  const SearchOutcome best = bestOutcome(data, spoilt);
   tellHeldOut(data);
   explanation_.before = best.estimate;
-  explanation_.checks_before = checksOf(best.base.fit, best.base.train, best.base.heavy_tails);
+  explanation_.checks_before =
+      checkResiduals(best.base.fit, best.base.train, best.base.heavy_tails);
   explanation_.candidates = best.tried;
   describe(best.base, best.found);
   return std::move(explanation_);
@@ -248,7 +252,7 @@ void Explaining::describeModels(const SearchState& base, const SearchState& foun
 
 void Explaining::describe(const SearchState& base, const SearchState& found) {
   report("describing", 0.9, found.fit.log_likelihood);
-  explanation_.checks_after = checksOf(found.fit, found.train, found.heavy_tails);
+  explanation_.checks_after = checkResiduals(found.fit, found.train, found.heavy_tails);
   const bool passed = allPassed(explanation_.checks_after);
   for (const FoundCause& cause : found.causes) {
     if (cause.effect->name() == "exp_feedback")

@@ -90,8 +90,8 @@ Fit relinearised(const Fit& fit, const FitData& data) {
                    fit.at, data);
 }
 
-Fit improved(Fit fit, const FitData& data, const OptimisationOptions& options, int steps,
-             double tolerance) {
+Fit takeScoringSteps(Fit fit, const FitData& data, const OptimisationOptions& options, int steps,
+                     double tolerance) {
   constexpr int kSettling = 3;  // rounds until points and posterior means agree
   const bool local = fit.model->isLocallyLinear();
   for (int round = 0; local && round < kSettling && std::isfinite(fit.log_likelihood); ++round)
@@ -108,7 +108,7 @@ Fit improved(Fit fit, const FitData& data, const OptimisationOptions& options, i
   return fit;
 }
 
-Fit judged(const Fit& fit, const FitData& data) {
+Fit evaluateOn(const Fit& fit, const FitData& data) {
   constexpr int kRounds = 4;
   ModelParameters at = fit.at;
   std::shared_ptr<const ExtendedModel> model = fit.model->forExperiments(data.count());

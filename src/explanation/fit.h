@@ -55,10 +55,10 @@ Fit relinearised(const Fit& fit, const FitData& data);
 
 /// Up to `steps` joint scoring steps with mixture updates, linearised anew after each two where the
 /// model is linear only locally; ends when one gains less than `tolerance` [nats].
-Fit improved(Fit fit, const FitData& data, const OptimisationOptions& options, int steps,
-             double tolerance);
+Fit takeScoringSteps(Fit fit, const FitData& data, const OptimisationOptions& options, int steps,
+                     double tolerance);
 
 /// A fit of an experiment set that was not fitted to: points found for each experiment.
-Fit judged(const Fit& fit, const FitData& data);
+Fit evaluateOn(const Fit& fit, const FitData& data);
 
 }  // namespace uncertainty_identification

@@ -38,7 +38,8 @@ bool isOfMixture(const Effect& effect) {
   return effect.name() == "exp_mode" || effect.name() == "plant_aging";
 }
 
-Fit approached(const FittedEffect& candidate, const FitData& data, const FitContext& context) {
+Fit afterPredictedStep(const FittedEffect& candidate, const FitData& data,
+                       const FitContext& context) {
   constexpr int kMixtureSteps = 5;
   Fit best = evaluated(candidate.fit.model, candidate.fit.at, data);
   if (candidate.step.size() == 0) return best;
@@ -58,10 +59,10 @@ Fit approached(const FittedEffect& candidate, const FitData& data, const FitCont
 
 void converge(FittedEffect* candidate, Fit fit, const Fit& base, const FitData& data,
               const FitContext& context, int steps, bool anew) {
-  fit = improved(std::move(fit), data, context.options, steps, 0.05);
+  fit = takeScoringSteps(std::move(fit), data, context.options, steps, 0.05);
   if (anew) fit = withNewStart(fit, data, context, steps);
   candidate->started_anew = candidate->started_anew || anew;
-  if (steps > 5) fit = searched(std::move(fit), data, context);
+  if (steps > 5) fit = searchGrid(std::move(fit), data, context);
   candidate->fit = std::move(fit);
   candidate->score = candidate->fit.log_likelihood - base.log_likelihood - candidate->penalty;
 }

@@ -23,7 +23,8 @@ std::vector<FittedEffect> screenedEffects(const Fit& base, const FitData& data,
 
 /// The candidate at its start, or moved by the predicted step or part of it, psi within its bounds:
 /// a gain of the wrong sign would not be climbed away from.
-Fit approached(const FittedEffect& candidate, const FitData& data, const FitContext& context);
+Fit afterPredictedStep(const FittedEffect& candidate, const FitData& data,
+                       const FitContext& context);
 
 /// Climbs on from `fit`, `anew` from new starts of theta and mixture too, and scores over `base`.
 void converge(FittedEffect* candidate, Fit fit, const Fit& base, const FitData& data,

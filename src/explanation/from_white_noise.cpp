@@ -48,7 +48,8 @@ std::vector<FittedEffect> mostPromising(const Fit& white, const Fit& base, const
   for (FittedEffect& each : fitted)
     each.score = -std::numeric_limits<double>::infinity();  // until it is one over the base
   inParallel(context, fitted.size(), [&](std::size_t k) {
-    converge(&fitted[k], approached(fitted[k], data, context), base, data, context, kSteps, false);
+    converge(&fitted[k], afterPredictedStep(fitted[k], data, context), base, data, context, kSteps,
+             false);
   });
   return fitted;
 }

@@ -25,25 +25,28 @@ Fit without(const Fit& fit, std::size_t k, const FitData& data) {
 
 /// What a candidate adds.
 PairedGains gainsOf(const SearchState& base, const FittedEffect& candidate) {
-  if (!isOfTails(*candidate.effect)) return base.gains(base.fit, candidate.fit);
-  return tailGains(base, lawOf(*candidate.effect));
+  if (!isOfResidualDistribution(*candidate.effect)) return base.gains(base.fit, candidate.fit);
+  return distributionGains(base, lawOf(*candidate.effect));
 }
 
 }  // namespace
 
-PairedGains tailGains(const SearchState& state, TailLaw law) {
+PairedGains distributionGains(const SearchState& state, ResidualLaw law) {
   const Residuals residuals = residualsOf(state.fit, state.train);
-  const Tails tails = tailsOf(state.fit, state.train, residuals);
-  const Fit there = judged(state.fit, state.held);
+  const ResidualDistribution distribution = residualDistribution(state.fit, state.train, residuals);
+  const Fit there = evaluateOn(state.fit, state.held);
   if (!std::isfinite(there.log_likelihood))
     return {VectorXd::Constant(state.held.count(), std::nan("")), {}};
-  PairedGains gains{tailGain(tails, law, residualsOf(there, state.held), state.held), {}};
-  if (!state.fitted_to) gains.training = tailGain(tails, law, residuals, state.train);
+  PairedGains gains{distributionGain(distribution, law, residualsOf(there, state.held), state.held),
+                    {}};
+  if (!state.fitted_to)
+    gains.training = distributionGain(distribution, law, residuals, state.train);
   return gains;
 }
 
 Fit fittedWithout(const Fit& fit, std::size_t k, const FitData& data, const FitContext& context) {
-  return polished(improved(without(fit, k, data), data, context.options, 10, 0.05), data, context);
+  return optimiseWithRestarts(
+      takeScoringSteps(without(fit, k, data), data, context.options, 10, 0.05), data, context);
 }
 
 TriedEffect triedEffect(const SearchState& base, const FittedEffect& candidate) {
@@ -57,7 +60,7 @@ TriedEffect triedEffect(const SearchState& base, const FittedEffect& candidate) 
   return tried;
 }
 
-void measureAnew(const SearchState& base, const FitContext& context, SearchState* found) {
+void remeasureGains(const SearchState& base, const FitContext& context, SearchState* found) {
   Fit after = found->fit;
   HeldOut held_after = heldOut(after, found->held);
   for (auto cause = found->causes.rbegin(); cause != found->causes.rend(); ++cause) {

@@ -12,10 +12,10 @@ Fit fittedWithout(const Fit& fit, std::size_t k, const FitData& data, const FitC
 TriedEffect triedEffect(const SearchState& base, const FittedEffect& candidate);
 
 /// What a law of the residuals gains.
-PairedGains tailGains(const SearchState& state, TailLaw law);
+PairedGains distributionGains(const SearchState& state, ResidualLaw law);
 
 /// Score and gain of each cause in the chain on top of those before it, anew: what was measured
 /// when it was taken in no longer holds once another was taken out.
-void measureAnew(const SearchState& base, const FitContext& context, SearchState* found);
+void remeasureGains(const SearchState& base, const FitContext& context, SearchState* found);
 
 }  // namespace uncertainty_identification

@@ -84,7 +84,7 @@ MatrixXd meanErrors(const Fit& fit, int count) {
 }  // namespace
 
 VectorXd logDensities(const Fit& fit, const FitData& data) {
-  const Fit there = judged(fit, data);
+  const Fit there = evaluateOn(fit, data);
   return there.of_experiments.size() == data.count() ? there.of_experiments
                                                      : VectorXd::Constant(data.count(), -1e300);
 }
@@ -171,7 +171,7 @@ namespace {
 
 /// Simulated output of experiment r at its own error parameters, with its deviation.
 void draw(const Fit& fit, const FitData& data, int r, VectorXd* simulated, VectorXd* deviation) {
-  const Fit there = judged(fit, data);
+  const Fit there = evaluateOn(fit, data);
   if (!std::isfinite(there.log_likelihood)) return;
   const Residuals residuals = residualsOf(there, data);
   for (const Block& block : data.blocks()) {
@@ -197,7 +197,7 @@ void draw(const Fit& fit, const FitData& data, int r, VectorXd* simulated, Vecto
 
 std::vector<ExperimentPicture> picturesOf(const Fit& before, const Fit& after,
                                           const FitData& data) {
-  const Fit there = judged(before, data);
+  const Fit there = evaluateOn(before, data);
   if (there.of_experiments.size() != data.count()) return {};
   std::vector<int> order(static_cast<std::size_t>(data.count()));
   std::iota(order.begin(), order.end(), 0);

@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 double likelihoodOf(const Estimate& estimate, const std::vector<Experiment>& experiments,
                     const FitContext& context) {
   const FitData data(usedBy(estimate, experiments));
-  return settled(fitOf(estimate, data, summarise(data.experiments())), data, context)
+  return optimise(fitOf(estimate, data, summarise(data.experiments())), data, context)
       .log_likelihood;
 }
 
@@ -120,7 +120,7 @@ class OrderSearch {
     model.c = padded(model.c, 0, orders.nc);
     model.d = padded(model.d, 0, orders.nd);
     const FitData data(usedBy(start, experiments_));
-    const Fit fit = settled(fitOf(start, data, summarise(data.experiments())), data, context_);
+    const Fit fit = optimise(fitOf(start, data, summarise(data.experiments())), data, context_);
     if (fit.log_likelihood > best->log_likelihood + 1)
       *best = {estimateOf(fit, data, start), fit.log_likelihood};
   }

@@ -130,17 +130,17 @@ Fit withNewStart(const Fit& fit, const FitData& data, const FitContext& context,
       fresh = withNewMixture(fresh, data, context, components, kRestarts);
     for (int round = 0; round < 3; ++round) fresh = relinearised(fresh, data);
     if (!(fresh.log_likelihood > fit.log_likelihood - kHopeless)) return fit;
-    fresh = improved(std::move(fresh), data, context.options, steps, 0.02);
+    fresh = takeScoringSteps(std::move(fresh), data, context.options, steps, 0.02);
     return fresh.log_likelihood > fit.log_likelihood ? fresh : fit;
   } catch (const Error&) {  // a model without polynomials to start from
     return fit;
   }
 }
 
-Fit settled(Fit fit, const FitData& data, const FitContext& context) {
+Fit optimise(Fit fit, const FitData& data, const FitContext& context) {
   constexpr int kRounds = 5, kSteps = 12;
   for (int round = 0; round < kRounds; ++round) {
-    Fit next = improved(fit, data, context.options, kSteps, 0.01);
+    Fit next = takeScoringSteps(fit, data, context.options, kSteps, 0.01);
     const double gain = next.log_likelihood - fit.log_likelihood;
     if (gain > 0) fit = std::move(next);
     if (gain < 0.2) break;
@@ -148,18 +148,18 @@ Fit settled(Fit fit, const FitData& data, const FitContext& context) {
   return fit;
 }
 
-Fit polished(Fit fit, const FitData& data, const FitContext& context, bool anew) {
+Fit optimiseWithRestarts(Fit fit, const FitData& data, const FitContext& context, bool anew) {
   constexpr int kSteps = 12;
-  fit = settled(std::move(fit), data, context);
+  fit = optimise(std::move(fit), data, context);
   if (anew) fit = withNewStart(fit, data, context, kSteps);
   const int components = fit.at.mixture.components();
   if (components < 2) return fit;
-  const Fit other = improved(withNewMixture(fit, data, context, components, 8), data,
-                             context.options, kSteps, 0.05);
+  const Fit other = takeScoringSteps(withNewMixture(fit, data, context, components, 8), data,
+                                     context.options, kSteps, 0.05);
   return other.log_likelihood > fit.log_likelihood + 0.1 ? other : fit;
 }
 
-Fit searched(Fit fit, const FitData& data, const FitContext& context) {
+Fit searchGrid(Fit fit, const FitData& data, const FitContext& context) {
   constexpr int kLevels = 4, kHalf = 14;
   if (fit.model->effects().empty()) return fit;
   const std::size_t last = fit.model->effects().size() - 1;
@@ -177,7 +177,7 @@ Fit searched(Fit fit, const FitData& data, const FitContext& context) {
         Fit there = evaluated(fit.model, moved, data);
         if (there.log_likelihood > fit.log_likelihood) fit = std::move(there);
       }
-      fit = improved(std::move(fit), data, context.options, 3, 0.05);
+      fit = takeScoringSteps(std::move(fit), data, context.options, 3, 0.05);
     }
   }
   return fit;

@@ -13,19 +13,20 @@ struct FitContext {
   OptimisationOptions options;
   std::uint64_t seed = 1;
   WorkerPool* pool = nullptr;
-  std::function<bool()> going_on;        ///< may be called from any thread
-  std::function<void(double)> searched;  ///< told the share of the search that is done, 0 to 1
+  std::function<bool()> going_on;  ///< may be called from any thread
+  std::function<void(double)>
+      report_searched;  ///< called with the share of the search that is done, 0 to 1
 };
 
 /// To convergence from where it is.
-Fit settled(Fit fit, const FitData& data, const FitContext& context);
+Fit optimise(Fit fit, const FitData& data, const FitContext& context);
 
 /// To convergence, from new starts of theta (`anew`) and of the mixture too: what further
 /// iterations gain must not count for a candidate.
-Fit polished(Fit fit, const FitData& data, const FitContext& context, bool anew = true);
+Fit optimiseWithRestarts(Fit fit, const FitData& data, const FitContext& context, bool anew = true);
 
 /// Zooming search along the parameters that the likelihood has no useful derivative to.
-Fit searched(Fit fit, const FitData& data, const FitContext& context);
+Fit searchGrid(Fit fit, const FitData& data, const FitContext& context);
 
 /// Theta and mixture started anew, given psi; kept if that leads higher.
 Fit withNewStart(const Fit& fit, const FitData& data, const FitContext& context, int steps);

@@ -1,9 +1,10 @@
+#include "explanation/residual_picture.h"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
-#include "explanation/checks.h"
 #include "math/constants.h"
 
 namespace uncertainty_identification {

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "explanation/bootstrap.h"
-#include "explanation/checks.h"
 #include "explanation/gains.h"
+#include "explanation/residual_checks.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -40,15 +40,17 @@ bool isDifferencing(const Fit& fit) {
 }
 
 /// What experiments held out must say of a gain for it to count.
-enum class Judge {
+enum class AcceptanceRule {
   convinced,   ///< that it is there: the score alone does not show it
   not_denied,  ///< nothing against a strong score: the mean is a gain, however uncertain
   lenient      ///< no significant loss: mixtures show a nat per experiment
 };
 
-bool passes(const Gain& gain, Judge judge) {
-  if (std::isnan(gain.standard_error) || judge == Judge::not_denied) return gain.log_density > 0;
-  return gain.log_density > (judge == Judge::lenient ? -2 : 1.645) * gain.standard_error;
+bool passes(const Gain& gain, AcceptanceRule rule) {
+  if (std::isnan(gain.standard_error) || rule == AcceptanceRule::any_gain)
+    return gain.log_density > 0;
+  return gain.log_density >
+         (rule == AcceptanceRule::no_significant_loss ? -2 : 1.645) * gain.standard_error;
 }
 
 /// exp(score) over all candidates, and the names whose score is nearly the best.
@@ -111,9 +113,9 @@ Effects Search::considered(const SearchState& state) const {
 
 std::vector<FittedEffect> Search::rank(const SearchState& state) {
   constexpr double kUsual = 3;  // rankings
-  context_.searched(rankings_ / (rankings_ + kUsual));
+  context_.report_searched(rankings_ / (rankings_ + kUsual));
   ++rankings_;
-  const bool nothing_shows = allPassed(checksOf(state.fit, state.train, state.heavy_tails));
+  const bool nothing_shows = allPassed(checkResiduals(state.fit, state.train, state.heavy_tails));
   std::vector<FittedEffect> ranked =
       fittedEffects(state.fit, state.train, considered(state), context_, nothing_shows);
   const auto outside = [&](const std::string& name) -> std::shared_ptr<const Effect> {
@@ -123,15 +125,17 @@ std::vector<FittedEffect> Search::rank(const SearchState& state) {
   };
   if (const auto mode = outside("exp_mode"))
     ranked.push_back(oneMoreComponent(state.fit, state.train, mode, context_));
-  const Tails tails = tailsOf(state.fit, state.train, residualsOf(state.fit, state.train));
+  const ResidualDistribution distribution =
+      residualDistribution(state.fit, state.train, residualsOf(state.fit, state.train));
   const double each = 0.5 * std::log(state.train.samples());
-  const auto addTails = [&](const char* name, double gain, double parameters) {
+  const auto addDistribution = [&](const char* name, double gain, double parameters) {
     const auto effect = outside(name);
     const double penalty = parameters * each + 2;
     if (effect) ranked.push_back({effect, state.fit, penalty, gain - penalty, {}, false});
   };
-  addTails("noise_tails", tails.student_gain, 1);
-  addTails("sens_outliers", std::max(tails.mixture_gain, tails.additive_gain), 2);
+  addDistribution("noise_tails", distribution.student_gain, 1);
+  addDistribution("sens_outliers", std::max(distribution.mixture_gain, distribution.additive_gain),
+                  2);
   std::stable_sort(
       ranked.begin(), ranked.end(),
       [](const FittedEffect& left, const FittedEffect& right) { return left.score > right.score; });
@@ -149,37 +153,40 @@ bool Search::extend(SearchState* state, const std::vector<FittedEffect>& ranked)
   return false;
 }
 
-bool Search::acceptTails(SearchState* state, const FittedEffect& best) {
+bool Search::acceptDistribution(SearchState* state, const FittedEffect& best) {
   constexpr double kClustered = 1e-6;
   const Residuals residuals = residualsOf(state->fit, state->train);
-  const Tails tails = tailsOf(state->fit, state->train, residuals);
-  if (tails.clustering < kClustered) {
+  const ResidualDistribution distribution =
+      residualDistribution(state->fit, state->train, residuals);
+  if (distribution.clustering < kClustered) {
     state->banned.insert(state->banned.end(), {"noise_tails", "sens_outliers"});
     return false;
   }
-  const TailLaw law = lawOf(*best.effect);
+  const ResidualLaw law = lawOf(*best.effect);
   FoundCause cause{best.effect, best.score, best.penalty, 1, {}, {}, {}};
-  const Fit there = judged(state->fit, state->held);
+  const Fit there = evaluateOn(state->fit, state->held);
   if (std::isfinite(there.log_likelihood)) {
     const Residuals left = residualsOf(there, state->held);
     const HeldOut before = heldOut(state->fit, state->held);
-    cause.gain = gainOf(before, before, tailGains(*state, law));
-    if (!passes(*cause.gain, best.score > kStrong ? Judge::not_denied : Judge::convinced))
+    cause.gain = gainOf(before, before, distributionGains(*state, law));
+    if (!passes(*cause.gain,
+                best.score > kStrong ? AcceptanceRule::any_gain : AcceptanceRule::significant_gain))
       return false;
-    const Tails of_held = tailsOf(there, state->held, left);
+    const ResidualDistribution of_held = residualDistribution(there, state->held, left);
     state->held = FitData(withoutOutliers(state->held, left, of_held));
   }
-  if (law == TailLaw::student) {
-    cause.parameters = {
-        {"degrees_of_freedom", "1", tails.degrees, std::nan(""), std::nan(""), std::nan("")}};
+  if (law == ResidualLaw::student) {
+    cause.parameters = {{"degrees_of_freedom", "1", distribution.degrees, std::nan(""),
+                         std::nan(""), std::nan("")}};
   } else {
-    cause.parameters = {{"share", "1", tails.share, std::nan(""), std::nan(""), std::nan("")},
-                        {"ratio", "1", tails.ratio, std::nan(""), std::nan(""), std::nan("")}};
+    cause.parameters = {
+        {"share", "1", distribution.share, std::nan(""), std::nan(""), std::nan("")},
+        {"ratio", "1", distribution.ratio, std::nan(""), std::nan(""), std::nan("")}};
   }
   cause.equivalent = best.effect->description().equivalent;
-  state->train = FitData(withoutOutliers(state->train, residuals, tails));
-  state->fit =
-      polished(evaluated(state->fit.model, state->fit.at, state->train), state->train, context_);
+  state->train = FitData(withoutOutliers(state->train, residuals, distribution));
+  state->fit = optimiseWithRestarts(evaluated(state->fit.model, state->fit.at, state->train),
+                                    state->train, context_);
   if (cause.gain) cause.gain->noise_variance.after = state->fit.at.noise_variance;
   state->causes.push_back(std::move(cause));
   state->banned.insert(state->banned.end(), {"noise_tails", "sens_outliers"});
@@ -190,19 +197,20 @@ bool Search::acceptTails(SearchState* state, const FittedEffect& best) {
 
 bool Search::accept(SearchState* state, const FittedEffect& candidate,
                     const std::vector<FittedEffect>& ranked) {
-  if (isOfTails(*candidate.effect)) return acceptTails(state, candidate);
+  if (isOfResidualDistribution(*candidate.effect)) return acceptDistribution(state, candidate);
   const std::string& name = candidate.effect->name();
   if (name == "exp_mode" && !beatsSimulation(*state, candidate)) return false;
-  const Fit fit = name == "exp_mode"
-                      ? improved(candidate.fit, state->train, context_.options, 12, 0.01)
-                      : polished(candidate.fit, state->train, context_, !candidate.started_anew);
+  const Fit fit =
+      name == "exp_mode"
+          ? takeScoringSteps(candidate.fit, state->train, context_.options, 12, 0.01)
+          : optimiseWithRestarts(candidate.fit, state->train, context_, !candidate.started_anew);
   const Gain gain = gainOf(heldOut(state->fit, state->held), heldOut(fit, state->held),
                            state->gains(state->fit, fit));
   const double score = fit.log_likelihood - state->fit.log_likelihood - candidate.penalty;
-  const Judge judge = isOfMixture(*candidate.effect) ? Judge::lenient
-                      : score > kStrong              ? Judge::not_denied
-                                                     : Judge::convinced;
-  if (!passes(gain, judge)) return false;
+  const AcceptanceRule rule = isOfMixture(*candidate.effect) ? AcceptanceRule::no_significant_loss
+                              : score > kStrong              ? AcceptanceRule::any_gain
+                                                             : AcceptanceRule::significant_gain;
+  if (!passes(gain, rule)) return false;
   SearchState next = *state;
   FoundCause cause{candidate.effect,
                    score,
@@ -253,7 +261,7 @@ bool Search::beatsSimulation(const SearchState& state, const FittedEffect& candi
 }
 
 /// Goes on until nothing more is taken in, or `most` causes are.
-void Search::goOn(SearchState* state, std::size_t most) {
+void Search::forwardSelection(SearchState* state, std::size_t most) {
   constexpr int kMostRankings = 10;        // what needs more is not in the catalogue
   int attempts = options_.max_causes + 2;  // what is taken in and thrown out again counts too
   while (state->causes.size() < most && attempts-- > 0 && rankings_ < kMostRankings &&
@@ -264,7 +272,7 @@ void Search::goOn(SearchState* state, std::size_t most) {
 }
 
 /// Of the first cause what is known by now: its final fit may lie higher than when it was tried.
-void Search::tellFinal(const FoundCause& first) {
+void Search::updateTried(const FoundCause& first) {
   for (TriedEffect& tried : tried_) {
     const EffectDescription& of = first.effect->description();
     if (tried.name != of.name || tried.variant != of.variant || !first.gain) continue;
@@ -279,8 +287,8 @@ void Search::tellFinal(const FoundCause& first) {
 
 SearchState Search::run(const SearchState& base) {
   SearchState found = search(base);
-  if (found.eliminated) measureAnew(base, context_, &found);
-  if (found.causes.size() > base.causes.size()) tellFinal(found.causes[base.causes.size()]);
+  if (found.eliminated) remeasureGains(base, context_, &found);
+  if (found.causes.size() > base.causes.size()) updateTried(found.causes[base.causes.size()]);
   return found;
 }
 
@@ -292,9 +300,9 @@ SearchState Search::search(const SearchState& base) {
   SearchState best = base;
   if (most == base.causes.size() || !(extend(&best, ranked) || best.banned != base.banned))
     return best;
-  goOn(&best, most);
+  forwardSelection(&best, most);
   const bool settled = best.causes.size() <= base.causes.size() + 1 &&
-                       allPassed(checksOf(best.fit, best.train, best.heavy_tails));
+                       allPassed(checkResiduals(best.fit, best.train, best.heavy_tails));
   if (settled) return best;
   std::size_t alternatives = 0;
   for (auto first = ranked.begin(); first != ranked.end(); ++first) {
@@ -307,10 +315,10 @@ SearchState Search::search(const SearchState& base) {
     SearchState other = base;
     // those before it lead lower if this one is kept: they are no rivals of it
     if (!accept(&other, *first, {first, ranked.end()})) continue;
-    goOn(&other, std::min(most, base.causes.size() + 2));
+    forwardSelection(&other, std::min(most, base.causes.size() + 2));
     if (other.total > best.total) best = std::move(other);
   }
-  if (best.causes.size() < most) goOn(&best, most);
+  if (best.causes.size() < most) forwardSelection(&best, most);
   return best;
 }
 

@@ -6,7 +6,7 @@
 
 #include "explanation/candidates.h"
 #include "explanation/measure.h"
-#include "explanation/tails.h"
+#include "explanation/residual_distribution.h"
 #include "uncertainty_identification/effects/catalogue.h"
 #include "uncertainty_identification/explanation/explanation.h"
 
@@ -52,13 +52,13 @@ class Search {
 
  private:
   SearchState search(const SearchState& base);
-  void tellFinal(const FoundCause& first);
-  void goOn(SearchState* state, std::size_t most);
+  void updateTried(const FoundCause& first);
+  void forwardSelection(SearchState* state, std::size_t most);
   bool extend(SearchState* state, const std::vector<FittedEffect>& ranked);
   std::vector<FittedEffect> rank(const SearchState& state);
   bool accept(SearchState* state, const FittedEffect& candidate,
               const std::vector<FittedEffect>& ranked);
-  bool acceptTails(SearchState* state, const FittedEffect& best);
+  bool acceptDistribution(SearchState* state, const FittedEffect& best);
   void eliminate(SearchState* state);
   Effects considered(const SearchState& state) const;
   double threshold(const Effect& effect) const;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "explanation/checks.h"
+#include "explanation/residual_checks.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "data/check.h"
+#include "data/experiment_checks.h"
 #include "ros/bag_name.h"
 #include "ros/experiment_bag.h"
 #include "ros/file_name.h"

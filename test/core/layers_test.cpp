@@ -23,10 +23,10 @@ const std::vector<std::string> kCoreLibraries{"Eigen/", "unsupported/Eigen/", "b
 const std::vector<std::string> kIoLibraries{"yaml-cpp/", "nlohmann/", "boost/program_options"};
 
 /// Layers from the lowest; a file may include what is in its own or a lower one.
-const std::map<std::string, int> kLayers{{"data", 1},       {"model", 2},       {"effects", 3},
-                                         {"estimation", 4}, {"simulation", 4},  {"bounds", 5},
-                                         {"detection", 6},  {"explanation", 8}, {"io", 9},
-                                         {"ros", 10},       {"nodes", 11},      {"tools", 12}};
+const std::map<std::string, int> kLayers{
+    {"data", 1},       {"model", 2},  {"effects", 3},   {"estimation", 4},  {"residual_tests", 5},
+    {"simulation", 4}, {"bounds", 5}, {"detection", 6}, {"explanation", 8}, {"io", 9},
+    {"ros", 10},       {"nodes", 11}, {"tools", 12}};
 constexpr int kIdentifier = 7;
 constexpr int kSharedVocabulary = 0;  // configuration.h, errors.h, ...
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "data/check.h"
+#include "data/experiment_checks.h"
 #include "ros/store_writer.h"
 #include "support/error_message.h"
 #include "support/example1.h"

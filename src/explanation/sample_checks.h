@@ -10,7 +10,7 @@ namespace uncertainty_identification {
 
 /// Evidence in the samples themselves, which needs no model: a measurement with continuous noise
 /// never repeats a value exactly.
-struct Signature {
+struct SpoiltSamples {
   std::string name;  ///< sens_quant, sens_clip or sens_dropout
   std::vector<CauseParameter> parameters;
 };
@@ -20,11 +20,11 @@ struct Signature {
 std::vector<Experiment> withoutRest(std::vector<Experiment> experiments);
 
 /// At most one lattice, or clipping and held samples.
-std::vector<Signature> signaturesOf(const std::vector<Experiment>& experiments);
+std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experiments);
 
 /// The experiments without the samples that a signature spoils: clipped ones lie at the extremes of
 /// `reference`, held ones repeat the one before.
 std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,
-                                       const Signature& signature);
+                                       const SpoiltSamples& signature);
 
 }  // namespace uncertainty_identification

@@ -1,4 +1,4 @@
-#include "explanation/peaks.h"
+#include "explanation/spectral_peaks.h"
 
 #include <cmath>
 
@@ -47,7 +47,7 @@ double peakOf(const ArrayXd& power) {
 
 }  // namespace
 
-void findPeaks(const Residuals& residuals, const FitData& data, DataSummary* summary) {
+void findSpectralPeaks(const Residuals& residuals, const FitData& data, DataSummary* summary) {
   constexpr int kMostSpectra = 12, kMostSamples = 2000;
   const int samples = std::min(summary->samples, kMostSamples), points = kRefinement * samples / 2;
   if (points <= kLowest) return;

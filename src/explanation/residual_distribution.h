@@ -7,7 +7,7 @@
 namespace uncertainty_identification {
 
 /// Large residuals, and what they are.
-struct Tails {
+struct ResidualDistribution {
   /// Student's t, its degrees of freedom and gain of log-likelihood [nats] over a Gaussian.
   double degrees = 0, student_gain = 0;
   /// Two Gaussians, the share and the relative deviation of the wide one.
@@ -20,21 +20,22 @@ struct Tails {
   double clustering = 1;
 };
 
-Tails tailsOf(const Fit& fit, const FitData& data, const Residuals& residuals);
+ResidualDistribution residualDistribution(const Fit& fit, const FitData& data,
+                                          const Residuals& residuals);
 
-enum class TailLaw { student, mixture };
+enum class ResidualLaw { student, mixture };
 
 /// Whether an effect is a law of the residuals (noise_tails, sens_outliers), and which.
-bool isOfTails(const Effect& effect);
-TailLaw lawOf(const Effect& effect);
+bool isOfResidualDistribution(const Effect& effect);
+ResidualLaw lawOf(const Effect& effect);
 
 /// Log density [nats] that the named law of residuals adds to a Gaussian one, of each experiment.
-Eigen::VectorXd tailGain(const Tails& tails, TailLaw law, const Residuals& residuals,
-                         const FitData& data);
+Eigen::VectorXd distributionGain(const ResidualDistribution& distribution, ResidualLaw law,
+                                 const Residuals& residuals, const FitData& data);
 
 /// The experiments without samples whose residuals are large (or, where found, without the additive
 /// outliers).
 std::vector<Experiment> withoutOutliers(const FitData& data, const Residuals& residuals,
-                                        const Tails& tails);
+                                        const ResidualDistribution& distribution);
 
 }  // namespace uncertainty_identification

@@ -3,7 +3,7 @@
 #include <limits>
 #include <optional>
 
-#include "data/check.h"
+#include "data/experiment_checks.h"
 #include "io/text.h"
 
 namespace uncertainty_identification {

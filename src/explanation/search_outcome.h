@@ -2,15 +2,15 @@
 
 #include <vector>
 
+#include "explanation/sample_checks.h"
 #include "explanation/search.h"
-#include "explanation/signatures.h"
 #include "explanation/split.h"
 #include "uncertainty_identification/estimation/estimate.h"
 
 namespace uncertainty_identification {
 
 /// A model, and the causes that are found on top of it.
-struct Attempt {
+struct SearchOutcome {
   Estimate estimate;
   SearchState base, found;
   std::vector<TriedEffect> tried;
@@ -23,9 +23,10 @@ struct Attempt {
 /// The context of fits that start from an estimate: without threads and callbacks.
 FitContext contextOf(const Estimate& estimate, std::uint64_t seed);
 
-/// Looks for causes on top of an estimate of `data.train`, out of which what the signatures spoil
+/// Looks for causes on top of an estimate of `data.train`, out of which what the spoilt spoil
 /// was taken.
-Attempt attempted(const ExplanationOptions& options, const FitContext& context, Estimate estimate,
-                  const Split& data, const std::vector<Signature>& signatures);
+SearchOutcome searchOnTopOf(const ExplanationOptions& options, const FitContext& context,
+                            Estimate estimate, const Split& data,
+                            const std::vector<SpoiltSamples>& spoilt);
 
 }  // namespace uncertainty_identification

@@ -1,4 +1,4 @@
-#include "explanation/signatures.h"
+#include "explanation/sample_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +95,7 @@ std::vector<Experiment> withoutRest(std::vector<Experiment> experiments) {
   return experiments;
 }
 
-std::vector<Signature> signaturesOf(const std::vector<Experiment>& experiments) {
+std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experiments) {
   const std::vector<double> values = measured(experiments);
   if (values.size() < 2) return {};
   if (const double step = latticeStep(values); step > 0)
@@ -105,7 +105,7 @@ std::vector<Signature> signaturesOf(const std::vector<Experiment>& experiments) 
   const double held = heldShare(experiments, values);
   const bool at_low = visits(experiments, low, held > 0) >= kFewest;
   const bool at_high = visits(experiments, high, held > 0) >= kFewest;
-  std::vector<Signature> found;
+  std::vector<SpoiltSamples> found;
   if (at_low || at_high)
     found.push_back({"sens_clip",
                      {exact("lower_limit", "unit of y", at_low ? low : -kNone),
@@ -115,7 +115,7 @@ std::vector<Signature> signaturesOf(const std::vector<Experiment>& experiments) 
 }
 
 std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,
-                                       const Signature& signature) {
+                                       const SpoiltSamples& signature) {
   if (signature.name == "sens_quant") return experiments;
   constexpr double kFar = std::numeric_limits<double>::infinity();
   const bool clipped = signature.name == "sens_clip";

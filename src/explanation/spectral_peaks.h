@@ -5,6 +5,6 @@
 namespace uncertainty_identification {
 
 /// Largest peaks of the residual's spectrum, where a hum would start, to `summary`.
-void findPeaks(const Residuals& residuals, const FitData& data, DataSummary* summary);
+void findSpectralPeaks(const Residuals& residuals, const FitData& data, DataSummary* summary);
 
 }  // namespace uncertainty_identification
