@@ -164,8 +164,8 @@ std::vector<Check> checkResiduals(const Fit& fit, const FitData& data, bool heav
                             timeCheck(of, data)};
   if (heavy_tails) return checks;
   checks.push_back(volatilityCheck(of));
-  // For N Gaussian samples the kurtosis has variance 24/N, and the third moment about zero (not
-  // about the sample mean, as that of a whole experiment is zero by the model) has 15/N.
+  // For N Gaussian samples the kurtosis has variance 24/N. The third moment has 15/N, as it is
+  // taken about zero, where the model says that the mean is, and not about the sample mean.
   const double tails = of.kurtosis / std::sqrt(24 / of.samples);
   checks.push_back(check("tails", of.kurtosis, twoSidedNormalTail(tails),
                          tails > 0 ? "too many large residuals" : "too few large residuals"));
