@@ -6,6 +6,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <sstream>
 #include <thread>
 
 #include "configuration/require.h"
@@ -22,6 +23,12 @@
 namespace uncertainty_identification {
 namespace {
 
+/// An effect in the words of a message, e.g. "dead zone of the actuator (act_deadzone)".
+std::string named(const Effect& effect) {
+  return effect.description().meaning + " (" + effect.label() + ")";
+}
+
+/// The group of an effect, which its name begins with, as users read it.
 std::string groupOf(const std::string& name) {
   static const std::map<std::string, std::string> kGroups{{"act", "actuator"},
                                                           {"plant", "plant"},
@@ -70,12 +77,12 @@ class Explaining {
  private:
   bool report(const std::string& phase, double fraction, std::optional<double> log_likelihood);
   bool isExcluded(const std::string& name) const;
-  std::vector<SpoiltSamples> takeOutSpoiled(Split* data);
+  std::vector<SpoiltSamples> maskSpoilt(Split* data);
   Estimate identify(const std::vector<Experiment>& experiments);
   SearchOutcome bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt);
-  void tellOrders(const Estimate& chosen, const Estimate& explained);
-  void tellTie(const SearchOutcome& other, const SearchOutcome& best);
-  void tellHeldOut(const Split& data);
+  void warnOfOtherOrders(const Estimate& chosen, const Estimate& explained);
+  void warnOfTie(const SearchOutcome& other, const SearchOutcome& best);
+  void noteHeldOut(const Split& data);
   FitContext context(const Estimate& estimate);
   Cause described(const FoundCause& found, const SearchState& state) const;
   void describeModels(const SearchState& base, const SearchState& found);
@@ -87,7 +94,7 @@ class Explaining {
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   bool cancelled_ = false;
   std::mutex reporting_;
-  double searched_ = 0;  ///< share of the search done
+  double share_searched_ = 0;  ///< share of the search that is done, 0 to 1
   WorkerPool pool_;
   Explanation explanation_;
 };
@@ -103,8 +110,8 @@ bool Explaining::isExcluded(const std::string& name) const {
   return std::find(excluded.begin(), excluded.end(), name) != excluded.end();
 }
 
-std::vector<SpoiltSamples> Explaining::takeOutSpoiled(Split* data) {
-  constexpr double kAny = 0.999;  // what is taken out here was not missing from the recording
+std::vector<SpoiltSamples> Explaining::maskSpoilt(Split* data) {
+  constexpr double kAny = 0.999;  // masked samples must not count towards limits.max_missing
   data->train = withoutRest(std::move(data->train));
   data->held = withoutRest(std::move(data->held));
   std::vector<SpoiltSamples> spoilt;
@@ -125,30 +132,33 @@ Estimate Explaining::identify(const std::vector<Experiment>& experiments) {
   });
 }
 
-void Explaining::tellOrders(const Estimate& chosen, const Estimate& explained) {
+void Explaining::warnOfOtherOrders(const Estimate& chosen, const Estimate& explained) {
   const std::string before = orderText(chosen), after = orderText(explained);
   if (before == after) return;
   explanation_.warnings.push_back("nominal_model.orders: auto chose " + before +
-                                  " by simulations; the likelihood of all experiments asks for " +
-                                  after + ", which is explained here");
+                                  " by the error of simulations; the likelihood of all experiments "
+                                  "asks for " +
+                                  after + ", and that model is explained");
 }
 
-void Explaining::tellTie(const SearchOutcome& other, const SearchOutcome& best) {
-  if (other.merit() <= best.merit() || other.found.causes.size() <= best.found.causes.size())
+void Explaining::warnOfTie(const SearchOutcome& other, const SearchOutcome& best) {
+  if (other.penalisedLikelihood() <= best.penalisedLikelihood() ||
+      other.found.causes.size() <= best.found.causes.size())
     return;
   std::string names;
   for (const FoundCause& cause : other.found.causes)
-    names += (names.empty() ? "" : " and ") + cause.effect->label();
-  explanation_.warnings.push_back("with " + orderText(other.estimate) + ", " + names +
-                                  " would explain the data as well: they cannot tell; if that is "
-                                  "what you know the orders to be, state them");
+    names += (names.empty() ? "" : " and ") + named(*cause.effect);
+  explanation_.warnings.push_back(
+      "with " + orderText(other.estimate) + ", " + names +
+      " would explain the data as well as the orders above; if you know "
+      "the orders, give them: nominal_model.na, nb, nc, nd, delay");
 }
 
-void Explaining::tellHeldOut(const Split& data) {
+void Explaining::noteHeldOut(const Split& data) {
   if (data.fitted_to) {
     explanation_.warnings.push_back(
-        "too few experiments to keep any out of the fit: gains are measured on those fitted to, "
-        "and are too large; record four or more, or give others by --validation");
+        "too few experiments to hold any out of the fit: gains are measured on those fitted to, "
+        "which makes them too large; record four or more, or give others by --validation");
     return;
   }
   for (const Experiment& experiment : data.held) explanation_.held_out.push_back(experiment.id);
@@ -158,47 +168,49 @@ FitContext Explaining::context(const Estimate& estimate) {
   FitContext context = contextOf(estimate, configuration_.estimation.seed);
   context.pool = &pool_;
   context.going_on = [this, reached = estimate.log_likelihood] {
-    const std::lock_guard<std::mutex> lock(reporting_);  // asked by all threads
-    return report("searching causes", 0.3 + 0.6 * searched_, reached);
+    const std::lock_guard<std::mutex> lock(reporting_);  // called from all threads
+    return report("searching causes", 0.3 + 0.6 * share_searched_, reached);
   };
   context.report_searched = [this](double share) {
     const std::lock_guard<std::mutex> lock(reporting_);
-    searched_ = std::max(searched_, share);
+    share_searched_ = std::max(share_searched_, share);
   };
   return context;
 }
 
-/// Where the orders are not told, a model with more poles and zeros may take up what an effect of
-/// fewer parameters explains on top of a smaller one.
+/// Looks for causes on top of the model. If the orders were not given, it does so on top of several
+/// models, since a model with more poles and zeros may absorb what an effect with fewer parameters
+/// explains on top of a smaller one.
 SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt) {
   const Estimate chosen = identify(data.train);
   const std::vector<Estimate> candidates = orderCandidates(
       configuration_, chosen, data.train, context(chosen),
       [this](const Progress& at) { return report("choosing orders", 0.3, at.log_likelihood); });
-  const auto worth = [this](const SearchOutcome& of) {  // a tie is no reason to name anything
-    return of.merit() -
+  // A tie between models is no reason to name a cause.
+  const auto worth = [this](const SearchOutcome& of) {
+    return of.penalisedLikelihood() -
            configuration_.explanation.acceptance * static_cast<double>(of.found.causes.size());
   };
-  std::vector<SearchOutcome> attempts;
+  std::vector<SearchOutcome> outcomes;
   for (const Estimate& candidate : candidates) {
-    attempts.push_back(
+    outcomes.push_back(
         searchOnTopOf(configuration_.explanation, context(candidate), candidate, data, spoilt));
     const SearchState& first = outcomes.front().found;
     if (!first.causes.empty() &&
         allPassed(checkResiduals(first.fit, first.train, first.heavy_tails)))
       break;
   }
-  auto best = std::max_element(attempts.begin(), attempts.end(),
+  auto best = std::max_element(outcomes.begin(), outcomes.end(),
                                [&](const SearchOutcome& left, const SearchOutcome& right) {
                                  return worth(left) < worth(right);
                                });
   explanation_.warnings = best->estimate.warnings;
-  tellOrders(chosen, best->estimate);
-  for (const SearchOutcome& other : attempts) tellTie(other, *best);
+  warnOfOtherOrders(chosen, best->estimate);
+  for (const SearchOutcome& other : outcomes) warnOfTie(other, *best);
   return std::move(*best);
 }
 
-/// The loop of docs/explanation.md.
+/// The steps of docs/explanation.md.
 Explanation Explaining::run(const std::vector<Experiment>& experiments,
                             const std::vector<Experiment>& validation) {
   configuration_.validate();
@@ -207,9 +219,9 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
           "fir, laguerre or kautz: explain looks for parameters that vary by itself");
   requireKnown(configuration_.explanation.exclude, experiments);
   Split data = split(configuration_, experiments, validation);
-  const std::vector<SpoiltSamples> spoilt = takeOutSpoiled(&data);
+  const std::vector<SpoiltSamples> spoilt = maskSpoilt(&data);
   const SearchOutcome best = bestOutcome(data, spoilt);
-  tellHeldOut(data);
+  noteHeldOut(data);
   explanation_.before = best.estimate;
   explanation_.checks_before =
       checkResiduals(best.base.fit, best.base.train, best.base.heavy_tails);
@@ -240,10 +252,14 @@ void Explaining::describeModels(const SearchState& base, const SearchState& foun
   explanation_.after =
       extended ? estimateOf(found.fit, found.train, explanation_.before) : explanation_.before;
   const double lost = found.fit.log_likelihood - explanation_.after.log_likelihood;
-  if (extended && lost > 1)
-    explanation_.warnings.push_back("the model that is saved was estimated anew and ends " +
-                                    std::to_string(lost) +
-                                    " nats lower than the one that the causes were found with");
+  if (extended && lost > 1) {
+    std::ostringstream nats;
+    nats.precision(3);
+    nats << lost;
+    explanation_.warnings.push_back("the model that is saved was optimised again and ends " +
+                                    nats.str() +
+                                    " nats below the model that the causes were found with");
+  }
   explanation_.before.configuration.limits = explanation_.after.configuration.limits = limits_;
   explanation_.residual_before = residualPicture(base.fit, base.train);
   explanation_.residual_after = residualPicture(found.fit, found.train);
@@ -263,9 +279,9 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
       explanation_.causes.push_back(described(cause, found));
       continue;
     }
-    explanation_.warnings.push_back(cause.effect->name() +
-                                    " describes part of what is wrong, but may be a symptom as "
-                                    "long as the rest is not explained");
+    explanation_.warnings.push_back(named(*cause.effect) +
+                                    " describes part of what is wrong, but may be only a symptom: "
+                                    "not all of it is explained");
   }
   if (const Check check = parsimony(found); !check.passed) {
     explanation_.checks_before.push_back(parsimony(base));

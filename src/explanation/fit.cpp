@@ -92,9 +92,10 @@ Fit relinearised(const Fit& fit, const FitData& data) {
 
 Fit takeScoringSteps(Fit fit, const FitData& data, const OptimisationOptions& options, int steps,
                      double tolerance) {
-  constexpr int kSettling = 3;  // rounds until points and posterior means agree
+  constexpr int kLinearisations = 3;  // until the posterior means hardly change
   const bool local = fit.model->isLocallyLinear();
-  for (int round = 0; local && round < kSettling && std::isfinite(fit.log_likelihood); ++round)
+  for (int round = 0; local && round < kLinearisations && std::isfinite(fit.log_likelihood);
+       ++round)
     fit = relinearised(fit, data);
   const int at_once = local ? 2 : steps;
   for (int done = 0; done < steps && std::isfinite(fit.log_likelihood); done += at_once) {
@@ -117,10 +118,10 @@ Fit evaluateOn(const Fit& fit, const FitData& data) {
   if (at.mixture.components() == 0) points = MatrixXd::Zero(0, data.count());
   model = model->about(points);
   if (hasClock(*model)) model = model->about(clockStart(*model, at, data));
-  Fit there = evaluated(model, at, data);
-  for (int round = 0; round < kRounds && std::isfinite(there.log_likelihood); ++round)
-    there = relinearised(there, data);
-  return there;
+  Fit fitted = evaluated(model, at, data);
+  for (int round = 0; round < kRounds && std::isfinite(fitted.log_likelihood); ++round)
+    fitted = relinearised(fitted, data);
+  return fitted;
 }
 
 }  // namespace uncertainty_identification

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// The fit without effect k of its model, before it is fitted again.
+/// The model of a fit without its effect k, the other parameters unchanged.
 Fit without(const Fit& fit, std::size_t k, const FitData& data) {
   Effects effects = fit.model->effects();
   const Index first = fit.model->offsetOf(k), count = effects[k]->parameterCount();
@@ -23,24 +23,24 @@ Fit without(const Fit& fit, std::size_t k, const FitData& data) {
   return evaluated(fit.model->with(effects), at, data);
 }
 
-/// What a candidate adds.
+/// Gains of log density of a candidate over the base.
 PairedGains gainsOf(const SearchState& base, const FittedEffect& candidate) {
-  if (!isOfResidualDistribution(*candidate.effect)) return base.gains(base.fit, candidate.fit);
-  return distributionGains(base, lawOf(*candidate.effect));
+  if (!isResidualDistribution(*candidate.effect)) return base.gains(base.fit, candidate.fit);
+  return distributionGains(base, familyOf(*candidate.effect));
 }
 
 }  // namespace
 
-PairedGains distributionGains(const SearchState& state, ResidualLaw law) {
+PairedGains distributionGains(const SearchState& state, DistributionFamily family) {
   const Residuals residuals = residualsOf(state.fit, state.train);
   const ResidualDistribution distribution = residualDistribution(state.fit, state.train, residuals);
   const Fit there = evaluateOn(state.fit, state.held);
   if (!std::isfinite(there.log_likelihood))
     return {VectorXd::Constant(state.held.count(), std::nan("")), {}};
-  PairedGains gains{distributionGain(distribution, law, residualsOf(there, state.held), state.held),
-                    {}};
+  PairedGains gains{
+      distributionGain(distribution, family, residualsOf(there, state.held), state.held), {}};
   if (!state.fitted_to)
-    gains.training = distributionGain(distribution, law, residuals, state.train);
+    gains.training = distributionGain(distribution, family, residuals, state.train);
   return gains;
 }
 

@@ -15,6 +15,7 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXd;
 
+/// The residuals of all measured samples.
 ArrayXd pooled(const Residuals& residuals, const FitData& data) {
   std::vector<double> values;
   for (std::size_t b = 0; b < data.blocks().size(); ++b) {
@@ -27,6 +28,7 @@ ArrayXd pooled(const Residuals& residuals, const FitData& data) {
   return Eigen::Map<const ArrayXd>(values.data(), static_cast<Index>(values.size()));
 }
 
+/// Standard deviation estimated by the median absolute value, which outliers hardly change.
 double robustDeviation(const ArrayXd& values) {
   std::vector<double> sizes(values.size() > 0 ? static_cast<std::size_t>(values.size()) : 1);
   for (Index k = 0; k < values.size(); ++k)
@@ -39,7 +41,8 @@ ArrayXd logNormal(const ArrayXd& r, double deviation) {
   return -0.5 * std::log(2 * kPi) - std::log(deviation) - 0.5 * (r / deviation).square();
 }
 
-/// Student's t with `degrees`, its scale fitted; log density of each value.
+/// Log density of each value under Student's t distribution with so many degrees of freedom.
+/// `scale` is where the fit of the scale starts, and is set to the fitted one.
 ArrayXd logStudent(const ArrayXd& r, double degrees, double* scale) {
   constexpr int kSteps = 12;
   for (int k = 0; k < kSteps; ++k) {
@@ -51,6 +54,7 @@ ArrayXd logStudent(const ArrayXd& r, double degrees, double* scale) {
   return constant - (degrees + 1) / 2 * (1 + (r / *scale).square() / degrees).log();
 }
 
+/// ln(exp(a) + exp(b)) of each element without overflow.
 ArrayXd logSum(const ArrayXd& a, const ArrayXd& b) {
   const ArrayXd larger = a.max(b);
   return larger + ((a - larger).exp() + (b - larger).exp()).log();
@@ -86,7 +90,8 @@ void fitMixtureOfTwo(const ArrayXd& r, ResidualDistribution* distribution) {
   distribution->ratio = wide / narrow;
 }
 
-/// Pairs of marked samples at most `reach` apart, against those that chance would make.
+/// p-value of the number of pairs of marked samples at most kReach apart, which is a Poisson
+/// variable where the marked samples are independent.
 double clusteringOf(const std::vector<Signals>& marked, double samples) {
   constexpr int kReach = 3;
   double count = 0, pairs = 0;
@@ -100,7 +105,8 @@ double clusteringOf(const std::vector<Signals>& marked, double samples) {
   return cdf(complement(boost::math::poisson(expected), pairs - 1));
 }
 
-/// Chen and Liu's search for additive outliers: the innovations matched with their footprint.
+/// Chen and Liu's search for additive outliers: residuals are correlated with the impulse response
+/// of the whitening, and the largest correlations are removed until none is large.
 void findAdditive(const Fit& fit, const FitData& data, const Residuals& residuals, double deviation,
                   ResidualDistribution* distribution) {
   const Polynomials p = fit.model->nominal().polynomials(
@@ -146,7 +152,7 @@ void findAdditive(const Fit& fit, const FitData& data, const Residuals& residual
     samples += data.blocks()[b].weight.sum();
     distribution->found.push_back(std::move(found));
   }
-  const double cost = std::log(1 / 0.02) + 0.5 * std::log(60.0);  // of a place and of a size
+  const double cost = std::log(1 / 0.02) + 0.5 * std::log(60.0);  // of stating time and size
   distribution->additive_gain =
       0.5 * samples * std::log(before / std::max(after, 1e-300)) - cost * count;
 }
@@ -171,22 +177,22 @@ ResidualDistribution residualDistribution(const Fit& fit, const FitData& data,
   return distribution;
 }
 
-bool isOfResidualDistribution(const Effect& effect) {
+bool isResidualDistribution(const Effect& effect) {
   return effect.name() == "noise_tails" || effect.name() == "sens_outliers";
 }
 
-ResidualLaw lawOf(const Effect& effect) {
-  return effect.name() == "noise_tails" ? ResidualLaw::student : ResidualLaw::mixture;
+DistributionFamily familyOf(const Effect& effect) {
+  return effect.name() == "noise_tails" ? DistributionFamily::student : DistributionFamily::mixture;
 }
 
-VectorXd distributionGain(const ResidualDistribution& distribution, ResidualLaw law,
+VectorXd distributionGain(const ResidualDistribution& distribution, DistributionFamily family,
                           const Residuals& residuals, const FitData& data) {
   VectorXd gain = VectorXd::Zero(data.count());
   const ArrayXd all = pooled(residuals, data);
   const double deviation = std::sqrt(all.square().mean());
   double scale = deviation * std::sqrt(std::max(distribution.degrees - 2, 0.1) /
                                        std::max(distribution.degrees, 1.0));
-  if (law == ResidualLaw::student) logStudent(all, distribution.degrees, &scale);
+  if (family == DistributionFamily::student) logStudent(all, distribution.degrees, &scale);
   const double narrow =
       deviation / std::sqrt(1 - distribution.share +
                             distribution.share * distribution.ratio * distribution.ratio);
@@ -195,7 +201,7 @@ VectorXd distributionGain(const ResidualDistribution& distribution, ResidualLaw 
     for (int lane = 0; lane < block.lanes; ++lane) {
       const ArrayXd r = residuals.standardised[b].row(lane).transpose();
       ArrayXd density;
-      if (law == ResidualLaw::student) {
+      if (family == DistributionFamily::student) {
         const double constant = std::lgamma((distribution.degrees + 1) / 2) -
                                 std::lgamma(distribution.degrees / 2) -
                                 0.5 * std::log(distribution.degrees * kPi) - std::log(scale);

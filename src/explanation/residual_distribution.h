@@ -6,35 +6,40 @@
 
 namespace uncertainty_identification {
 
-/// Large residuals, and what they are.
+/// Fits of residual distributions that have heavier tails than a Gaussian. Gains are in
+/// log-likelihood over a Gaussian [nats].
 struct ResidualDistribution {
-  /// Student's t, its degrees of freedom and gain of log-likelihood [nats] over a Gaussian.
+  /// Student's t distribution.
   double degrees = 0, student_gain = 0;
-  /// Two Gaussians, the share and the relative deviation of the wide one.
+  /// Mixture of two Gaussians: share of the wide one, and its standard deviation over the narrow
+  /// one's.
   double share = 0, ratio = 1, mixture_gain = 0;
-  /// Additive outliers, which leave the footprint D/C in the innovations: those found (1), per
-  /// block, and the gain of taking them out; blocks empty where the noise is white.
+  /// Additive outliers: wrong readings, each of which changes the residuals after it as well, by
+  /// the impulse response D/C of the whitening. `found` is 1 at their samples, one signal per
+  /// block; empty where the noise is white, as an outlier then changes one residual only.
   std::vector<Signals> found;
-  double additive_gain = 0;
-  /// Probability that large residuals lie so close together in time by chance.
+  double additive_gain = 0;  ///< of removing them, minus the cost of stating where and how large
+  /// p-value of large residuals lying so close together in time.
   double clustering = 1;
 };
 
 ResidualDistribution residualDistribution(const Fit& fit, const FitData& data,
                                           const Residuals& residuals);
 
-enum class ResidualLaw { student, mixture };
+enum class DistributionFamily { student, mixture };
 
-/// Whether an effect is a law of the residuals (noise_tails, sens_outliers), and which.
-bool isOfResidualDistribution(const Effect& effect);
-ResidualLaw lawOf(const Effect& effect);
+/// Whether an effect is a residual distribution (noise_tails or sens_outliers), and which.
+bool isResidualDistribution(const Effect& effect);
+DistributionFamily familyOf(const Effect& effect);
 
-/// Log density [nats] that the named law of residuals adds to a Gaussian one, of each experiment.
-Eigen::VectorXd distributionGain(const ResidualDistribution& distribution, ResidualLaw law,
-                                 const Residuals& residuals, const FitData& data);
+/// Gain of log density [nats] of each experiment by a distribution of the given family over a
+/// Gaussian one.
+Eigen::VectorXd distributionGain(const ResidualDistribution& distribution,
+                                 DistributionFamily family, const Residuals& residuals,
+                                 const FitData& data);
 
-/// The experiments without samples whose residuals are large (or, where found, without the additive
-/// outliers).
+/// The experiments with their outliers masked: the additive outliers if these explain the data
+/// about as well as a mixture does, otherwise all samples whose residual is large.
 std::vector<Experiment> withoutOutliers(const FitData& data, const Residuals& residuals,
                                         const ResidualDistribution& distribution);
 

@@ -6,25 +6,26 @@
 #include "uncertainty_identification/data/experiment.h"
 #include "uncertainty_identification/explanation/explanation.h"
 
+/// Checks of the samples for defects of the sensor that show without a model: a measurement with
+/// continuous noise never repeats a value exactly.
 namespace uncertainty_identification {
 
-/// Evidence in the samples themselves, which needs no model: a measurement with continuous noise
-/// never repeats a value exactly.
+/// A defect of the sensor that spoils samples.
 struct SpoiltSamples {
-  std::string name;  ///< sens_quant, sens_clip or sens_dropout
+  std::string name;  ///< of the effect: sens_quant, sens_clip or sens_dropout
   std::vector<CauseParameter> parameters;
 };
 
-/// The experiments without the outputs before each first moves: a system at rest has no noise, and
-/// its sensor neither hangs nor is at its limit.
+/// The experiments with the outputs masked that precede the first change of the output. A recording
+/// of a system at rest repeats values though its sensor neither hangs nor is at a limit.
 std::vector<Experiment> withoutRest(std::vector<Experiment> experiments);
 
-/// At most one lattice, or clipping and held samples.
+/// The defects found: quantisation alone, or clipping or held samples or both.
 std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experiments);
 
-/// The experiments without the samples that a signature spoils: clipped ones lie at the extremes of
-/// `reference`, held ones repeat the one before.
+/// The experiments with the spoilt samples masked: those at a limit of the sensor, or those that
+/// repeat the sample before. Quantisation spoils no single sample.
 std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,
-                                       const SpoiltSamples& signature);
+                                       const SpoiltSamples& defect);
 
 }  // namespace uncertainty_identification

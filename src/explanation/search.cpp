@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Pairs of effects that act so alike that a model with one of them does not need the other.
+/// Pairs of effects of which a model needs only one: the other then has nothing left to describe.
 const std::vector<std::pair<std::string, std::string>>& exclusions() {
   static const std::vector<std::pair<std::string, std::string>> all{{"act_offset", "sens_bias"},
                                                                     {"sens_clip", "sens_wiener"}};
@@ -75,7 +75,7 @@ Effects Search::considered(const SearchState& state) const {
 }
 
 std::vector<FittedEffect> Search::rank(const SearchState& state) {
-  constexpr double kUsual = 3;  // rankings
+  constexpr double kUsual = 3;  // rankings, after which half of the search is reported as done
   context_.report_searched(rankings_ / (rankings_ + kUsual));
   ++rankings_;
   const bool checks_pass = allPassed(checkResiduals(state.fit, state.train, state.heavy_tails));
@@ -115,6 +115,8 @@ bool Search::extend(SearchState* state, const std::vector<FittedEffect>& ranked)
   return false;
 }
 
+/// Accepts a residual distribution if the held-out experiments confirm it. Outliers are then masked
+/// in all experiments, and the model is fitted again.
 bool Search::acceptDistribution(SearchState* state, const FittedEffect& best) {
   constexpr double kClustered = 1e-6;  // p-value: bursts are no residual distribution
   const Residuals residuals = residualsOf(state->fit, state->train);
@@ -124,18 +126,18 @@ bool Search::acceptDistribution(SearchState* state, const FittedEffect& best) {
     state->banned.insert(state->banned.end(), {"noise_tails", "sens_outliers"});
     return false;
   }
-  const ResidualLaw law = lawOf(*best.effect);
+  const DistributionFamily family = familyOf(*best.effect);
   FoundCause cause{best.effect, best.score, best.penalty, 1, {}, {}, {}};
-  const Fit there = evaluateOn(state->fit, state->held);
-  if (std::isfinite(there.log_likelihood)) {
-    const Residuals left = residualsOf(there, state->held);
+  const Fit on_held = evaluateOn(state->fit, state->held);
+  if (std::isfinite(on_held.log_likelihood)) {
+    const Residuals residuals_held = residualsOf(on_held, state->held);
     const HeldOut before = heldOut(state->fit, state->held);
-    cause.gain = gainOf(before, before, distributionGains(*state, law));
+    cause.gain = gainOf(before, before, distributionGains(*state, family));
     if (!passes(*cause.gain, acceptanceRule(*best.effect, best.score))) return false;
-    const ResidualDistribution of_held = residualDistribution(there, state->held, left);
-    state->held = FitData(withoutOutliers(state->held, left, of_held));
+    const ResidualDistribution of_held = residualDistribution(on_held, state->held, residuals_held);
+    state->held = FitData(withoutOutliers(state->held, residuals_held, of_held));
   }
-  if (law == ResidualLaw::student) {
+  if (family == DistributionFamily::student) {
     cause.parameters = {{"degrees_of_freedom", "1", distribution.degrees, std::nan(""),
                          std::nan(""), std::nan("")}};
   } else {
@@ -155,9 +157,11 @@ bool Search::acceptDistribution(SearchState* state, const FittedEffect& best) {
   return true;
 }
 
+/// Fits a candidate to convergence and accepts it if the held-out experiments confirm its gain;
+/// causes that it makes needless are eliminated. False where it is not among the causes afterwards.
 bool Search::accept(SearchState* state, const FittedEffect& candidate,
                     const std::vector<FittedEffect>& ranked) {
-  if (isOfResidualDistribution(*candidate.effect)) return acceptDistribution(state, candidate);
+  if (isResidualDistribution(*candidate.effect)) return acceptDistribution(state, candidate);
   const std::string& name = candidate.effect->name();
   if (name == "exp_mode" && !beatsSimulation(*state, candidate)) return false;
   const Fit fit =

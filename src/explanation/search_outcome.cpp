@@ -6,11 +6,13 @@
 #include "explanation/estimate_fit.h"
 #include "explanation/feedback_check.h"
 #include "explanation/spectral_peaks.h"
+#include "math/information_criterion.h"
 #include "model/sensitivity.h"
 
 namespace uncertainty_identification {
 namespace {
 
+/// The model of the estimate, optimised by the search's own fit, as the state before any cause.
 SearchState baseOf(const Estimate& estimate, const Split& data, const FitContext& context) {
   SearchState base{{}, FitData(usedBy(estimate, data.train)), FitData(data.held), {}, {}};
   base.fitted_to = data.fitted_to;
@@ -19,6 +21,7 @@ SearchState baseOf(const Estimate& estimate, const Split& data, const FitContext
   return base;
 }
 
+/// The catalogue of effects, with starts that suit the data and the residuals of the base.
 Effects catalogueFor(const SearchState& base) {
   const NominalModel& nominal = base.fit.model->nominal();
   DataSummary summary = summarise(base.train.experiments());
@@ -29,7 +32,8 @@ Effects catalogueFor(const SearchState& base) {
   return catalogue(summary);
 }
 
-/// Causes that the samples show by themselves; a lattice only where it is coarse against the noise.
+/// Accepts the causes that the samples show without a model. Quantisation is accepted only if it is
+/// coarse: a step that is small compared with the noise does no harm.
 void addCausesThatSamplesShow(const std::vector<SpoiltSamples>& spoilt, const Effects& effects,
                               SearchState* base) {
   constexpr double kCoarse = 0.2;  // variance of rounding / sigma^2
@@ -50,8 +54,9 @@ void addCausesThatSamplesShow(const std::vector<SpoiltSamples>& spoilt, const Ef
   base->heavy_tails = base->quantised;
 }
 
+/// Accepts feedback as a cause (exp_feedback) if its test says so.
 void addFeedback(const Effects& effects, SearchState* found) {
-  constexpr double kFeedback = 1e-4;
+  constexpr double kFeedback = 1e-4;  // p-value
   if (feedbackProbability(residualsOf(found->fit, found->train), found->train) >= kFeedback) return;
   FoundCause cause;
   cause.effect = findEffect(effects, "exp_feedback", "");
@@ -60,9 +65,9 @@ void addFeedback(const Effects& effects, SearchState* found) {
 
 }  // namespace
 
-double SearchOutcome::merit() const {
+double SearchOutcome::penalisedLikelihood() const {
   const double parameters = base.fit.model->nominal().parameterCount();
-  return base.fit.log_likelihood - 0.5 * parameters * std::log(base.train.samples()) + found.total;
+  return base.fit.log_likelihood - bicPenalty(parameters, base.train.samples()) + found.total;
 }
 
 FitContext contextOf(const Estimate& estimate, std::uint64_t seed) {
@@ -83,8 +88,7 @@ SearchOutcome searchOnTopOf(const ExplanationOptions& options, const FitContext&
   const Effects effects = catalogueFor(base);
   addCausesThatSamplesShow(spoilt, effects, &base);
   Search search(options, context, effects);
-  // the error of a coarse lattice is neither Gaussian nor white: what else is wrong would drown in
-  // it
+  // The error of a coarse quantisation is neither Gaussian nor white, and hides other effects.
   SearchState found = base.quantised ? base : search.run(base);
   const auto& excluded = options.exclude;
   if (std::find(excluded.begin(), excluded.end(), "exp_feedback") == excluded.end())

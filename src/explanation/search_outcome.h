@@ -9,22 +9,23 @@
 
 namespace uncertainty_identification {
 
-/// A model, and the causes that are found on top of it.
+/// A model without causes, and the result of the search for causes on top of it.
 struct SearchOutcome {
-  Estimate estimate;
-  SearchState base, found;
+  Estimate estimate;        ///< of the model
+  SearchState base, found;  ///< before and after the search
   std::vector<TriedEffect> tried;
 
-  /// [nats] Likelihood less what BIC charges for the model's and the causes' parameters: by this
-  /// attempts on top of different models compare.
-  double merit() const;
+  /// Log-likelihood with the causes, minus the BIC penalties of the model and of the causes [nats].
+  /// Outcomes on top of models of different orders are compared by it.
+  double penalisedLikelihood() const;
 };
 
-/// The context of fits that start from an estimate: without threads and callbacks.
+/// The context of fits that start from an estimate. It has no threads, and its callbacks do
+/// nothing.
 FitContext contextOf(const Estimate& estimate, std::uint64_t seed);
 
-/// Looks for causes on top of an estimate of `data.train`, out of which what the spoilt spoil
-/// was taken.
+/// Looks for causes on top of an estimate. The estimate was made from `data.train`, with the
+/// samples masked that are `spoilt`.
 SearchOutcome searchOnTopOf(const ExplanationOptions& options, const FitContext& context,
                             Estimate estimate, const Split& data,
                             const std::vector<SpoiltSamples>& spoilt);

@@ -11,8 +11,8 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr int kRefinement = 4;  // points per line of the spectrum
-constexpr int kLowest = 2 * kRefinement;
+constexpr int kRefinement = 4;            // points per resolved line of the spectrum
+constexpr int kLowest = 2 * kRefinement;  // points below it are left out: the window's mean
 
 /// Power at `points` frequencies up to the Nyquist frequency, by Goertzel's recursion.
 ArrayXd spectrum(const VectorXd& signal, int points) {
@@ -30,7 +30,7 @@ ArrayXd spectrum(const VectorXd& signal, int points) {
   return power;
 }
 
-/// Without its mean, under a Hann window.
+/// The signal minus its mean, multiplied by a Hann window.
 VectorXd windowed(VectorXd signal) {
   const auto length = static_cast<double>(signal.size());
   signal.array() -= signal.mean();
@@ -39,6 +39,7 @@ VectorXd windowed(VectorXd signal) {
   return signal;
 }
 
+/// Frequency of the largest peak [rad/sample].
 double peakOf(const ArrayXd& power) {
   Index at = 0;
   power.tail(power.size() - kLowest).maxCoeff(&at);

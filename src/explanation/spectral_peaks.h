@@ -4,7 +4,8 @@
 
 namespace uncertainty_identification {
 
-/// Largest peaks of the residual's spectrum, where a hum would start, to `summary`.
+/// Finds the largest peaks of the residual's spectrum and stores their frequencies in `summary`
+/// (common_peak, own_peak). The fit of a hum (sens_hum) starts from them.
 void findSpectralPeaks(const Residuals& residuals, const FitData& data, DataSummary* summary);
 
 }  // namespace uncertainty_identification

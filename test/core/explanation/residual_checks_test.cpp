@@ -1,5 +1,5 @@
-// Tests of residuals: Example 1 at its own parameters passes all; spoilt in one way, it fails the
-// test that is made for that.
+// Checks of residuals: Example 1 with its true parameters passes all; if the data are spoilt in one
+// way, the check for that fails.
 #include "explanation/residual_checks.h"
 
 #include <gtest/gtest.h>
@@ -93,7 +93,7 @@ TEST(Checks, NameTheExperimentThatDiffers) {
 TEST(Feedback, IsSeenInTheInputThatAnswersTheOutput) {
   const Judged open = judgedWith([](Experiment*) {});
   EXPECT_GT(feedbackProbability(residualsOf(open.fit, open.data), open.data), 1e-3);
-  // u = r - 0.8 y(t-1), Example 1's plant and noise anew
+  // u = r - 0.8 y(t-1); plant and noise of Example 1 are simulated with this input
   std::mt19937_64 engine(2);
   std::normal_distribution<double> normal;
   const Judged closed = judgedWith([&](Experiment* e) {

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// y = u(t-1) + noise of a law, white.
+/// y(t) = u(t-1) + white noise of the given distribution, with its true model.
 struct WithNoise {
   Fit fit;
   FitData data;
@@ -47,7 +47,7 @@ double gaussian(std::mt19937_64* engine) { return std::normal_distribution<doubl
 
 double student(std::mt19937_64* engine) { return std::student_t_distribution<double>(4)(*engine); }
 
-/// One in fifty ten times as large.
+/// Gaussian noise of which one sample in fifty is ten times as large.
 double contaminated(std::mt19937_64* engine) {
   return (std::bernoulli_distribution(0.02)(*engine) ? 10 : 1) * gaussian(engine);
 }
@@ -69,7 +69,8 @@ TEST(ResidualDistributions, OfStudentsNoiseAreStudents) {
   EXPECT_GT(of.distribution.student_gain, 100);
   EXPECT_GE(of.distribution.degrees, 3.5);
   EXPECT_LE(of.distribution.degrees, 5);
-  const VectorXd gain = distributionGain(of.distribution, ResidualLaw::student, of.residuals, of.data);
+  const VectorXd gain =
+      distributionGain(of.distribution, DistributionFamily::student, of.residuals, of.data);
   EXPECT_NEAR(gain.sum(), of.distribution.student_gain, 0.02 * of.distribution.student_gain);
 }
 
@@ -79,7 +80,8 @@ TEST(ResidualDistributions, OfWrongReadingsAreAMixture) {
   EXPECT_NEAR(of.distribution.share, 0.02, 4 * std::sqrt(0.02 / 4000) + 0.005);
   EXPECT_NEAR(of.distribution.ratio, 10, 4 * 10 / std::sqrt(2 * 80.0));
   EXPECT_GT(of.distribution.clustering, 1e-6);
-  const VectorXd gain = distributionGain(of.distribution, ResidualLaw::mixture, of.residuals, of.data);
+  const VectorXd gain =
+      distributionGain(of.distribution, DistributionFamily::mixture, of.residuals, of.data);
   EXPECT_NEAR(gain.sum(), of.distribution.mixture_gain, 0.05 * of.distribution.mixture_gain);
   int masked = 0;
   for (const Experiment& experiment : withoutOutliers(of.data, of.residuals, of.distribution))

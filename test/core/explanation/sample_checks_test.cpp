@@ -1,4 +1,4 @@
-// What is said of samples that repeat each other exactly.
+// Which defects of the sensor are found in samples that repeat each other exactly.
 #include "explanation/sample_checks.h"
 
 #include <gtest/gtest.h>
