@@ -14,13 +14,11 @@ namespace uncertainty_identification {
 /// causes would take these for a forgotten lag or resonance. The models returned are therefore
 /// chosen by likelihood:
 ///  - first, the estimate with the orders of the plant raised and those of the noise model lowered
-///  as
-///    long as BIC improves;
+///    as long as BIC improves;
 ///  - if that raised the plant's orders, the plant's orders of the estimate with the noise model's
 ///    orders of the first model;
 ///  - if noise poles of the first model lie near the unit circle, where they describe a bias, a
-///  drift
-///    or a hum, the first model without them.
+///    drift or a hum, the first model without them.
 std::vector<Estimate> orderCandidates(const Configuration& asked, const Estimate& estimate,
                                       const std::vector<Experiment>& experiments,
                                       const FitContext& context, const ProgressCallback& progress);

@@ -16,8 +16,7 @@ struct FitContext {
   std::uint64_t seed = 1;
   WorkerPool* pool = nullptr;
   std::function<bool()> going_on;  ///< false once the search is cancelled; called from any thread
-  std::function<void(double)>
-      report_searched;  ///< called with the share of the search that is done, 0 to 1
+  std::function<void(double)> report_searched;  ///< is told the share of the search done, 0 to 1
 };
 
 /// Optimises all parameters from the fit's point to convergence.

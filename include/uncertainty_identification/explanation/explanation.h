@@ -59,13 +59,12 @@ struct CauseParameter {
 
 /// A physical effect that the data show and that the model lacked.
 struct Cause {
-  std::string name;         ///< of the catalogue, e.g. "act_deadzone"
-  std::string variant;      ///< e.g. "per_experiment", or the covariate
-  std::string group;        ///< "actuator", "plant", "sensor", "noise", "experiment"
-  std::string description;  ///< in words
-  double confidence = 0;    ///< posterior probability among the candidates
-  std::vector<std::string>
-      equivalent;  ///< names of effects that the data may not distinguish from it
+  std::string name;                     ///< of the catalogue, e.g. "act_deadzone"
+  std::string variant;                  ///< e.g. "per_experiment", or the covariate
+  std::string group;                    ///< "actuator", "plant", "sensor", "noise", "experiment"
+  std::string description;              ///< in words
+  double confidence = 0;                ///< posterior probability among the candidates
+  std::vector<std::string> equivalent;  ///< names of effects that the data may not distinguish
   std::vector<CauseParameter> parameters;
   std::string advice;        ///< what to check on the rig, or to record next
   std::optional<Gain> gain;  ///< none for exp_feedback, which does not change the model
@@ -84,8 +83,8 @@ struct ExperimentPicture {
   std::string id;
   double sample_time = 0;  ///< [s]
   Eigen::VectorXd input, measured;
-  Eigen::VectorXd simulated_before,
-      simulated_after;  ///< with the experiment's own error parameters
+  /// Simulated with the experiment's own error parameters.
+  Eigen::VectorXd simulated_before, simulated_after;
   Eigen::VectorXd deviation_before, deviation_after;  ///< standard deviation of the prediction
 };
 
