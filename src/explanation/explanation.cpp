@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <sstream>
@@ -17,37 +16,12 @@
 #include "explanation/residual_picture.h"
 #include "explanation/search_outcome.h"
 #include "explanation/verdict.h"
+#include "explanation/wording.h"
 #include "model/sensitivity.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {
-
-/// An effect in the words of a message, e.g. "dead zone of the actuator (act_deadzone)".
-std::string named(const Effect& effect) {
-  return effect.description().meaning + " (" + effect.label() + ")";
-}
-
-/// The group of an effect, which its name begins with, as users read it.
-std::string groupOf(const std::string& name) {
-  static const std::map<std::string, std::string> kGroups{{"act", "actuator"},
-                                                          {"plant", "plant"},
-                                                          {"sens", "sensor"},
-                                                          {"noise", "noise"},
-                                                          {"exp", "experiment"}};
-  const std::string prefix = name.substr(0, name.find('_'));
-  const auto group = kGroups.find(prefix);
-  return group == kGroups.end() ? prefix : group->second;
-}
-
-std::string orderText(const Estimate& estimate) {
-  const NominalModelOptions& of = estimate.configuration.nominal_model;
-  const auto text = [](const char* name, int value) {
-    return std::string(name) + "=" + std::to_string(value);
-  };
-  return text("nb", of.nb) + text(" na", of.na) + text(" nc", of.nc) + text(" nd", of.nd) +
-         text(" delay", of.delay);
-}
 
 int threadsOf(const Configuration& configuration) {
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
