@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "oracle.h"
-#include "simulation/hidden_effect.h"
 #include "support/hidden_effects/hidden_effect.h"
 #include "uncertainty_identification/explanation/explanation.h"
 

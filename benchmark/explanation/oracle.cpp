@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "explanation/attempt.h"
 #include "explanation/estimate_fit.h"
 #include "explanation/measure.h"
+#include "explanation/search_outcome.h"
 #include "model/sensitivity.h"
 #include "reported_parameters.h"
 #include "uncertainty_identification/effects/catalogue.h"
@@ -84,11 +84,11 @@ std::optional<double> trueGain(const test::HiddenEffect& hidden, const Estimate&
   if (hidden.names.size() != 1 || !stated) return std::nullopt;
   const FitData train(usedBy(before, training)), held(fresh);
   const FitContext context = contextOf(before, before.configuration.estimation.seed);
-  const Fit base = settled(fitOf(before, train, summarise(train.experiments())), train, context);
+  const Fit base = optimise(fitOf(before, train, summarise(train.experiments())), train, context);
   const auto effect = hiddenEffect(hidden, base, train);
   if (effect->stage() == Stage::data || effect->name() == "plant_aging") return std::nullopt;
   const Fit known = atTruth(base, effect, hidden.truth, train);
-  const Fit fitted = settled(known, train, context);
+  const Fit fitted = optimise(known, train, context);
   const VectorXd without = logDensities(base, held);
   return std::max((logDensities(known, held) - without).mean(),
                   (logDensities(fitted, held) - without).mean());

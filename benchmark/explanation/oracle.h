@@ -3,7 +3,6 @@
 #include <optional>
 #include <vector>
 
-#include "simulation/hidden_effect.h"
 #include "support/hidden_effects/hidden_effect.h"
 #include "uncertainty_identification/estimation/estimate.h"
 

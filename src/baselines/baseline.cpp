@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "bounds/frequency_grid.h"
-#include "data/check.h"
+#include "data/experiment_checks.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

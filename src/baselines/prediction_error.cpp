@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "data/check.h"
+#include "data/experiment_checks.h"
 #include "estimation/initial_guess.h"
 #include "estimation/plant_coordinates.h"
-#include "estimation/selection.h"
 #include "estimation/standard_errors.h"
+#include "math/information_criterion.h"
 #include "math/polynomial.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/version.h"

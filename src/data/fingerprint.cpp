@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "data/check.h"
+#include "data/experiment_checks.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "data/check.h"
+#include "data/experiment_checks.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -9,6 +9,7 @@
 #include "estimation/initial_guess.h"
 #include "estimation/least_squares_start.h"
 #include "estimation/simulation_fit.h"
+#include "math/information_criterion.h"
 #include "math/polynomial.h"
 #include "model/linear_model.h"
 #include "uncertainty_identification/errors.h"
@@ -241,12 +242,6 @@ class Selection {
 };
 
 }  // namespace
-
-double bic(double log_likelihood, int model_parameters, int mixture_parameters, double samples,
-           int experiments) {
-  return -2 * log_likelihood + model_parameters * std::log(samples) +
-         mixture_parameters * std::log(experiments);
-}
 
 int mixtureParameters(Constraint constraint, int dimension, int components) {
   if (dimension == 0) return 0;

@@ -10,11 +10,6 @@
 
 namespace uncertainty_identification {
 
-/// BIC: -2 log-likelihood + ln(sum N_r) per parameter of theta and sigma^2 + ln M per mixture
-/// parameter.
-double bic(double log_likelihood, int model_parameters, int mixture_parameters, double samples,
-           int experiments);
-
 /// Free parameters of a mixture under a constraint.
 int mixtureParameters(Constraint constraint, int dimension, int components);
 

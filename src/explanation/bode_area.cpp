@@ -10,7 +10,7 @@
 namespace uncertainty_identification {
 namespace {
 
-/// The linear part of a fit, as bounds are drawn from it; at a sample time of 1.
+/// The linear part of a fit in the form that the bounds are computed from, with a sample time of 1.
 Estimate linearPart(const Fit& fit) {
   const NominalModel& nominal = fit.model->nominal();
   const Polynomials p = nominal.polynomials(fit.at.parameters.head(nominal.parameterCount()));

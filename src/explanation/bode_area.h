@@ -4,9 +4,10 @@
 
 namespace uncertainty_identification {
 
-/// Area between the limits of |Go (1 + GDelta)| that hold 95 % of the plants of a fit at each
-/// frequency, over the three decades below the Nyquist frequency [decades x decades]. Small: the
-/// model says precisely what the next plant does. NaN where Go is not stable.
+/// Area in the Bode magnitude diagram between the limits that contain |Go (1 + GDelta)| of 95 % of
+/// the plants at each frequency, over the three decades below the Nyquist frequency [decades x
+/// decades]. Go is the nominal model and GDelta the relative error, which is random. The smaller
+/// the area, the more precisely the fit predicts the next plant. NaN where Go is not stable.
 double bodeArea(const Fit& fit);
 
 }  // namespace uncertainty_identification

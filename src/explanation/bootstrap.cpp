@@ -20,8 +20,9 @@ VectorXd normals(Index count, std::mt19937_64* random) {
   return values;
 }
 
-/// Statistics of experiments with the same regressors, drawn from the model: v = S xi + sigma
-/// S^(1/2) z, and what of e'e v does not hold follows its chi-squared law.
+/// Sufficient statistics S = Phi'Phi, v = Phi'e and e'e of experiments with the same regressors
+/// Phi, drawn from the model: v = S xi + sigma S^(1/2) z, and the part of e'e that the regressors
+/// do not explain is sigma^2 times a chi-squared variable.
 Statistics simulatedStatistics(const Statistics& of, const ModelParameters& at,
                                std::mt19937_64* random) {
   const int n = of.regressors();
@@ -49,7 +50,7 @@ Statistics simulatedStatistics(const Statistics& of, const ModelParameters& at,
   return drawn;
 }
 
-/// Highest likelihood with `components`, theta as it is.
+/// Highest log-likelihood with so many components, theta fixed.
 double reachedWith(const Likelihood& likelihood, const Statistics& statistics,
                    const ModelParameters& single, int components, const FitContext& context) {
   constexpr int kRestarts = 4, kSteps = 200;

@@ -4,9 +4,11 @@
 
 namespace uncertainty_identification {
 
-/// Whether a log-likelihood ratio [nats] of one component more exceeds all those that data
-/// simulated from `base`, without it, give: the ratio of mixtures has no chi-squared law. The
-/// simulation is that of the sufficient statistics: no sample is drawn.
+/// A parametric bootstrap test for one more mixture component. True if `ratio`, the gain of
+/// log-likelihood [nats] by the component, exceeds those of all data sets simulated from `base`,
+/// which lacks it. The simulation is needed because the likelihood ratio of mixtures is not
+/// chi-squared distributed. It draws sufficient statistics instead of samples, which has the same
+/// effect.
 bool exceedsSimulatedRatios(const Fit& base, const FitData& data, const FitContext& context,
                             double ratio);
 

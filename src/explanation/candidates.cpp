@@ -5,11 +5,13 @@
 #include <limits>
 
 #include "explanation/from_white_noise.h"
+#include "math/information_criterion.h"
 
 namespace uncertainty_identification {
 namespace {
 
-/// Takes over what is new or leads higher.
+/// Adds the others to the candidates; of two candidates for one effect the one with the higher
+/// score is kept.
 void merge(std::vector<FittedEffect> others, std::vector<FittedEffect>* candidates) {
   for (FittedEffect& other : others) {
     const auto same = std::find_if(
@@ -23,39 +25,57 @@ void merge(std::vector<FittedEffect> others, std::vector<FittedEffect>* candidat
   }
 }
 
+/// Effects whose fit must restart theta and the mixture: those that move theta far, and the spread
+/// of a parameter, which the mixture of the base may have absorbed. The latter only if the
+/// screening predicts that some effect gains.
+bool needsRestart(const Effect& effect, bool some_gain) {
+  return movesPlant(effect) || (some_gain && effect.name() == "plant_parameter_spread");
+}
+
+/// Keeps the candidates, ordered by screening score, that are worth fitting.
+void keepPromising(bool checks_pass, bool some_gain, std::vector<FittedEffect>* candidates) {
+  constexpr std::size_t kMost = 12;
+  // The screening is only approximate. Where the checks fail, an effect may turn out to gain though
+  // a loss was predicted.
+  const double least_score = checks_pass ? -2 : -6;  // [nats]
+  std::size_t kept = 0;
+  const auto hopeless = [&](const FittedEffect& candidate) {
+    if (some_gain && needsRestart(*candidate.effect, some_gain)) return false;
+    return (candidate.score < least_score && !isOfMixture(*candidate.effect)) || ++kept > kMost;
+  };
+  candidates->erase(std::remove_if(candidates->begin(), candidates->end(), hopeless),
+                    candidates->end());
+}
+
 }  // namespace
 
 std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
                                         const Effects& effects, const FitContext& context,
-                                        bool nothing_shows) {
-  constexpr std::size_t kFitted = 12, kConverged = 7, kAnew = 3;
-  const double hopeless = nothing_shows ? -2 : -6;  // [nats] of predicted score
+                                        bool checks_pass) {
+  constexpr std::size_t kConverged = 7, kRestarted = 3;
   std::vector<FittedEffect> candidates = screenedEffects(base, data, effects, context);
-  const bool wrong = !candidates.empty() && candidates.front().score > 0;
-  const auto leadsFar = [&](const Effect& effect) {  // a spread has been taken for the mixture's
-    return movesPlant(effect) || (wrong && effect.name() == "plant_parameter_spread");
-  };
-  std::size_t fitted = 0;
-  candidates.erase(
-      std::remove_if(candidates.begin(), candidates.end(),
-                     [&](const FittedEffect& candidate) {
-                       if (wrong && leadsFar(*candidate.effect)) return false;
-                       return (candidate.score < hopeless && !isOfMixture(*candidate.effect)) ||
-                              ++fitted > kFitted;
-                     }),
-      candidates.end());
+  const bool some_gain = !candidates.empty() && candidates.front().score > 0;
+  keepPromising(checks_pass, some_gain, &candidates);
   inParallel(context, candidates.size(), [&](std::size_t k) {
-    converge(&candidates[k], approached(candidates[k], data, context), base, data, context, 4,
-             leadsFar(*candidates[k].effect));
+    FitEffort few_steps;
+    few_steps.steps = 4;
+    few_steps.restart = needsRestart(*candidates[k].effect, some_gain);
+    converge(&candidates[k], afterPredictedStep(candidates[k], data, context), base, data, context,
+             few_steps);
   });
-  for (std::size_t k = 0; wrong && k < candidates.size(); ++k) {
-    if (candidates[k].effect->name() == "act_delay")  // the error model imitates short ones
+  // A short delay is hidden from the screening, as the error model imitates it.
+  for (std::size_t k = 0; some_gain && k < candidates.size(); ++k) {
+    if (candidates[k].effect->name() == "act_delay")
       merge({fittedFromEachStart(candidates[k], base.at, base, data, context)}, &candidates);
   }
-  if (wrong) merge(fittedFromWhiteNoise(base, data, effects, context), &candidates);
+  if (some_gain) merge(fittedFromWhiteNoise(base, data, effects, context), &candidates);
   sortByScore(&candidates);
   inParallel(context, std::min(kConverged, candidates.size()), [&](std::size_t k) {
-    converge(&candidates[k], candidates[k].fit, base, data, context, 15, wrong && k < kAnew);
+    FitEffort to_convergence;
+    to_convergence.steps = 15;
+    to_convergence.restart = some_gain && k < kRestarted;
+    to_convergence.search_grid = true;
+    converge(&candidates[k], candidates[k].fit, base, data, context, to_convergence);
   });
   sortByScore(&candidates);
   return candidates;
@@ -64,14 +84,18 @@ std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
 FittedEffect oneMoreComponent(const Fit& base, const FitData& data,
                               const std::shared_ptr<const Effect>& effect,
                               const FitContext& context) {
-  constexpr double kSelection = 1.5;  // [nats] for the choice among many splits
+  constexpr double kSelection = 1.5;  // [nats] for the choice among many ways to split the mixture
   constexpr double kNone = -std::numeric_limits<double>::infinity();
+  constexpr int kFewestExperiments = 4;  // per component
+  constexpr int kRestarts = 8, kSteps = 4;
+  constexpr double kTolerance = 0.05;  // [nats]
   const int components = base.at.mixture.components(), n = base.at.mixture.dimension();
   FittedEffect candidate{effect, base, 0, kNone, {}, false};
-  if (n == 0 || data.count() < 4 * (components + 1)) return candidate;
-  candidate.fit = improved(withNewMixture(base, data, context, components + 1, 8), data,
-                           context.options, 4, 0.05);
-  candidate.penalty = 0.5 * (1 + n + n * (n + 1) / 2.0) * std::log(data.count()) + kSelection;
+  if (n == 0 || data.count() < kFewestExperiments * (components + 1)) return candidate;
+  candidate.fit = takeScoringSteps(withNewMixture(base, data, context, components + 1, kRestarts),
+                                   data, context.options, kSteps, kTolerance);
+  const double parameters = 1 + n + n * (n + 1) / 2.0;  // weight, mean, covariance
+  candidate.penalty = bicPenalty(parameters, data.count()) + kSelection;
   candidate.score = candidate.fit.log_likelihood - base.log_likelihood - candidate.penalty;
   for (const double weight : candidate.fit.at.mixture.weights)
     if (weight * data.count() < 2) candidate.score = kNone;

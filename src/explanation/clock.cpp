@@ -11,7 +11,7 @@ using Eigen::VectorXd;
 
 constexpr const char* kName = "exp_clock";
 
-/// Every experiment's output taken at the shift of its point.
+/// Shifts the output of each experiment by the shift that its point states, without uncertainty.
 class FixedShift : public Effect {
  public:
   FixedShift() : Effect(description()) {}

@@ -3,17 +3,17 @@
 #include "explanation/fit.h"
 #include "uncertainty_identification/estimation/estimate.h"
 
-/// Between estimates, which users see, and fits, which a search works with.
+/// Conversion between estimates, which users see, and fits, which the search for causes works with.
 namespace uncertainty_identification {
 
-/// The experiments of `all` that the estimate rests on, in their order.
+/// The experiments of `all` from which the estimate was made, in the same order.
 std::vector<Experiment> usedBy(const Estimate& estimate, std::vector<Experiment> all);
 
-/// The model of an estimate, ready to be extended, for the same experiments.
+/// The model of an estimate as one that effects can be added to, evaluated on its experiments.
 Fit fitOf(const Estimate& estimate, const FitData& data, const DataSummary& summary);
 
-/// The estimate of an extended fit, by the Identifier from there on: what a configuration with
-/// these effects gives.
+/// The estimate of a fit with effects. The Identifier optimises it from the fit's point, so that it
+/// equals what a configuration with these effects gives.
 Estimate estimateOf(const Fit& fit, const FitData& data, const Estimate& base);
 
 }  // namespace uncertainty_identification

@@ -3,43 +3,25 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
 #include <mutex>
 #include <optional>
+#include <sstream>
 
 #include "configuration/require.h"
 #include "configuration/thread_count.h"
-#include "explanation/attempt.h"
-#include "explanation/checks.h"
 #include "explanation/estimate_fit.h"
 #include "explanation/intervals.h"
 #include "explanation/order_candidates.h"
+#include "explanation/residual_checks.h"
+#include "explanation/residual_picture.h"
+#include "explanation/search_outcome.h"
 #include "explanation/verdict.h"
+#include "explanation/wording.h"
 #include "model/sensitivity.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {
-
-std::string groupOf(const std::string& name) {
-  static const std::map<std::string, std::string> kGroups{{"act", "actuator"},
-                                                          {"plant", "plant"},
-                                                          {"sens", "sensor"},
-                                                          {"noise", "noise"},
-                                                          {"exp", "experiment"}};
-  const std::string prefix = name.substr(0, name.find('_'));
-  const auto group = kGroups.find(prefix);
-  return group == kGroups.end() ? prefix : group->second;
-}
-
-std::string orderText(const Estimate& estimate) {
-  const NominalModelOptions& of = estimate.configuration.nominal_model;
-  const auto text = [](const char* name, int value) {
-    return std::string(name) + "=" + std::to_string(value);
-  };
-  return text("nb", of.nb) + text(" na", of.na) + text(" nc", of.nc) + text(" nd", of.nd) +
-         text(" delay", of.delay);
-}
 
 void requireKnown(const std::vector<std::string>& excluded,
                   const std::vector<Experiment>& experiments) {
@@ -65,12 +47,12 @@ class Explaining {
  private:
   bool report(const std::string& phase, double fraction, std::optional<double> log_likelihood);
   bool isExcluded(const std::string& name) const;
-  std::vector<Signature> takeOutSpoiled(Split* data);
+  std::vector<SpoiltSamples> maskSpoilt(Split* data);
   Estimate identify(const std::vector<Experiment>& experiments);
-  Attempt bestAttempt(const Split& data, const std::vector<Signature>& signatures);
-  void tellOrders(const Estimate& chosen, const Estimate& explained);
-  void tellTie(const Attempt& other, const Attempt& best);
-  void tellHeldOut(const Split& data);
+  SearchOutcome bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt);
+  void warnOfOtherOrders(const Estimate& chosen, const Estimate& explained);
+  void warnOfTie(const SearchOutcome& other, const SearchOutcome& best);
+  void noteHeldOut(const Split& data);
   FitContext context(const Estimate& estimate);
   Cause described(const FoundCause& found, const SearchState& state) const;
   void describeModels(const SearchState& base, const SearchState& found);
@@ -82,7 +64,7 @@ class Explaining {
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   bool cancelled_ = false;
   std::mutex reporting_;
-  double searched_ = 0;  ///< share of the search done
+  double share_searched_ = 0;  ///< share of the search that is done, 0 to 1
   WorkerPool pool_;
   Explanation explanation_;
 };
@@ -98,20 +80,20 @@ bool Explaining::isExcluded(const std::string& name) const {
   return std::find(excluded.begin(), excluded.end(), name) != excluded.end();
 }
 
-std::vector<Signature> Explaining::takeOutSpoiled(Split* data) {
-  constexpr double kAny = 0.999;  // what is taken out here was not missing from the recording
+std::vector<SpoiltSamples> Explaining::maskSpoilt(Split* data) {
+  constexpr double kAny = 0.999;  // masked samples must not count towards limits.max_missing
   data->train = withoutRest(std::move(data->train));
   data->held = withoutRest(std::move(data->held));
-  std::vector<Signature> signatures;
-  for (Signature& signature : signaturesOf(data->train)) {
-    if (!isExcluded(signature.name)) signatures.push_back(std::move(signature));
+  std::vector<SpoiltSamples> spoilt;
+  for (SpoiltSamples& each : checkSamples(data->train)) {
+    if (!isExcluded(each.name)) spoilt.push_back(std::move(each));
   }
-  for (const Signature& signature : signatures) {
-    data->train = withoutSpoiled(std::move(data->train), signature);
-    data->held = withoutSpoiled(std::move(data->held), signature);
-    if (signature.name != "sens_quant") configuration_.limits.max_missing = kAny;
+  for (const SpoiltSamples& each : spoilt) {
+    data->train = withoutSpoiled(std::move(data->train), each);
+    data->held = withoutSpoiled(std::move(data->held), each);
+    if (each.name != "sens_quant") configuration_.limits.max_missing = kAny;
   }
-  return signatures;
+  return spoilt;
 }
 
 Estimate Explaining::identify(const std::vector<Experiment>& experiments) {
@@ -120,30 +102,33 @@ Estimate Explaining::identify(const std::vector<Experiment>& experiments) {
   });
 }
 
-void Explaining::tellOrders(const Estimate& chosen, const Estimate& explained) {
+void Explaining::warnOfOtherOrders(const Estimate& chosen, const Estimate& explained) {
   const std::string before = orderText(chosen), after = orderText(explained);
   if (before == after) return;
   explanation_.warnings.push_back("nominal_model.orders: auto chose " + before +
-                                  " by simulations; the likelihood of all experiments asks for " +
-                                  after + ", which is explained here");
+                                  " by the error of simulations; the likelihood of all experiments "
+                                  "asks for " +
+                                  after + ", and that model is explained");
 }
 
-void Explaining::tellTie(const Attempt& other, const Attempt& best) {
-  if (other.merit() <= best.merit() || other.found.causes.size() <= best.found.causes.size())
+void Explaining::warnOfTie(const SearchOutcome& other, const SearchOutcome& best) {
+  if (other.penalisedLikelihood() <= best.penalisedLikelihood() ||
+      other.found.causes.size() <= best.found.causes.size())
     return;
   std::string names;
   for (const FoundCause& cause : other.found.causes)
-    names += (names.empty() ? "" : " and ") + cause.effect->label();
-  explanation_.warnings.push_back("with " + orderText(other.estimate) + ", " + names +
-                                  " would explain the data as well: they cannot tell; if that is "
-                                  "what you know the orders to be, state them");
+    names += (names.empty() ? "" : " and ") + named(*cause.effect);
+  explanation_.warnings.push_back(
+      "with " + orderText(other.estimate) + ", " + names +
+      " would explain the data as well as the orders above; if you know "
+      "the orders, give them: nominal_model.na, nb, nc, nd, delay");
 }
 
-void Explaining::tellHeldOut(const Split& data) {
+void Explaining::noteHeldOut(const Split& data) {
   if (data.fitted_to) {
     explanation_.warnings.push_back(
-        "too few experiments to keep any out of the fit: gains are measured on those fitted to, "
-        "and are too large; record four or more, or give others by --validation");
+        "too few experiments to hold any out of the fit: gains are measured on those fitted to, "
+        "which makes them too large; record four or more, or give others by --validation");
     return;
   }
   for (const Experiment& experiment : data.held) explanation_.held_out.push_back(experiment.id);
@@ -153,45 +138,49 @@ FitContext Explaining::context(const Estimate& estimate) {
   FitContext context = contextOf(estimate, configuration_.estimation.seed);
   context.pool = &pool_;
   context.going_on = [this, reached = estimate.log_likelihood] {
-    const std::lock_guard<std::mutex> lock(reporting_);  // asked by all threads
-    return report("searching causes", 0.3 + 0.6 * searched_, reached);
+    const std::lock_guard<std::mutex> lock(reporting_);  // called from all threads
+    return report("searching causes", 0.3 + 0.6 * share_searched_, reached);
   };
-  context.searched = [this](double share) {
+  context.report_searched = [this](double share) {
     const std::lock_guard<std::mutex> lock(reporting_);
-    searched_ = std::max(searched_, share);
+    share_searched_ = std::max(share_searched_, share);
   };
   return context;
 }
 
-/// Where the orders are not told, a model with more poles and zeros may take up what an effect of
-/// fewer parameters explains on top of a smaller one.
-Attempt Explaining::bestAttempt(const Split& data, const std::vector<Signature>& signatures) {
+/// Looks for causes on top of the model. If the orders were not given, it does so on top of several
+/// models, since a model with more poles and zeros may absorb what an effect with fewer parameters
+/// explains on top of a smaller one.
+SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt) {
   const Estimate chosen = identify(data.train);
   const std::vector<Estimate> candidates = orderCandidates(
       configuration_, chosen, data.train, context(chosen),
       [this](const Progress& at) { return report("choosing orders", 0.3, at.log_likelihood); });
-  const auto worth = [this](const Attempt& of) {  // a tie is no reason to name anything
-    return of.merit() -
+  // A tie between models is no reason to name a cause.
+  const auto worth = [this](const SearchOutcome& of) {
+    return of.penalisedLikelihood() -
            configuration_.explanation.acceptance * static_cast<double>(of.found.causes.size());
   };
-  std::vector<Attempt> attempts;
+  std::vector<SearchOutcome> outcomes;
   for (const Estimate& candidate : candidates) {
-    attempts.push_back(
-        attempted(configuration_.explanation, context(candidate), candidate, data, signatures));
-    const SearchState& first = attempts.front().found;
-    if (!first.causes.empty() && allPassed(checksOf(first.fit, first.train, first.heavy_tails)))
+    outcomes.push_back(
+        searchOnTopOf(configuration_.explanation, context(candidate), candidate, data, spoilt));
+    const SearchState& first = outcomes.front().found;
+    if (!first.causes.empty() &&
+        allPassed(checkResiduals(first.fit, first.train, first.heavy_tails)))
       break;
   }
-  auto best = std::max_element(
-      attempts.begin(), attempts.end(),
-      [&](const Attempt& left, const Attempt& right) { return worth(left) < worth(right); });
+  auto best = std::max_element(outcomes.begin(), outcomes.end(),
+                               [&](const SearchOutcome& left, const SearchOutcome& right) {
+                                 return worth(left) < worth(right);
+                               });
   explanation_.warnings = best->estimate.warnings;
-  tellOrders(chosen, best->estimate);
-  for (const Attempt& other : attempts) tellTie(other, *best);
+  warnOfOtherOrders(chosen, best->estimate);
+  for (const SearchOutcome& other : outcomes) warnOfTie(other, *best);
   return std::move(*best);
 }
 
-/// The loop of docs/explanation.md.
+/// The steps of docs/explanation.md.
 Explanation Explaining::run(const std::vector<Experiment>& experiments,
                             const std::vector<Experiment>& validation) {
   configuration_.validate();
@@ -200,11 +189,12 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
           "fir, laguerre or kautz: explain looks for parameters that vary by itself");
   requireKnown(configuration_.explanation.exclude, experiments);
   Split data = split(configuration_, experiments, validation);
-  const std::vector<Signature> signatures = takeOutSpoiled(&data);
-  const Attempt best = bestAttempt(data, signatures);
-  tellHeldOut(data);
+  const std::vector<SpoiltSamples> spoilt = maskSpoilt(&data);
+  const SearchOutcome best = bestOutcome(data, spoilt);
+  noteHeldOut(data);
   explanation_.before = best.estimate;
-  explanation_.checks_before = checksOf(best.base.fit, best.base.train, best.base.heavy_tails);
+  explanation_.checks_before =
+      checkResiduals(best.base.fit, best.base.train, best.base.heavy_tails);
   explanation_.candidates = best.tried;
   describe(best.base, best.found);
   return std::move(explanation_);
@@ -232,10 +222,14 @@ void Explaining::describeModels(const SearchState& base, const SearchState& foun
   explanation_.after =
       extended ? estimateOf(found.fit, found.train, explanation_.before) : explanation_.before;
   const double lost = found.fit.log_likelihood - explanation_.after.log_likelihood;
-  if (extended && lost > 1)
-    explanation_.warnings.push_back("the model that is saved was estimated anew and ends " +
-                                    std::to_string(lost) +
-                                    " nats lower than the one that the causes were found with");
+  if (extended && lost > 1) {
+    std::ostringstream nats;
+    nats.precision(3);
+    nats << lost;
+    explanation_.warnings.push_back("the model that is saved was optimised again and ends " +
+                                    nats.str() +
+                                    " nats below the model that the causes were found with");
+  }
   explanation_.before.configuration.limits = explanation_.after.configuration.limits = limits_;
   explanation_.residual_before = residualPicture(base.fit, base.train);
   explanation_.residual_after = residualPicture(found.fit, found.train);
@@ -244,7 +238,7 @@ void Explaining::describeModels(const SearchState& base, const SearchState& foun
 
 void Explaining::describe(const SearchState& base, const SearchState& found) {
   report("describing", 0.9, found.fit.log_likelihood);
-  explanation_.checks_after = checksOf(found.fit, found.train, found.heavy_tails);
+  explanation_.checks_after = checkResiduals(found.fit, found.train, found.heavy_tails);
   const bool passed = allPassed(explanation_.checks_after);
   for (const FoundCause& cause : found.causes) {
     if (cause.effect->name() == "exp_feedback")
@@ -255,9 +249,9 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
       explanation_.causes.push_back(described(cause, found));
       continue;
     }
-    explanation_.warnings.push_back(cause.effect->name() +
-                                    " describes part of what is wrong, but may be a symptom as "
-                                    "long as the rest is not explained");
+    explanation_.warnings.push_back(named(*cause.effect) +
+                                    " describes part of what is wrong, but may be only a symptom: "
+                                    "not all of it is explained");
   }
   if (const Check check = parsimony(found); !check.passed) {
     explanation_.checks_before.push_back(parsimony(base));

@@ -90,11 +90,12 @@ Fit relinearised(const Fit& fit, const FitData& data) {
                    fit.at, data);
 }
 
-Fit improved(Fit fit, const FitData& data, const OptimisationOptions& options, int steps,
-             double tolerance) {
-  constexpr int kSettling = 3;  // rounds until points and posterior means agree
+Fit takeScoringSteps(Fit fit, const FitData& data, const OptimisationOptions& options, int steps,
+                     double tolerance) {
+  constexpr int kLinearisations = 3;  // until the posterior means hardly change
   const bool local = fit.model->isLocallyLinear();
-  for (int round = 0; local && round < kSettling && std::isfinite(fit.log_likelihood); ++round)
+  for (int round = 0; local && round < kLinearisations && std::isfinite(fit.log_likelihood);
+       ++round)
     fit = relinearised(fit, data);
   const int at_once = local ? 2 : steps;
   for (int done = 0; done < steps && std::isfinite(fit.log_likelihood); done += at_once) {
@@ -108,7 +109,7 @@ Fit improved(Fit fit, const FitData& data, const OptimisationOptions& options, i
   return fit;
 }
 
-Fit judged(const Fit& fit, const FitData& data) {
+Fit evaluateOn(const Fit& fit, const FitData& data) {
   constexpr int kRounds = 4;
   ModelParameters at = fit.at;
   std::shared_ptr<const ExtendedModel> model = fit.model->forExperiments(data.count());
@@ -117,10 +118,10 @@ Fit judged(const Fit& fit, const FitData& data) {
   if (at.mixture.components() == 0) points = MatrixXd::Zero(0, data.count());
   model = model->about(points);
   if (hasClock(*model)) model = model->about(clockStart(*model, at, data));
-  Fit there = evaluated(model, at, data);
-  for (int round = 0; round < kRounds && std::isfinite(there.log_likelihood); ++round)
-    there = relinearised(there, data);
-  return there;
+  Fit fitted = evaluated(model, at, data);
+  for (int round = 0; round < kRounds && std::isfinite(fitted.log_likelihood); ++round)
+    fitted = relinearised(fitted, data);
+  return fitted;
 }
 
 }  // namespace uncertainty_identification

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "explanation/screening.h"
+#include "math/information_criterion.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -13,10 +14,10 @@ using Eigen::Index;
 
 double penaltyOf(const Effect& effect, const FitData& data) {
   const double parameters = effect.parameterCount();
-  const double each = isOfMixture(effect) ? std::log(data.count()) : std::log(data.samples());
+  const double observations = isOfMixture(effect) ? data.count() : data.samples();
   const double starts =
       static_cast<double>(std::max<std::size_t>(1, effect.description().starts.size()));
-  return 0.5 * parameters * each + std::log(starts);
+  return bicPenalty(parameters, observations) + std::log(starts);
 }
 
 FittedEffect screened(const Screening& screening, const std::shared_ptr<const Effect>& effect,
@@ -38,7 +39,8 @@ bool isOfMixture(const Effect& effect) {
   return effect.name() == "exp_mode" || effect.name() == "plant_aging";
 }
 
-Fit approached(const FittedEffect& candidate, const FitData& data, const FitContext& context) {
+Fit afterPredictedStep(const FittedEffect& candidate, const FitData& data,
+                       const FitContext& context) {
   constexpr int kMixtureSteps = 5;
   Fit best = evaluated(candidate.fit.model, candidate.fit.at, data);
   if (candidate.step.size() == 0) return best;
@@ -57,18 +59,21 @@ Fit approached(const FittedEffect& candidate, const FitData& data, const FitCont
 }
 
 void converge(FittedEffect* candidate, Fit fit, const Fit& base, const FitData& data,
-              const FitContext& context, int steps, bool anew) {
-  fit = improved(std::move(fit), data, context.options, steps, 0.05);
-  if (anew) fit = withNewStart(fit, data, context, steps);
-  candidate->started_anew = candidate->started_anew || anew;
-  if (steps > 5) fit = searched(std::move(fit), data, context);
+              const FitContext& context, const FitEffort& effort) {
+  constexpr double kTolerance = 0.05;  // [nats]
+  fit = takeScoringSteps(std::move(fit), data, context.options, effort.steps, kTolerance);
+  if (effort.restart) fit = withNewStart(fit, data, context, effort.steps);
+  candidate->restarted = candidate->restarted || effort.restart;
+  if (effort.search_grid) fit = searchGrid(std::move(fit), data, context);
   candidate->fit = std::move(fit);
   candidate->score = candidate->fit.log_likelihood - base.log_likelihood - candidate->penalty;
 }
 
 FittedEffect fittedFromEachStart(const FittedEffect& screened, const ModelParameters& from,
                                  const Fit& base, const FitData& data, const FitContext& context) {
-  constexpr int kMixtureSteps = 5, kSteps = 4;
+  constexpr int kMixtureSteps = 5;
+  FitEffort few_steps;
+  few_steps.steps = 4;
   const std::vector<Eigen::VectorXd>& starts = screened.effect->description().starts;
   std::vector<FittedEffect> all(starts.size(), screened);
   for (FittedEffect& each : all) each.score = -std::numeric_limits<double>::infinity();
@@ -77,7 +82,7 @@ FittedEffect fittedFromEachStart(const FittedEffect& screened, const ModelParame
     at.parameters.conservativeResize(from.parameters.size() + starts[k].size());
     at.parameters.tail(starts[k].size()) = starts[k];
     converge(&all[k], mixtureFitted(screened.fit.model, at, data, context.options, kMixtureSteps),
-             base, data, context, kSteps, false);
+             base, data, context, few_steps);
   });
   sortByScore(&all);
   return all.front();

@@ -7,44 +7,60 @@
 
 namespace uncertainty_identification {
 
-/// An effect fitted on top of a base.
+/// An effect that was added to a base model and fitted.
 struct FittedEffect {
   std::shared_ptr<const Effect> effect;
   Fit fit;
-  double penalty = 0;         ///< [nats]: BIC's, and the logarithm of the number of starts
-  double score = 0;           ///< [nats] gain of likelihood less the penalty
-  Eigen::VectorXd step;       ///< of the parameters, that the screening predicts the gain from
-  bool started_anew = false;  ///< theta and mixture were tried from new starts
+  double penalty = 0;    ///< [nats] half of BIC's penalty, and ln of the effect's number of starts
+  double score = 0;      ///< [nats] gain of log-likelihood over the base, minus the penalty
+  Eigen::VectorXd step;  ///< of all parameters, by which the screening predicts the gain; or empty
+  bool restarted = false;  ///< theta and the mixture were also fitted from new starts
 };
 
-/// All effects where the screening puts them, the most promising first.
+/// How thoroughly converge() fits a candidate.
+struct FitEffort {
+  int steps = 0;             ///< scoring steps, at most
+  bool restart = false;      ///< also fit theta and the mixture from new starts
+  bool search_grid = false;  ///< also search those parameters on a grid that the likelihood is not
+                             ///< smooth in
+};
+
+/// Screens the effects: each at the start and with the score that the screening predicts, the most
+/// promising first.
 std::vector<FittedEffect> screenedEffects(const Fit& base, const FitData& data,
                                           const Effects& effects, const FitContext& context);
 
-/// The candidate at its start, or moved by the predicted step or part of it, psi within its bounds:
-/// a gain of the wrong sign would not be climbed away from.
-Fit approached(const FittedEffect& candidate, const FitData& data, const FitContext& context);
+/// The candidate's model at the best of three points: its start, and the start moved by the
+/// predicted step or by a part of it, with the effect's parameters psi kept within their bounds.
+/// Starting from there matters where the start has the wrong sign, which an optimisation may not
+/// leave.
+Fit afterPredictedStep(const FittedEffect& candidate, const FitData& data,
+                       const FitContext& context);
 
-/// Climbs on from `fit`, `anew` from new starts of theta and mixture too, and scores over `base`.
+/// Optimises from `fit` and stores the result in the candidate with its score over `base`.
 void converge(FittedEffect* candidate, Fit fit, const Fit& base, const FitData& data,
-              const FitContext& context, int steps, bool anew);
+              const FitContext& context, const FitEffort& effort);
 
-/// The best of a few steps from all starts of the effect, the model's parameters `from`: where the
-/// likelihood has many maxima that the screening does not see.
+/// The effect fitted by a few steps from each of its starts, the other parameters starting at
+/// `from`; the best of these. For likelihoods with many local maxima, which the screening does not
+/// see.
 FittedEffect fittedFromEachStart(const FittedEffect& screened, const ModelParameters& from,
                                  const Fit& base, const FitData& data, const FitContext& context);
 
-/// Best first.
+/// Sorts the candidates, the best score first.
 void sortByScore(std::vector<FittedEffect>* candidates);
 
-/// Tasks 0 to count - 1 by the threads of the context, until it is not to go on.
+/// Runs the tasks 0 to count - 1 on the threads of the context. Once the search is cancelled, no
+/// further task begins.
 void inParallel(const FitContext& context, std::size_t count,
                 const std::function<void(std::size_t)>& task);
 
-/// Whether an effect is one of the noise: a symptom of whatever else is wrong.
+/// Whether an effect belongs to the noise. Such an effect gains whatever is wrong, and is then only
+/// a symptom.
 bool isOfNoise(const Effect& effect);
 
-/// Whether an effect is one of the mixture: about a nat per experiment, whatever their length.
+/// Whether an effect belongs to the mixture. Such an effect gains about a nat per experiment,
+/// however long the experiments are.
 bool isOfMixture(const Effect& effect);
 
 }  // namespace uncertainty_identification

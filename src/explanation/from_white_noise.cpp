@@ -18,19 +18,21 @@ Polynomials polynomialsOf(const Fit& fit) {
   return nominal.polynomials(fit.at.parameters.head(nominal.parameterCount()));
 }
 
-bool hasNoisePoles(const Polynomials& p) {  // of its own: not those of A
+/// Whether D has poles of its own, and is not the plant's A.
+bool hasNoisePoles(const Polynomials& p) {
   return p.d.size() > 0 && !(p.d.size() == p.a.size() && p.d == p.a);
 }
 
-/// A pole and a zero so near the unit circle hold what does not die out. A pole alone is a noise
-/// that drifts.
-bool holdsWhatPersists(const Polynomials& p) {
+/// Whether a pole and a zero of the noise model are so near the unit circle that the noise model
+/// may describe a bias, a drift or a hum. A pole alone describes a noise that drifts.
+bool absorbsWhatPersists(const Polynomials& p) {
   constexpr double kPole = 0.98, kZero = 0.9;
   return p.c.size() > 0 && roots(p.d).cwiseAbs().maxCoeff() > kPole &&
          roots(p.c).cwiseAbs().maxCoeff() > kZero;
 }
 
-/// The last parameters of the nominal model are those of C and D.
+/// The base's parameters with C = D = 1. The last parameters of the nominal model are those of C
+/// and D.
 ModelParameters withWhiteNoise(const Fit& base, const Polynomials& p) {
   const Index noise = p.c.size() + p.d.size();
   ModelParameters at = base.at;
@@ -38,17 +40,20 @@ ModelParameters withWhiteNoise(const Fit& base, const Polynomials& p) {
   return at;
 }
 
-/// The most promising of all effects.
+/// The effects that the screening on top of white noise finds most promising, fitted.
 std::vector<FittedEffect> mostPromising(const Fit& white, const Fit& base, const FitData& data,
                                         const Effects& effects, const FitContext& context) {
   constexpr std::size_t kFitted = 7;
-  constexpr int kSteps = 15;
+  FitEffort to_convergence;
+  to_convergence.steps = 15;
+  to_convergence.search_grid = true;
   std::vector<FittedEffect> fitted = screenedEffects(white, data, effects, context);
   fitted.resize(std::min(kFitted, fitted.size()));
   for (FittedEffect& each : fitted)
-    each.score = -std::numeric_limits<double>::infinity();  // until it is one over the base
+    each.score = -std::numeric_limits<double>::infinity();  // the screening's is over `white`
   inParallel(context, fitted.size(), [&](std::size_t k) {
-    converge(&fitted[k], approached(fitted[k], data, context), base, data, context, kSteps, false);
+    converge(&fitted[k], afterPredictedStep(fitted[k], data, context), base, data, context,
+             to_convergence);
   });
   return fitted;
 }
@@ -64,7 +69,7 @@ std::vector<FittedEffect> fittedFromWhiteNoise(const Fit& base, const FitData& d
       mixtureFitted(base.model, withWhiteNoise(base, p), data, context.options, kMixtureSteps);
   if (!std::isfinite(white.log_likelihood)) return {};
   std::vector<FittedEffect> fitted;
-  if (holdsWhatPersists(p)) fitted = mostPromising(white, base, data, effects, context);
+  if (absorbsWhatPersists(p)) fitted = mostPromising(white, base, data, effects, context);
   Effects colour;
   std::copy_if(effects.begin(), effects.end(), std::back_inserter(colour),
                [](const auto& effect) { return effect->name() == "noise_colour"; });

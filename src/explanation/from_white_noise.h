@@ -6,13 +6,15 @@
 
 namespace uncertainty_identification {
 
-/// What of `effects` leads somewhere from white noise that it may not from `base`'s noise model,
-/// scored over `base`:
-///  - a further pair of noise poles: the declared poles may have taken its place, and no climb
-///    leads on from there;
-///  - where a noise pole and a zero are so near the unit circle that they hold what does not die
-///    out, a bias, a drift or a hum, the most promising of all effects: none of those shows beside.
-/// Nothing where the model has no noise poles of its own.
+/// Fits effects on top of `base` with its noise model reset to white noise, where a fit that starts
+/// from the noise model of `base` may end in a local optimum. Scores are over `base`, as those of
+/// fittedEffects(). The effects are:
+///  - a further pair of noise poles (noise_colour): the declared noise poles may have moved to the
+///    place of the missing pair, and an optimisation does not move them back;
+///  - the most promising of all effects, if a pole and a zero of the noise model are so near the
+///    unit circle that they describe a bias, a drift or a hum. With such a noise model none of
+///    these effects would gain anything.
+/// Empty where the model has no noise poles of its own.
 std::vector<FittedEffect> fittedFromWhiteNoise(const Fit& base, const FitData& data,
                                                const Effects& effects, const FitContext& context);
 

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// The fit without effect k of its model, before it is fitted again.
+/// The model of a fit without its effect k, the other parameters unchanged.
 Fit without(const Fit& fit, std::size_t k, const FitData& data) {
   Effects effects = fit.model->effects();
   const Index first = fit.model->offsetOf(k), count = effects[k]->parameterCount();
@@ -23,27 +23,30 @@ Fit without(const Fit& fit, std::size_t k, const FitData& data) {
   return evaluated(fit.model->with(effects), at, data);
 }
 
-/// What a candidate adds.
+/// Gains of log density of a candidate over the base.
 PairedGains gainsOf(const SearchState& base, const FittedEffect& candidate) {
-  if (!isOfTails(*candidate.effect)) return base.gains(base.fit, candidate.fit);
-  return tailGains(base, lawOf(*candidate.effect));
+  if (!isResidualDistribution(*candidate.effect)) return base.gains(base.fit, candidate.fit);
+  return distributionGains(base, familyOf(*candidate.effect));
 }
 
 }  // namespace
 
-PairedGains tailGains(const SearchState& state, TailLaw law) {
+PairedGains distributionGains(const SearchState& state, DistributionFamily family) {
   const Residuals residuals = residualsOf(state.fit, state.train);
-  const Tails tails = tailsOf(state.fit, state.train, residuals);
-  const Fit there = judged(state.fit, state.held);
+  const ResidualDistribution distribution = residualDistribution(state.fit, state.train, residuals);
+  const Fit there = evaluateOn(state.fit, state.held);
   if (!std::isfinite(there.log_likelihood))
     return {VectorXd::Constant(state.held.count(), std::nan("")), {}};
-  PairedGains gains{tailGain(tails, law, residualsOf(there, state.held), state.held), {}};
-  if (!state.fitted_to) gains.training = tailGain(tails, law, residuals, state.train);
+  PairedGains gains{
+      distributionGain(distribution, family, residualsOf(there, state.held), state.held), {}};
+  if (!state.fitted_to)
+    gains.training = distributionGain(distribution, family, residuals, state.train);
   return gains;
 }
 
 Fit fittedWithout(const Fit& fit, std::size_t k, const FitData& data, const FitContext& context) {
-  return polished(improved(without(fit, k, data), data, context.options, 10, 0.05), data, context);
+  return optimiseWithRestarts(
+      takeScoringSteps(without(fit, k, data), data, context.options, 10, 0.05), data, context);
 }
 
 TriedEffect triedEffect(const SearchState& base, const FittedEffect& candidate) {
@@ -57,7 +60,7 @@ TriedEffect triedEffect(const SearchState& base, const FittedEffect& candidate) 
   return tried;
 }
 
-void measureAnew(const SearchState& base, const FitContext& context, SearchState* found) {
+void remeasureGains(const SearchState& base, const FitContext& context, SearchState* found) {
   Fit after = found->fit;
   HeldOut held_after = heldOut(after, found->held);
   for (auto cause = found->causes.rbegin(); cause != found->causes.rend(); ++cause) {

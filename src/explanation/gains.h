@@ -2,20 +2,22 @@
 
 #include "explanation/search.h"
 
-/// What candidates and causes gain.
+/// What candidates and accepted causes gain on held-out experiments.
 namespace uncertainty_identification {
 
-/// A fit without effect k of its model, fitted again.
+/// The model of a fit without its effect k, fitted to convergence.
 Fit fittedWithout(const Fit& fit, std::size_t k, const FitData& data, const FitContext& context);
 
-/// A candidate with what it gains on the experiments held out, where it has a score.
+/// The result of a candidate for the report. Its held-out gain is computed only if the score is
+/// positive.
 TriedEffect triedEffect(const SearchState& base, const FittedEffect& candidate);
 
-/// What a law of the residuals gains.
-PairedGains tailGains(const SearchState& state, TailLaw law);
+/// Gains of log density of a residual distribution over a Gaussian one.
+PairedGains distributionGains(const SearchState& state, DistributionFamily family);
 
-/// Score and gain of each cause in the chain on top of those before it, anew: what was measured
-/// when it was taken in no longer holds once another was taken out.
-void measureAnew(const SearchState& base, const FitContext& context, SearchState* found);
+/// Computes score and gain of each cause again, each on top of the causes before it. Those measured
+/// when a cause was accepted no longer hold once another cause was removed. Causes outside the
+/// chain of signals are left as they are.
+void remeasureGains(const SearchState& base, const FitContext& context, SearchState* found);
 
 }  // namespace uncertainty_identification

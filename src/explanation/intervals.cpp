@@ -10,7 +10,7 @@ namespace {
 using Eigen::MatrixXd;
 
 constexpr double kNinety = 1.6449;  // two-sided normal quantile
-constexpr double kDrop = 1.3528;    // half the 90 % quantile of chi-squared with one degree
+constexpr double kDrop = 1.3528;    // half the 90 % quantile of chi-squared, one degree of freedom
 
 CauseParameter normalInterval(CauseParameter of, double standard_error) {
   of.standard_error = standard_error;
@@ -19,7 +19,8 @@ CauseParameter normalInterval(CauseParameter of, double standard_error) {
   return of;
 }
 
-/// A standard deviation, positive: normal on the logarithm.
+/// Interval of a standard deviation, whose logarithm is normal: `log_error` is the standard error
+/// of the log-variance.
 CauseParameter deviationInterval(CauseParameter of, double log_error) {
   const double relative = 0.5 * log_error;
   of.standard_error = of.value * relative;
@@ -28,6 +29,7 @@ CauseParameter deviationInterval(CauseParameter of, double log_error) {
   return of;
 }
 
+/// Bisection for the ends of the interval in which the log-likelihood drops by less than kDrop.
 CauseParameter likelihoodInterval(CauseParameter of, const Fit& fit, const FitData& data, int at,
                                   double scale) {
   constexpr int kHalvings = 18;

@@ -18,13 +18,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Mean and deviation of one experiment's output by each component, from rest.
+/// Mean and standard deviation of one experiment's simulated output under each component of the
+/// mixture; the simulation starts from rest.
 struct Prediction {
   std::vector<double> weights;
   std::vector<ArrayXd> means, deviations;
 };
 
-/// Variance of H omega from the start on, relative to sigma^2.
+/// Variance of the noise H omega at each sample, relative to the variance sigma^2 of omega.
 ArrayXd noisePower(const Fit& fit, Index samples) {
   const Polynomials p = fit.model->nominal().polynomials(
       fit.at.parameters.head(fit.model->nominal().parameterCount()));
@@ -59,7 +60,8 @@ Prediction predicted(const Fit& fit, const Chain& chain, int lane, const MatrixX
   return all;
 }
 
-/// Adds the initial state and offset that the first samples show, as the simulation fit does.
+/// Adds the response to the initial state and offset that the first samples determine, as the
+/// simulation fit does.
 void startFromMeasured(const MatrixXd& unknown, const Block& block, int lane,
                        Prediction* prediction) {
   if (unknown.cols() == 0) return;
@@ -74,6 +76,7 @@ void startFromMeasured(const MatrixXd& unknown, const Block& block, int lane,
   for (ArrayXd& of_component : prediction->means) of_component += added;
 }
 
+/// Distribution function of the standard normal distribution.
 double normal(double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); }
 
 MatrixXd meanErrors(const Fit& fit, int count) {
@@ -84,7 +87,7 @@ MatrixXd meanErrors(const Fit& fit, int count) {
 }  // namespace
 
 VectorXd logDensities(const Fit& fit, const FitData& data) {
-  const Fit there = judged(fit, data);
+  const Fit there = evaluateOn(fit, data);
   return there.of_experiments.size() == data.count() ? there.of_experiments
                                                      : VectorXd::Constant(data.count(), -1e300);
 }
@@ -169,9 +172,10 @@ Gain gainOf(const HeldOut& before, const HeldOut& after, const PairedGains& gain
 
 namespace {
 
-/// Simulated output of experiment r at its own error parameters, with its deviation.
+/// The output of experiment r simulated with its own error parameters, and the standard deviation
+/// of its noise.
 void draw(const Fit& fit, const FitData& data, int r, VectorXd* simulated, VectorXd* deviation) {
-  const Fit there = judged(fit, data);
+  const Fit there = evaluateOn(fit, data);
   if (!std::isfinite(there.log_likelihood)) return;
   const Residuals residuals = residualsOf(there, data);
   for (const Block& block : data.blocks()) {
@@ -197,7 +201,7 @@ void draw(const Fit& fit, const FitData& data, int r, VectorXd* simulated, Vecto
 
 std::vector<ExperimentPicture> picturesOf(const Fit& before, const Fit& after,
                                           const FitData& data) {
-  const Fit there = judged(before, data);
+  const Fit there = evaluateOn(before, data);
   if (there.of_experiments.size() != data.count()) return {};
   std::vector<int> order(static_cast<std::size_t>(data.count()));
   std::iota(order.begin(), order.end(), 0);

@@ -9,25 +9,25 @@ namespace uncertainty_identification {
 struct HeldOut {
   Eigen::VectorXd log_density;  ///< [nats] of each experiment
   double nrmse_fit_percent = 0;
-  double coverage_50 = 0, coverage_90 = 0, coverage_95 = 0;
+  double coverage_50 = 0, coverage_90 = 0, coverage_95 = 0;  ///< shares of samples in the intervals
   double noise_variance = 0;
   double bode_area = 0;  ///< as of bodeArea()
 };
 
-/// [nats] of each experiment; -1e300 where the fit has none.
+/// Log predictive density of each experiment [nats]; -1e300 where it cannot be computed.
 Eigen::VectorXd logDensities(const Fit& fit, const FitData& data);
 
 HeldOut heldOut(const Fit& fit, const FitData& data);
 
-/// Paired differences of the log densities of experiments [nats]: what one model gains over
-/// another.
+/// Gains of one model over another: differences of the log densities of each experiment [nats].
 struct PairedGains {
-  Eigen::VectorXd held;      ///< of those held out
-  Eigen::VectorXd training;  ///< of those fitted to; empty where they are the same
+  Eigen::VectorXd held;      ///< of the held-out experiments
+  Eigen::VectorXd training;  ///< of those fitted to; empty where none are held out
 };
 
-/// The mean over the experiments held out. How gains spread is seen in those fitted to as well: a
-/// rare kind of experiment that the few held out lack must count. One of each kind: NaN.
+/// The mean gain over the held-out experiments with its standard error. The variance of the gains
+/// is pooled over the held-out experiments and those fitted to, as the few held-out ones may lack a
+/// rare kind of experiment. Standard error and limits are NaN where both have a single experiment.
 struct MeanGain {
   double value = 0, standard_error = 0;
   double lower_90 = 0, upper_90 = 0;  ///< by Student's t
@@ -35,10 +35,11 @@ struct MeanGain {
 
 MeanGain meanGain(const PairedGains& gains);
 
-/// What `after` gains over `before`, `gains` by log density.
+/// The gain of `after` over `before` in all measures; that in log density is the mean of `gains`.
 Gain gainOf(const HeldOut& before, const HeldOut& after, const PairedGains& gains);
 
-/// Experiments as two models see them: the median and the worst fit of the first.
+/// Measured and simulated signals of two experiments under two models: those that the first model
+/// fits worst and of median quality.
 std::vector<ExperimentPicture> picturesOf(const Fit& before, const Fit& after, const FitData& data);
 
 }  // namespace uncertainty_identification

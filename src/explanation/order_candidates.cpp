@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "explanation/estimate_fit.h"
+#include "math/information_criterion.h"
 #include "math/polynomial.h"
 #include "uncertainty_identification/errors.h"
 
@@ -12,31 +13,32 @@ namespace {
 
 using Eigen::VectorXd;
 
+/// Log-likelihood of the estimate, optimised further by the search's own fit.
 double likelihoodOf(const Estimate& estimate, const std::vector<Experiment>& experiments,
                     const FitContext& context) {
   const FitData data(usedBy(estimate, experiments));
-  return settled(fitOf(estimate, data, summarise(data.experiments())), data, context)
+  return optimise(fitOf(estimate, data, summarise(data.experiments())), data, context)
       .log_likelihood;
 }
 
-/// Models of other orders than an estimate's, by likelihood.
+/// Estimates of models with other orders than a given estimate has, and compares them by BIC.
 class OrderSearch {
  public:
   OrderSearch(const Estimate& chosen, const std::vector<Experiment>& experiments,
               const FitContext& context, const ProgressCallback& progress)
       : chosen_(chosen), experiments_(experiments), context_(context), progress_(progress) {}
 
-  /// An estimate with the highest likelihood that is known for its orders.
+  /// An estimate with its log-likelihood, the highest that was found for these orders.
   struct Model {
     Estimate estimate;
     double log_likelihood = 0;
 
     const NominalModelOptions& orders() const { return estimate.configuration.nominal_model; }
-    /// [nats] Less what BIC charges for the parameters.
-    double merit() const {
+    /// Log-likelihood minus the BIC penalty [nats].
+    double penalisedLikelihood() const {
       const double parameters = orders().na + orders().nb + orders().nc + orders().nd;
       const double samples = std::max(1.0, static_cast<double>(estimate.sample_count));
-      return log_likelihood - 0.5 * parameters * std::log(samples);
+      return log_likelihood - bicPenalty(parameters, samples);
     }
   };
 
@@ -45,26 +47,27 @@ class OrderSearch {
     return with(chosen_.configuration.nominal_model, as_it_is).value_or(as_it_is);
   }
 
-  /// Of other orders: found afresh or climbed to from a model at hand, whichever leads higher.
-  /// Nothing where the data are too few.
+  /// The model of the given orders. It is identified from the data alone and, if the orders include
+  /// those of `from`, optimised from that smaller model too; the better one is returned. Nothing
+  /// where the data are too few, or the search is cancelled.
   std::optional<Model> with(NominalModelOptions orders, const Model& from) const {
     if (!context_.going_on()) return std::nullopt;
     orders.fit = PlantFit::likelihood;
     orders.structure = orders.nc + orders.nd > 0 ? Structure::box_jenkins : Structure::output_error;
-    std::optional<Model> best = afresh(orders);
-    if (best && holds(orders, from.orders())) climb(from.estimate, &*best);
+    std::optional<Model> best = identified(orders);
+    if (best && include(orders, from.orders())) optimiseFrom(from.estimate, &*best);
     return best;
   }
 
-  /// The plant with what BIC asks for more: a response one sample earlier, a pole and a zero, or
-  /// two.
+  /// Raises the orders of the plant as long as BIC improves: by a delay that is one sample shorter,
+  /// by a pole and a zero, or by two of each.
   Model raised(Model from, int max_order) const {
     for (bool better = true; better;) {
       better = false;
       for (const NominalModelOptions& orders : larger(from.orders())) {
         if (orders.na > max_order) continue;
         const auto candidate = with(orders, from);
-        better = candidate && candidate->merit() > from.merit();
+        better = candidate && candidate->penalisedLikelihood() > from.penalisedLikelihood();
         if (!better) continue;
         from = *candidate;
         break;
@@ -73,11 +76,11 @@ class OrderSearch {
     return from;
   }
 
-  /// Poles and zeros taken from the noise model while BIC does not miss them.
+  /// Removes poles and zeros of the noise model as long as BIC does not become worse.
   Model pruned(Model from) const {
     while (from.orders().nd > 0) {
       const auto candidate = with(lessNoise(from.orders(), 1), from);
-      if (!candidate || candidate->merit() < from.merit()) break;
+      if (!candidate || candidate->penalisedLikelihood() < from.penalisedLikelihood()) break;
       from = *candidate;
     }
     return from;
@@ -90,7 +93,7 @@ class OrderSearch {
   }
 
  private:
-  std::optional<Model> afresh(const NominalModelOptions& orders) const {
+  std::optional<Model> identified(const NominalModelOptions& orders) const {
     Configuration other = chosen_.configuration;
     other.nominal_model = orders;
     try {
@@ -102,13 +105,15 @@ class OrderSearch {
     return std::nullopt;
   }
 
-  static bool holds(const NominalModelOptions& large, const NominalModelOptions& small) {
+  /// Whether a model of the orders `large` can equal any of the orders `small`.
+  static bool include(const NominalModelOptions& large, const NominalModelOptions& small) {
     return large.na >= small.na && large.nc >= small.nc && large.nd >= small.nd &&
            large.delay <= small.delay && large.nb + large.delay >= small.nb + small.delay;
   }
 
-  /// Replaces a model by one of its orders climbed to from a smaller one, where that leads higher.
-  void climb(const Estimate& from, Model* best) const {
+  /// Optimises a model of the orders of `best` from a smaller model, and replaces `best` if the
+  /// likelihood is higher.
+  void optimiseFrom(const Estimate& from, Model* best) const {
     const NominalModelOptions& orders = best->orders();
     Estimate start = from;
     start.configuration.nominal_model = orders;
@@ -120,7 +125,7 @@ class OrderSearch {
     model.c = padded(model.c, 0, orders.nc);
     model.d = padded(model.d, 0, orders.nd);
     const FitData data(usedBy(start, experiments_));
-    const Fit fit = settled(fitOf(start, data, summarise(data.experiments())), data, context_);
+    const Fit fit = optimise(fitOf(start, data, summarise(data.experiments())), data, context_);
     if (fit.log_likelihood > best->log_likelihood + 1)
       *best = {estimateOf(fit, data, start), fit.log_likelihood};
   }
@@ -132,7 +137,7 @@ class OrderSearch {
   }
 
   static std::vector<NominalModelOptions> larger(const NominalModelOptions& orders) {
-    constexpr int kMostAtOnce = 2;  // a resonance
+    constexpr int kMostAtOnce = 2;  // poles of a resonance
     std::vector<NominalModelOptions> all;
     const auto add = [&](int poles, int zeros, int earlier) {
       all.push_back(orders);
@@ -151,6 +156,7 @@ class OrderSearch {
   const ProgressCallback& progress_;
 };
 
+/// Number of noise poles near the unit circle, which describe what does not die out.
 int persistentPoles(const Estimate& estimate) {
   constexpr double kPersistent = 0.98;
   if (estimate.nominal_model.d.size() == 0) return 0;
@@ -165,7 +171,7 @@ std::vector<Estimate> orderCandidates(const Configuration& asked, const Estimate
   if (!asked.nominal_model.orders_auto || !estimate.usable()) return {estimate};
   const OrderSearch search(estimate, experiments, context, progress);
   const auto chosen = search.chosen();
-  constexpr int kMostMore = 2;  // what asks for more is no lack of poles
+  constexpr int kMostMore = 2;  // where BIC asks for more, something else than a pole is missing
   const int most = std::min(asked.nominal_model.max_order, chosen.orders().na + kMostMore);
   const auto largest = search.pruned(search.raised(search.pruned(chosen), most));
   std::vector<Estimate> all{largest.estimate};

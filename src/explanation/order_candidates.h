@@ -6,16 +6,19 @@
 
 namespace uncertainty_identification {
 
-/// The models that causes may be looked for on top of. With the orders told, the estimate alone.
-/// Where they were chosen from the data (nominal_model.orders: auto in `asked`), they were chosen
-/// by simulations, beside whose errors, the plants' spread, small dynamics do not show; to the
-/// search for causes they would look like a lag or resonance that somebody forgot. Then, all by
-/// likelihood:
-///  - first the orders chosen, with as much more of the plant as BIC asks for, and without what it
-///    does not miss of the noise model;
-///  - where the plant grew by that, the one chosen with the same orders of the noise model;
-///  - the first without the noise model's poles that are so near the unit circle that they hold
-///    what does not die out: a bias, a drift or a hum.
+/// The models on top of which causes are looked for. If the configuration `asked` states the
+/// orders, this is the estimate alone.
+///
+/// With nominal_model.orders: auto the orders were chosen by the error of simulations. As the
+/// spread of the plants dominates that error, it does not show small dynamics, and the search for
+/// causes would take these for a forgotten lag or resonance. The models returned are therefore
+/// chosen by likelihood:
+///  - first, the estimate with the orders of the plant raised and those of the noise model lowered
+///    as long as BIC improves;
+///  - if that raised the plant's orders, the plant's orders of the estimate with the noise model's
+///    orders of the first model;
+///  - if noise poles of the first model lie near the unit circle, where they describe a bias, a
+///    drift or a hum, the first model without them.
 std::vector<Estimate> orderCandidates(const Configuration& asked, const Estimate& estimate,
                                       const std::vector<Experiment>& experiments,
                                       const FitContext& context, const ProgressCallback& progress);

@@ -15,8 +15,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// The experiments as the linear part of the model alone would have met them: the input that drives
-/// it, and the measurement less what the effects are estimated to have done to it.
+/// The experiments as they would be without the effects: the input is the one that drives the
+/// linear model, and the estimated contribution of the effects is subtracted from the output.
 std::vector<Experiment> linearPartOf(const Fit& fit, const FitData& data) {
   std::vector<Experiment> experiments = data.experiments();
   const VectorXd plain_parameters =
@@ -38,15 +38,15 @@ std::vector<Experiment> linearPartOf(const Fit& fit, const FitData& data) {
   return experiments;
 }
 
-/// The fit's model about zero error parameters, the effects' own points kept: xi of one theta is
-/// none of another's.
+/// The fit's model linearised about xi = 0; the effects' own points are kept. Posterior means of xi
+/// do not carry over to another theta.
 std::shared_ptr<const ExtendedModel> aboutZero(const Fit& fit, int experiments) {
   if (!fit.model->isLocallyLinear()) return fit.model;
   return fit.model->about(
       fit.model->points(fit.at.parameters, MatrixXd::Zero(fit.model->regressors(), experiments)));
 }
 
-/// Highest likelihood at the fit's theta and psi with a single component.
+/// Highest log-likelihood at the fit's theta and psi with a mixture of one component.
 double withSingleComponent(const Fit& fit, const FitData& data, const FitContext& context) {
   constexpr int kSteps = 20;
   ModelParameters single = fit.at;
@@ -55,7 +55,7 @@ double withSingleComponent(const Fit& fit, const FitData& data, const FitContext
   return mixtureFitted(fit.model, single, data, context.options, kSteps).log_likelihood;
 }
 
-/// Starts of theta with the fit's psi.
+/// The starts of theta, each extended by the fit's psi.
 std::vector<VectorXd> withPsi(const Fit& fit, std::vector<VectorXd> starts) {
   const VectorXd psi = fit.at.parameters.tail(fit.model->effectParameterCount());
   for (VectorXd& start : starts) {
@@ -65,9 +65,9 @@ std::vector<VectorXd> withPsi(const Fit& fit, std::vector<VectorXd> starts) {
   return starts;
 }
 
-/// Where new starts of Go, noise model and mixture lead with a single component, given psi.
-std::optional<ModelParameters> singleFromAnywhere(const Fit& fit, const Likelihood& likelihood,
-                                                  const FitData& data, const FitContext& context) {
+/// The best point with one component from new starts of Go, the noise model and the mixture.
+std::optional<ModelParameters> fromStartsOfAll(const Fit& fit, const Likelihood& likelihood,
+                                               const FitData& data, const FitContext& context) {
   const auto plain = fit.model->with({});
   return bestSingleComponent(
       likelihood,
@@ -75,10 +75,10 @@ std::optional<ModelParameters> singleFromAnywhere(const Fit& fit, const Likeliho
       context.options);
 }
 
-/// The same around the fit's noise model; none where the starts lead no higher than where the fit
-/// is.
-std::optional<ModelParameters> singleFromNear(const Fit& fit, const Likelihood& likelihood,
-                                              const FitData& data, const FitContext& context) {
+/// The same from new starts of Go only, with the fit's noise model. None where all starts have a
+/// lower likelihood than the fit with one component.
+std::optional<ModelParameters> fromStartsOfPlant(const Fit& fit, const Likelihood& likelihood,
+                                                 const FitData& data, const FitContext& context) {
   constexpr std::size_t kFinalists = 2;
   const NominalModel& nominal = fit.model->nominal();
   const Polynomials noise = nominal.polynomials(fit.at.parameters.head(nominal.parameterCount()));
@@ -113,8 +113,8 @@ Fit withNewMixture(const Fit& fit, const FitData& data, const FitContext& contex
 }
 
 Fit withNewStart(const Fit& fit, const FitData& data, const FitContext& context, int steps) {
-  constexpr int kRestarts = 4;
-  constexpr double kHopeless = 100;  // [nats]
+  constexpr int kRestarts = 4, kLinearisations = 3;
+  constexpr double kHopeless = 100;  // [nats] below the fit: further steps do not catch up
   const auto& effects = fit.model->effects();
   const bool far = std::any_of(effects.begin(), effects.end(),
                                [](const auto& effect) { return movesPlant(*effect); });
@@ -122,25 +122,25 @@ Fit withNewStart(const Fit& fit, const FitData& data, const FitContext& context,
     const std::shared_ptr<const ExtendedModel> model = aboutZero(fit, data.count());
     const Likelihood likelihood(*model, data.blocks(), data.count(), 1);
     const std::optional<ModelParameters> single =
-        (far ? singleFromAnywhere : singleFromNear)(fit, likelihood, data, context);
+        (far ? fromStartsOfAll : fromStartsOfPlant)(fit, likelihood, data, context);
     if (!single) return fit;
     Fit fresh = evaluated(model, *single, data);
     const int components = fit.at.mixture.components();
     if (components > 1 && std::isfinite(fresh.log_likelihood))
       fresh = withNewMixture(fresh, data, context, components, kRestarts);
-    for (int round = 0; round < 3; ++round) fresh = relinearised(fresh, data);
+    for (int round = 0; round < kLinearisations; ++round) fresh = relinearised(fresh, data);
     if (!(fresh.log_likelihood > fit.log_likelihood - kHopeless)) return fit;
-    fresh = improved(std::move(fresh), data, context.options, steps, 0.02);
+    fresh = takeScoringSteps(std::move(fresh), data, context.options, steps, 0.02);
     return fresh.log_likelihood > fit.log_likelihood ? fresh : fit;
-  } catch (const Error&) {  // a model without polynomials to start from
+  } catch (const Error&) {  // the model has no polynomials, which the starts are made of
     return fit;
   }
 }
 
-Fit settled(Fit fit, const FitData& data, const FitContext& context) {
+Fit optimise(Fit fit, const FitData& data, const FitContext& context) {
   constexpr int kRounds = 5, kSteps = 12;
   for (int round = 0; round < kRounds; ++round) {
-    Fit next = improved(fit, data, context.options, kSteps, 0.01);
+    Fit next = takeScoringSteps(fit, data, context.options, kSteps, 0.01);
     const double gain = next.log_likelihood - fit.log_likelihood;
     if (gain > 0) fit = std::move(next);
     if (gain < 0.2) break;
@@ -148,19 +148,20 @@ Fit settled(Fit fit, const FitData& data, const FitContext& context) {
   return fit;
 }
 
-Fit polished(Fit fit, const FitData& data, const FitContext& context, bool anew) {
+Fit optimiseWithRestarts(Fit fit, const FitData& data, const FitContext& context,
+                         bool restart_theta) {
   constexpr int kSteps = 12;
-  fit = settled(std::move(fit), data, context);
-  if (anew) fit = withNewStart(fit, data, context, kSteps);
+  fit = optimise(std::move(fit), data, context);
+  if (restart_theta) fit = withNewStart(fit, data, context, kSteps);
   const int components = fit.at.mixture.components();
   if (components < 2) return fit;
-  const Fit other = improved(withNewMixture(fit, data, context, components, 8), data,
-                             context.options, kSteps, 0.05);
+  const Fit other = takeScoringSteps(withNewMixture(fit, data, context, components, 8), data,
+                                     context.options, kSteps, 0.05);
   return other.log_likelihood > fit.log_likelihood + 0.1 ? other : fit;
 }
 
-Fit searched(Fit fit, const FitData& data, const FitContext& context) {
-  constexpr int kLevels = 4, kHalf = 14;
+Fit searchGrid(Fit fit, const FitData& data, const FitContext& context) {
+  constexpr int kLevels = 4, kHalf = 14;  // grids of 2 kHalf + 1 points, each finer than the last
   if (fit.model->effects().empty()) return fit;
   const std::size_t last = fit.model->effects().size() - 1;
   const auto& parameters = fit.model->effects()[last]->description().parameters;
@@ -177,7 +178,7 @@ Fit searched(Fit fit, const FitData& data, const FitContext& context) {
         Fit there = evaluated(fit.model, moved, data);
         if (there.log_likelihood > fit.log_likelihood) fit = std::move(there);
       }
-      fit = improved(std::move(fit), data, context.options, 3, 0.05);
+      fit = takeScoringSteps(std::move(fit), data, context.options, 3, 0.05);
     }
   }
   return fit;

@@ -7,34 +7,41 @@
 
 namespace uncertainty_identification {
 
-/// What fits share: options of an optimisation, the seed of the mixture's restarts, threads, and
-/// whether to go on.
+// theta are the parameters of the linear model, psi those of the effects (docs/notation.md).
+
+/// What all fits of a search share: options of the optimisation, the seed of the mixture's
+/// restarts, threads, and callbacks.
 struct FitContext {
   OptimisationOptions options;
   std::uint64_t seed = 1;
   WorkerPool* pool = nullptr;
-  std::function<bool()> going_on;        ///< may be called from any thread
-  std::function<void(double)> searched;  ///< told the share of the search that is done, 0 to 1
+  std::function<bool()> going_on;  ///< false once the search is cancelled; called from any thread
+  std::function<void(double)> report_searched;  ///< is told the share of the search done, 0 to 1
 };
 
-/// To convergence from where it is.
-Fit settled(Fit fit, const FitData& data, const FitContext& context);
+/// Optimises all parameters from the fit's point to convergence.
+Fit optimise(Fit fit, const FitData& data, const FitContext& context);
 
-/// To convergence, from new starts of theta (`anew`) and of the mixture too: what further
-/// iterations gain must not count for a candidate.
-Fit polished(Fit fit, const FitData& data, const FitContext& context, bool anew = true);
+/// The same, and from new starts of the mixture and, with `restart_theta`, of theta too; the best
+/// result. A fit that is compared with others should be at its global optimum: otherwise a
+/// candidate on top of it gains merely because it is iterated further.
+Fit optimiseWithRestarts(Fit fit, const FitData& data, const FitContext& context,
+                         bool restart_theta = true);
 
-/// Zooming search along the parameters that the likelihood has no useful derivative to.
-Fit searched(Fit fit, const FitData& data, const FitContext& context);
+/// Searches the parameters of the last effect that the likelihood is not smooth in, one after the
+/// other, on grids that become finer around the best point.
+Fit searchGrid(Fit fit, const FitData& data, const FitContext& context);
 
-/// Theta and mixture started anew, given psi; kept if that leads higher.
+/// Fits theta and the mixture from new starts by up to `steps` scoring steps, psi starting where it
+/// is. Returns the given fit if its likelihood is higher.
 Fit withNewStart(const Fit& fit, const FitData& data, const FitContext& context, int steps);
 
-/// Theta and psi as they are with another mixture, grown from one component.
+/// The fit with another mixture of so many components, which is grown from a single component with
+/// the best of `restarts` random starts; theta and psi are fixed.
 Fit withNewMixture(const Fit& fit, const FitData& data, const FitContext& context, int components,
                    int restarts);
 
-/// Whether theta may lie far from where it was without the effect.
+/// Whether theta with the effect may lie far from theta without it.
 bool movesPlant(const Effect& effect);
 
 }  // namespace uncertainty_identification

@@ -1,9 +1,10 @@
+#include "explanation/residual_picture.h"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
-#include "explanation/checks.h"
 #include "math/constants.h"
 
 namespace uncertainty_identification {
@@ -16,12 +17,13 @@ constexpr int kLags = 20;
 constexpr int kBands = 60;  // of the spectrum
 constexpr double kBeyond95 = 1.96;
 
-/// One experiment's signals: residual in standard deviations, 0 where `weight` is.
+/// Signals of one experiment. The residual is in standard deviations, and 0 where the output was
+/// not measured, i.e. where `weight` is 0.
 struct Traces {
   VectorXd residual, weight, input, output;
 };
 
-/// In the order of the experiments; `output` is the simulated one.
+/// The signals of all experiments, in their order; `output` is the simulated one.
 std::vector<Traces> tracesOf(const Fit& fit, const FitData& data) {
   const Residuals residuals = residualsOf(fit, data);
   std::vector<Traces> all(static_cast<std::size_t>(data.count()));
@@ -40,7 +42,7 @@ std::vector<Traces> tracesOf(const Fit& fit, const FitData& data) {
   return all;
 }
 
-/// Sums of a residual over bins of equal width of something else.
+/// Sums of the residual over bins of equal width of another quantity.
 class Bins {
  public:
   Bins(double least, double largest, int count)
@@ -67,7 +69,7 @@ class Bins {
   VectorXd powers() const { return filled(squares_.cwiseQuotient(counts_.cwiseMax(1))); }
 
  private:
-  /// The values of bins that hold enough to speak of a mean.
+  /// The values of the bins that contain enough samples for a mean.
   VectorXd filled(const VectorXd& values) const {
     constexpr double kFewest = 5;
     std::vector<double> kept;
@@ -80,7 +82,7 @@ class Bins {
   VectorXd sums_, squares_, counts_;
 };
 
-/// The residual over bins of one of the traces.
+/// The residual over bins of another signal of the experiments.
 Bins binned(const std::vector<Traces>& traces, VectorXd Traces::*of) {
   constexpr int kBins = 25;
   double least = INFINITY, largest = -INFINITY;
@@ -95,6 +97,7 @@ Bins binned(const std::vector<Traces>& traces, VectorXd Traces::*of) {
   return bins;
 }
 
+/// The residual over bins of the time since the beginning of the experiment.
 Bins overTime(const std::vector<Traces>& traces, double sample_time) {
   constexpr int kBins = 20;
   Index longest = 0;

@@ -16,7 +16,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// signal less the posterior means' share of its regressors.
+/// A signal minus its regressors times the posterior means of xi. Without columns where the signal
+/// and all its regressors are zero.
 Signals atMeans(const WhitenedSignals& signals, const MatrixXd& xi, const Block& block) {
   Signals left = signals.residual;
   for (std::size_t i = 0; i < signals.regressors.size(); ++i) {
@@ -29,7 +30,7 @@ Signals atMeans(const WhitenedSignals& signals, const MatrixXd& xi, const Block&
   return left;
 }
 
-/// Least of |r + J p|^2 over p, given the Gram matrix of [J r], and that p.
+/// The minimum of |r + J p|^2 over p, given the Gram matrix of [J r]. `least` is set to that p.
 double leftover(const MatrixXd& gram, VectorXd* least) {
   const Index p = gram.rows() - 1;
   MatrixXd information = gram.topLeftCorner(p, p);
@@ -68,55 +69,65 @@ Screening::Screening(const Fit& base, const FitData& data, const OptimisationOpt
   base_gain_ = regressionGain(*base.model, base.at.parameters, &none);
 }
 
-/// Half of N ln of what is left of the data when theta, psi and a common shift of the means follow
-/// by one linear step, with the log-Jacobian: comparable between candidates. `step`: theta's and
-/// psi's.
+Screening::Candidate Screening::evaluate(const ExtendedModel& model, const VectorXd& parameters,
+                                         const BaseBlock& of) const {
+  const Index own = base_.at.parameters.size();
+  std::vector<int> psi(static_cast<std::size_t>(parameters.size() - own));
+  std::iota(psi.begin(), psi.end(), static_cast<int>(own));
+  Response response;
+  model.evaluate(*of.block, parameters, psi, &response);
+  std::vector<Signals> fresh;
+  fresh.reserve(psi.size() + 1);
+  for (const int j : psi)
+    fresh.push_back(
+        atMeans(response.derivatives[static_cast<std::size_t>(j)], base_.xi, *of.block));
+  fresh.push_back(atMeans(response.value, base_.xi, *of.block));
+  std::vector<const Signals*> added, all = of.list;
+  added.reserve(fresh.size());
+  for (const Signals& signal : fresh) added.push_back(signal.cols() == 0 ? nullptr : &signal);
+  all.insert(all.end(), added.begin(), added.end());
+  return {response.value.log_jacobian.head(of.block->lanes).sum(), innerProducts(added, all),
+          static_cast<Index>(all.size())};
+}
+
+/// Gram matrix of [Phi J psi r] of one experiment, the columns of random signals and nuisances and
+/// the error parameters xi integrated out.
+MatrixXd Screening::marginalGram(const BaseBlock& of, const Candidate& candidate, int lane) const {
+  const Index n = base_.xi.rows(), total = candidate.signals;
+  const auto old = static_cast<Index>(of.list.size());
+  const Index columns = of.response.column_precision.size();
+  MatrixXd gram(total, total);
+  for (Index i = 0; i < old; ++i) {
+    for (Index j = 0; j < old; ++j)
+      gram(i, j) = of.products[static_cast<std::size_t>(i * old + j)][lane];
+  }
+  for (Index i = old; i < total; ++i) {
+    for (Index j = 0; j < total; ++j)
+      gram(i, j) = gram(j, i) =
+          candidate.products[static_cast<std::size_t>((i - old) * total + j)][lane];
+  }
+  MatrixXd inner = gram.topLeftCorner(columns, columns);
+  inner.diagonal() += of.response.column_precision;
+  const MatrixXd cross = gram.topRightCorner(columns, total - columns);
+  MatrixXd rest = gram.bottomRightCorner(total - columns, total - columns);
+  if (columns > 0) rest -= cross.transpose() * PseudoInverse(inner).inverse * cross;
+  const Eigen::Map<const MatrixXd> P(
+      covariances_.col(of.block->index[static_cast<std::size_t>(lane)]).data(), n, n);
+  const MatrixXd to_phi = rest.topRows(n);
+  rest -= to_phi.transpose() * P * to_phi / base_.at.noise_variance;
+  return rest;
+}
+
 double Screening::regressionGain(const ExtendedModel& model, const VectorXd& parameters,
                                  VectorXd* step) const {
   const Index own = base_.at.parameters.size(), extra = parameters.size() - own;
-  std::vector<int> psi(static_cast<std::size_t>(extra));
-  std::iota(psi.begin(), psi.end(), static_cast<int>(own));
   const Index n = base_.xi.rows(), size = own + n + extra + 1;
   MatrixXd sum = MatrixXd::Zero(size, size);
   double jacobian = 0;
   for (const BaseBlock& of : blocks_) {
-    Response response;
-    model.evaluate(*of.block, parameters, psi, &response);
-    jacobian += response.value.log_jacobian.head(of.block->lanes).sum();
-    std::vector<Signals> fresh;
-    fresh.reserve(psi.size() + 1);
-    for (const int j : psi)
-      fresh.push_back(
-          atMeans(response.derivatives[static_cast<std::size_t>(j)], base_.xi, *of.block));
-    fresh.push_back(atMeans(response.value, base_.xi, *of.block));
-    std::vector<const Signals*> added, all = of.list;
-    added.reserve(fresh.size());
-    for (const Signals& signal : fresh) added.push_back(signal.cols() == 0 ? nullptr : &signal);
-    all.insert(all.end(), added.begin(), added.end());
-    const std::vector<Lanes> products = innerProducts(added, all);
-    const auto old = static_cast<Index>(of.list.size()), total = static_cast<Index>(all.size());
-    const Index columns = of.response.column_precision.size();
-    for (int lane = 0; lane < of.block->lanes; ++lane) {
-      MatrixXd gram(total, total);
-      for (Index i = 0; i < old; ++i) {
-        for (Index j = 0; j < old; ++j)
-          gram(i, j) = of.products[static_cast<std::size_t>(i * old + j)][lane];
-      }
-      for (Index i = old; i < total; ++i) {
-        for (Index j = 0; j < total; ++j)
-          gram(i, j) = gram(j, i) = products[static_cast<std::size_t>((i - old) * total + j)][lane];
-      }
-      MatrixXd inner = gram.topLeftCorner(columns, columns);
-      inner.diagonal() += of.response.column_precision;
-      const MatrixXd cross = gram.topRightCorner(columns, total - columns);
-      MatrixXd rest = gram.bottomRightCorner(total - columns, total - columns);
-      if (columns > 0) rest -= cross.transpose() * PseudoInverse(inner).inverse * cross;
-      const Eigen::Map<const MatrixXd> P(
-          covariances_.col(of.block->index[static_cast<std::size_t>(lane)]).data(), n, n);
-      const MatrixXd to_phi = rest.topRows(n);
-      rest -= to_phi.transpose() * P * to_phi / base_.at.noise_variance;
-      sum += rest;  // of [Phi J psi r]
-    }
+    const Candidate candidate = evaluate(model, parameters, of);
+    jacobian += candidate.log_jacobian;
+    for (int lane = 0; lane < of.block->lanes; ++lane) sum += marginalGram(of, candidate, lane);
   }
   VectorXd least;
   const double left = leftover(sum, &least);
@@ -151,13 +162,13 @@ Screening::Start Screening::best(const std::shared_ptr<const Effect>& effect) co
     model = model->about(base_.xi);
   constexpr double kNone = -std::numeric_limits<double>::infinity();
   Start best{{}, kNone, {}};
-  if (!effect->description().starts.empty()) {  // where no start has a likelihood
+  if (!effect->description().starts.empty()) {  // in case that no start has a likelihood
     const VectorXd& psi = effect->description().starts.front();
     best.fit = {model, base_.at, kNone, {}, base_.xi};
     best.fit.at.parameters.conservativeResize(base_.at.parameters.size() + psi.size());
     best.fit.at.parameters.tail(psi.size()) = psi;
   }
-  if (effect->name() == "exp_clock") {  // whatever the variance of the shifts
+  if (effect->name() == "exp_clock") {  // the shifts do not depend on their variance, which is psi
     ModelParameters with = base_.at;
     with.parameters.conservativeResize(with.parameters.size() + 1);
     with.parameters.tail(1).setZero();
@@ -169,7 +180,8 @@ Screening::Start Screening::best(const std::shared_ptr<const Effect>& effect) co
     Start start = startAt(model, psi);
     const bool falls = !(start.gain > best.gain);
     if (!falls) best = std::move(start);
-    if (falls && one_variance) break;  // over a variance, in rising order, there is one maximum
+    // The starts of a variance are in rising order, and the likelihood has one maximum over it.
+    if (falls && one_variance) break;
   }
   return best;
 }

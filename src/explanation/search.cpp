@@ -4,18 +4,18 @@
 #include <cmath>
 #include <limits>
 
+#include "explanation/acceptance.h"
 #include "explanation/bootstrap.h"
-#include "explanation/checks.h"
 #include "explanation/gains.h"
+#include "explanation/residual_checks.h"
+#include "math/information_criterion.h"
 
 namespace uncertainty_identification {
 namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kStrong = 15;  // [nats] of score: overruled only by a loss held out
-
-/// Names that exclude each other: with one in the model the other has nothing to say.
+/// Pairs of effects of which a model needs only one: the other then has nothing left to describe.
 const std::vector<std::pair<std::string, std::string>>& exclusions() {
   static const std::vector<std::pair<std::string, std::string>> all{{"act_offset", "sens_bias"},
                                                                     {"sens_clip", "sens_wiener"}};
@@ -26,8 +26,8 @@ bool contains(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-/// Whether a lag of the sensor lies at the edge of its range: there it differences the data, and
-/// absorbs whatever drifts in them.
+/// Whether the pole of a sensor lag (sens_lag) lies at the upper end of its range. Such a lag makes
+/// the model compare differences of the data, and so absorbs whatever drifts in them.
 bool isDifferencing(const Fit& fit) {
   constexpr double kEdge = 0.05;
   for (std::size_t k = 0; k < fit.model->effects().size(); ++k) {
@@ -37,41 +37,6 @@ bool isDifferencing(const Fit& fit) {
       return true;
   }
   return false;
-}
-
-/// What experiments held out must say of a gain for it to count.
-enum class Judge {
-  convinced,   ///< that it is there: the score alone does not show it
-  not_denied,  ///< nothing against a strong score: the mean is a gain, however uncertain
-  lenient      ///< no significant loss: mixtures show a nat per experiment
-};
-
-bool passes(const Gain& gain, Judge judge) {
-  if (std::isnan(gain.standard_error) || judge == Judge::not_denied) return gain.log_density > 0;
-  return gain.log_density > (judge == Judge::lenient ? -2 : 1.645) * gain.standard_error;
-}
-
-/// exp(score) over all candidates, and the names whose score is nearly the best.
-double confidenceOf(const FittedEffect& chosen, const std::vector<FittedEffect>& ranked) {
-  double sum = 0;
-  for (const FittedEffect& other : ranked)
-    sum += std::exp(std::min(other.score - chosen.score, 50.0));
-  return 1 / std::max(sum, 1.0);
-}
-
-/// By name, another form of the same effect by its label.
-std::vector<std::string> equivalentOf(const FittedEffect& chosen,
-                                      const std::vector<FittedEffect>& ranked) {
-  constexpr double kNear = 6;  // [nats]
-  std::vector<std::string> names = chosen.effect->description().equivalent;
-  for (const FittedEffect& other : ranked) {
-    const bool same = other.effect->name() == chosen.effect->name();
-    const std::string name = same ? other.effect->label() : other.effect->name();
-    if (other.effect != chosen.effect && other.score > chosen.score - kNear &&
-        !contains(names, name))
-      names.push_back(name);
-  }
-  return names;
 }
 
 }  // namespace
@@ -91,7 +56,7 @@ Search::Search(const ExplanationOptions& options, FitContext context, Effects ca
     : options_(options), context_(std::move(context)), catalogue_(std::move(catalogue)) {}
 
 double Search::threshold(const Effect& effect) const {
-  constexpr double kMode = 2.5, kAging = 4.5;  // a mode is judged by simulation too
+  constexpr double kMode = 2.5, kAging = 4.5;  // [nats]; a mode must pass a bootstrap test as well
   if (effect.name() == "exp_mode") return kMode;
   return effect.name() == "plant_aging" ? kAging : options_.acceptance;
 }
@@ -110,12 +75,13 @@ Effects Search::considered(const SearchState& state) const {
 }
 
 std::vector<FittedEffect> Search::rank(const SearchState& state) {
-  constexpr double kUsual = 3;  // rankings
-  context_.searched(rankings_ / (rankings_ + kUsual));
+  constexpr double kUsual = 3;  // rankings, after which half of the search is reported as done
+  context_.report_searched(rankings_ / (rankings_ + kUsual));
   ++rankings_;
-  const bool nothing_shows = allPassed(checksOf(state.fit, state.train, state.heavy_tails));
+  const bool checks_pass = allPassed(checkResiduals(state.fit, state.train, state.heavy_tails));
   std::vector<FittedEffect> ranked =
-      fittedEffects(state.fit, state.train, considered(state), context_, nothing_shows);
+      fittedEffects(state.fit, state.train, considered(state), context_, checks_pass);
+  // Effects outside the chain of signals, which are fitted in ways of their own.
   const auto outside = [&](const std::string& name) -> std::shared_ptr<const Effect> {
     if (contains(options_.exclude, name) || contains(state.banned, name) || state.has(name))
       return nullptr;
@@ -123,22 +89,22 @@ std::vector<FittedEffect> Search::rank(const SearchState& state) {
   };
   if (const auto mode = outside("exp_mode"))
     ranked.push_back(oneMoreComponent(state.fit, state.train, mode, context_));
-  const Tails tails = tailsOf(state.fit, state.train, residualsOf(state.fit, state.train));
-  const double each = 0.5 * std::log(state.train.samples());
-  const auto addTails = [&](const char* name, double gain, double parameters) {
+  const ResidualDistribution distribution =
+      residualDistribution(state.fit, state.train, residualsOf(state.fit, state.train));
+  const auto addDistribution = [&](const char* name, double gain, int parameters) {
+    constexpr double kSelection = 2;  // [nats] for the choice among several distributions
     const auto effect = outside(name);
-    const double penalty = parameters * each + 2;
+    const double penalty = bicPenalty(parameters, state.train.samples()) + kSelection;
     if (effect) ranked.push_back({effect, state.fit, penalty, gain - penalty, {}, false});
   };
-  addTails("noise_tails", tails.student_gain, 1);
-  addTails("sens_outliers", std::max(tails.mixture_gain, tails.additive_gain), 2);
-  std::stable_sort(
-      ranked.begin(), ranked.end(),
-      [](const FittedEffect& left, const FittedEffect& right) { return left.score > right.score; });
+  addDistribution("noise_tails", distribution.student_gain, 1);
+  addDistribution("sens_outliers", std::max(distribution.mixture_gain, distribution.additive_gain),
+                  2);
+  sortByScore(&ranked);
   return ranked;
 }
 
-/// Takes in the best of `ranked` that is good enough, if any.
+/// Accepts the first of the best candidates that passes, if one does.
 bool Search::extend(SearchState* state, const std::vector<FittedEffect>& ranked) {
   constexpr std::size_t kMostTried = 5;
   for (std::size_t k = 0; k < std::min(ranked.size(), kMostTried); ++k) {
@@ -149,37 +115,40 @@ bool Search::extend(SearchState* state, const std::vector<FittedEffect>& ranked)
   return false;
 }
 
-bool Search::acceptTails(SearchState* state, const FittedEffect& best) {
-  constexpr double kClustered = 1e-6;
+/// Accepts a residual distribution if the held-out experiments confirm it. Outliers are then masked
+/// in all experiments, and the model is fitted again.
+bool Search::acceptDistribution(SearchState* state, const FittedEffect& best) {
+  constexpr double kClustered = 1e-6;  // p-value: bursts are no residual distribution
   const Residuals residuals = residualsOf(state->fit, state->train);
-  const Tails tails = tailsOf(state->fit, state->train, residuals);
-  if (tails.clustering < kClustered) {
+  const ResidualDistribution distribution =
+      residualDistribution(state->fit, state->train, residuals);
+  if (distribution.clustering < kClustered) {
     state->banned.insert(state->banned.end(), {"noise_tails", "sens_outliers"});
     return false;
   }
-  const TailLaw law = lawOf(*best.effect);
+  const DistributionFamily family = familyOf(*best.effect);
   FoundCause cause{best.effect, best.score, best.penalty, 1, {}, {}, {}};
-  const Fit there = judged(state->fit, state->held);
-  if (std::isfinite(there.log_likelihood)) {
-    const Residuals left = residualsOf(there, state->held);
+  const Fit on_held = evaluateOn(state->fit, state->held);
+  if (std::isfinite(on_held.log_likelihood)) {
+    const Residuals residuals_held = residualsOf(on_held, state->held);
     const HeldOut before = heldOut(state->fit, state->held);
-    cause.gain = gainOf(before, before, tailGains(*state, law));
-    if (!passes(*cause.gain, best.score > kStrong ? Judge::not_denied : Judge::convinced))
-      return false;
-    const Tails of_held = tailsOf(there, state->held, left);
-    state->held = FitData(withoutOutliers(state->held, left, of_held));
+    cause.gain = gainOf(before, before, distributionGains(*state, family));
+    if (!passes(*cause.gain, acceptanceRule(*best.effect, best.score))) return false;
+    const ResidualDistribution of_held = residualDistribution(on_held, state->held, residuals_held);
+    state->held = FitData(withoutOutliers(state->held, residuals_held, of_held));
   }
-  if (law == TailLaw::student) {
-    cause.parameters = {
-        {"degrees_of_freedom", "1", tails.degrees, std::nan(""), std::nan(""), std::nan("")}};
+  if (family == DistributionFamily::student) {
+    cause.parameters = {{"degrees_of_freedom", "1", distribution.degrees, std::nan(""),
+                         std::nan(""), std::nan("")}};
   } else {
-    cause.parameters = {{"share", "1", tails.share, std::nan(""), std::nan(""), std::nan("")},
-                        {"ratio", "1", tails.ratio, std::nan(""), std::nan(""), std::nan("")}};
+    cause.parameters = {
+        {"share", "1", distribution.share, std::nan(""), std::nan(""), std::nan("")},
+        {"ratio", "1", distribution.ratio, std::nan(""), std::nan(""), std::nan("")}};
   }
   cause.equivalent = best.effect->description().equivalent;
-  state->train = FitData(withoutOutliers(state->train, residuals, tails));
-  state->fit =
-      polished(evaluated(state->fit.model, state->fit.at, state->train), state->train, context_);
+  state->train = FitData(withoutOutliers(state->train, residuals, distribution));
+  state->fit = optimiseWithRestarts(evaluated(state->fit.model, state->fit.at, state->train),
+                                    state->train, context_);
   if (cause.gain) cause.gain->noise_variance.after = state->fit.at.noise_variance;
   state->causes.push_back(std::move(cause));
   state->banned.insert(state->banned.end(), {"noise_tails", "sens_outliers"});
@@ -188,21 +157,21 @@ bool Search::acceptTails(SearchState* state, const FittedEffect& best) {
   return true;
 }
 
+/// Fits a candidate to convergence and accepts it if the held-out experiments confirm its gain;
+/// causes that it makes needless are eliminated. False where it is not among the causes afterwards.
 bool Search::accept(SearchState* state, const FittedEffect& candidate,
                     const std::vector<FittedEffect>& ranked) {
-  if (isOfTails(*candidate.effect)) return acceptTails(state, candidate);
+  if (isResidualDistribution(*candidate.effect)) return acceptDistribution(state, candidate);
   const std::string& name = candidate.effect->name();
   if (name == "exp_mode" && !beatsSimulation(*state, candidate)) return false;
-  const Fit fit = name == "exp_mode"
-                      ? improved(candidate.fit, state->train, context_.options, 12, 0.01)
-                      : polished(candidate.fit, state->train, context_, !candidate.started_anew);
+  const Fit fit =
+      name == "exp_mode"
+          ? takeScoringSteps(candidate.fit, state->train, context_.options, 12, 0.01)
+          : optimiseWithRestarts(candidate.fit, state->train, context_, !candidate.restarted);
   const Gain gain = gainOf(heldOut(state->fit, state->held), heldOut(fit, state->held),
                            state->gains(state->fit, fit));
   const double score = fit.log_likelihood - state->fit.log_likelihood - candidate.penalty;
-  const Judge judge = isOfMixture(*candidate.effect) ? Judge::lenient
-                      : score > kStrong              ? Judge::not_denied
-                                                     : Judge::convinced;
-  if (!passes(gain, judge)) return false;
+  if (!passes(gain, acceptanceRule(*candidate.effect, score))) return false;
   SearchState next = *state;
   FoundCause cause{candidate.effect,
                    score,
@@ -222,8 +191,8 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
   return kept;
 }
 
-/// Takes out again what is no longer needed, the newest included: it may only have helped theta out
-/// of a local optimum.
+/// Backward elimination: removes each cause whose removal costs less than was needed to accept it.
+/// That includes the newest, which may only have helped theta out of a local optimum.
 void Search::eliminate(SearchState* state) {
   for (std::size_t k = 0; k < state->causes.size();) {
     const FoundCause& cause = state->causes[k];
@@ -252,10 +221,11 @@ bool Search::beatsSimulation(const SearchState& state, const FittedEffect& candi
   return exceedsSimulatedRatios(state.fit, state.train, context_, ratio);
 }
 
-/// Goes on until nothing more is taken in, or `most` causes are.
-void Search::goOn(SearchState* state, std::size_t most) {
-  constexpr int kMostRankings = 10;        // what needs more is not in the catalogue
-  int attempts = options_.max_causes + 2;  // what is taken in and thrown out again counts too
+/// Greedy forward selection: accepts causes until none passes, or until there are `most`.
+void Search::forwardSelection(SearchState* state, std::size_t most) {
+  constexpr int kMostRankings = 10;  // data that need more are not described by the catalogue
+  // A cause that is accepted and then eliminated counts as well, so that the loop ends.
+  int attempts = options_.max_causes + 2;
   while (state->causes.size() < most && attempts-- > 0 && rankings_ < kMostRankings &&
          context_.going_on()) {
     const std::size_t banned = state->banned.size();
@@ -263,8 +233,8 @@ void Search::goOn(SearchState* state, std::size_t most) {
   }
 }
 
-/// Of the first cause what is known by now: its final fit may lie higher than when it was tried.
-void Search::tellFinal(const FoundCause& first) {
+/// Replaces the screening score and gain of the first cause by those of its final fit.
+void Search::updateTried(const FoundCause& first) {
   for (TriedEffect& tried : tried_) {
     const EffectDescription& of = first.effect->description();
     if (tried.name != of.name || tried.variant != of.variant || !first.gain) continue;
@@ -279,38 +249,39 @@ void Search::tellFinal(const FoundCause& first) {
 
 SearchState Search::run(const SearchState& base) {
   SearchState found = search(base);
-  if (found.eliminated) measureAnew(base, context_, &found);
-  if (found.causes.size() > base.causes.size()) tellFinal(found.causes[base.causes.size()]);
+  if (found.eliminated) remeasureGains(base, context_, &found);
+  if (found.causes.size() > base.causes.size()) updateTried(found.causes[base.causes.size()]);
   return found;
 }
 
 SearchState Search::search(const SearchState& base) {
-  constexpr std::size_t kAlternatives = 3;
+  constexpr std::size_t kRestarts = 3;
   const auto most = base.causes.size() + static_cast<std::size_t>(options_.max_causes);
   const std::vector<FittedEffect> ranked = rank(base);
   for (const FittedEffect& candidate : ranked) tried_.push_back(triedEffect(base, candidate));
   SearchState best = base;
   if (most == base.causes.size() || !(extend(&best, ranked) || best.banned != base.banned))
     return best;
-  goOn(&best, most);
-  const bool settled = best.causes.size() <= base.causes.size() + 1 &&
-                       allPassed(checksOf(best.fit, best.train, best.heavy_tails));
-  if (settled) return best;
-  std::size_t alternatives = 0;
+  forwardSelection(&best, most);
+  const bool one_cause_suffices = best.causes.size() <= base.causes.size() + 1 &&
+                                  allPassed(checkResiduals(best.fit, best.train, best.heavy_tails));
+  if (one_cause_suffices) return best;
+  std::size_t restarts = 0;
   for (auto first = ranked.begin(); first != ranked.end(); ++first) {
-    if (alternatives == kAlternatives || !context_.going_on()) break;
+    if (restarts == kRestarts || !context_.going_on()) break;
     const bool structural = !isOfNoise(*first->effect) && !isOfMixture(*first->effect);
     if (!structural || first->score < threshold(*first->effect) ||
         (!best.causes.empty() && first->effect == best.causes.front().effect))
       continue;
-    ++alternatives;
+    ++restarts;
     SearchState other = base;
-    // those before it lead lower if this one is kept: they are no rivals of it
+    // Effects ranked above it are left out of its confidence: where this set of causes is kept, it
+    // has the higher likelihood.
     if (!accept(&other, *first, {first, ranked.end()})) continue;
-    goOn(&other, std::min(most, base.causes.size() + 2));
+    forwardSelection(&other, std::min(most, base.causes.size() + 2));
     if (other.total > best.total) best = std::move(other);
   }
-  if (best.causes.size() < most) goOn(&best, most);
+  if (best.causes.size() < most) forwardSelection(&best, most);
   return best;
 }
 

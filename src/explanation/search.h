@@ -6,59 +6,65 @@
 
 #include "explanation/candidates.h"
 #include "explanation/measure.h"
-#include "explanation/tails.h"
+#include "explanation/residual_distribution.h"
 #include "uncertainty_identification/effects/catalogue.h"
 #include "uncertainty_identification/explanation/explanation.h"
 
 namespace uncertainty_identification {
 
-/// A cause that was taken in, with the models before and after.
+/// An effect that was accepted as a cause.
 struct FoundCause {
   std::shared_ptr<const Effect> effect;
-  double score = 0, penalty = 0;
-  double confidence = 1;
-  std::vector<std::string> equivalent;
-  std::optional<Gain> gain;
-  std::vector<CauseParameter> parameters;  ///< of causes outside the chain
+  double score = 0, penalty = 0;           ///< [nats] as those of FittedEffect
+  double confidence = 1;                   ///< as confidenceOf()
+  std::vector<std::string> equivalent;     ///< as equivalentOf()
+  std::optional<Gain> gain;                ///< on the held-out experiments
+  std::vector<CauseParameter> parameters;  ///< only of causes that are no part of the chain of
+                                           ///< signals; those of the others are in the fit
 };
 
-/// Where a search stands: a model with causes taken in, and the data as far as they are not spoilt.
+/// The state of a search: the model with the causes accepted so far, and the data with their
+/// outliers masked.
 struct SearchState {
-  Fit fit;
-  FitData train, held;
+  Fit fit;              ///< to `train`
+  FitData train, held;  ///< experiments to fit to, and to measure gains on
   std::vector<FoundCause> causes;
-  std::vector<std::string> banned;
-  bool heavy_tails = false;
-  bool quantised = false;   ///< the lattice of the output is coarse against the noise
-  bool eliminated = false;  ///< something was taken out again
-  double total = 0;         ///< [nats] of likelihood gained, less the causes' penalties
-  bool fitted_to = false;   ///< held are the experiments of train
+  std::vector<std::string> banned;  ///< names of effects that are not tried any more
+  bool heavy_tails = false;         ///< as for checkResiduals()
+  bool quantised = false;           ///< the output is quantised, coarsely compared with the noise
+  bool eliminated = false;          ///< a cause was removed by backward elimination
+  double total = 0;  ///< [nats] gain of log-likelihood over the base, minus the causes' penalties
+  bool fitted_to = false;  ///< too few experiments to hold any out: `held` are those of `train`
 
   bool has(const std::string& name) const;
-  /// What one model gains over another by log density.
+  /// Gains of log density of the model `after` over the model `before`.
   PairedGains gains(const Fit& before, const Fit& after) const;
 };
 
-/// Looks for causes on top of a base fit: the loop of docs/explanation.md.
+/// Looks for causes on top of a base fit by greedy forward selection with backward elimination
+/// (docs/explanation.md).
 class Search {
  public:
   Search(const ExplanationOptions& options, FitContext context, Effects catalogue);
 
-  /// The best set of causes: greedily, and where one cause does not settle the matter, from the
-  /// next best first causes too that are none of the noise: what absorbs much must not win by that.
+  /// The set of causes with the highest penalised likelihood that is found. If one cause does not
+  /// explain the data, the search restarts from the three best structural causes, that is those
+  /// outside noise and mixture. Otherwise an effect such as coloured noise would win, since it fits
+  /// anything.
   SearchState run(const SearchState& base);
 
+  /// The effects that were tried on top of the base, the best score first.
   const std::vector<TriedEffect>& tried() const { return tried_; }
 
  private:
   SearchState search(const SearchState& base);
-  void tellFinal(const FoundCause& first);
-  void goOn(SearchState* state, std::size_t most);
+  void updateTried(const FoundCause& first);
+  void forwardSelection(SearchState* state, std::size_t most);
   bool extend(SearchState* state, const std::vector<FittedEffect>& ranked);
   std::vector<FittedEffect> rank(const SearchState& state);
   bool accept(SearchState* state, const FittedEffect& candidate,
               const std::vector<FittedEffect>& ranked);
-  bool acceptTails(SearchState* state, const FittedEffect& best);
+  bool acceptDistribution(SearchState* state, const FittedEffect& best);
   void eliminate(SearchState* state);
   Effects considered(const SearchState& state) const;
   double threshold(const Effect& effect) const;

@@ -8,8 +8,8 @@
 namespace uncertainty_identification {
 namespace {
 
-/// Positions of the experiments held out. Shuffled by hand: std::shuffle's order is not the same
-/// everywhere.
+/// Positions of the held-out experiments. std::shuffle is not used because its order differs
+/// between standard libraries.
 std::set<std::size_t> drawn(const Configuration& configuration, std::size_t count) {
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});

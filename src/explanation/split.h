@@ -7,14 +7,15 @@
 
 namespace uncertainty_identification {
 
-/// Experiments to fit to and to measure with.
+/// A data split: experiments to fit to, and held-out experiments to measure gains on.
 struct Split {
   std::vector<Experiment> train, held;
-  bool fitted_to = false;  ///< there are too few to keep any out: held are those of train
+  bool fitted_to = false;  ///< too few experiments to hold any out: `held` are those of `train`
 };
 
-/// `validation` is held out; where there is none, a share of the experiments drawn by the
-/// configuration's seed. Fewer than four experiments are measured on themselves.
+/// Holds out `validation`. If it is empty, a share of the experiments
+/// (explanation.validation_share) is drawn with the configuration's seed and held out; of fewer
+/// than four experiments none.
 Split split(const Configuration& configuration, const std::vector<Experiment>& experiments,
             const std::vector<Experiment>& validation);
 

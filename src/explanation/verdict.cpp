@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "explanation/checks.h"
+#include "explanation/residual_checks.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -11,13 +11,14 @@ namespace {
 std::string messageOf(Verdict verdict, const std::string& names, const std::string& failed) {
   switch (verdict) {
     case Verdict::none:
-      return "the simulation agrees with the data: nothing is wrong that these experiments show";
+      return "the model agrees with the data: the checks of its residuals find nothing wrong";
     case Verdict::explained:
-      return names + ": with it in the model nothing is left that the checks see";
+      return names + ": with this in the model all checks of the residuals pass";
     case Verdict::partly_explained:
-      return names + " explains part; what remains is not explained (" + failed + ")";
+      return names + " explains part of what is wrong; these checks still fail: " + failed;
     case Verdict::unknown:
-      return "something is wrong that the catalogue does not name (" + failed + ")";
+      return "something is wrong that the catalogue does not describe; these checks fail: " +
+             failed;
   }
   return "";
 }
@@ -46,14 +47,14 @@ bool isSymptom(const FoundCause& found, const SearchState& state) {
 }
 
 Check parsimony(const SearchState& state) {
-  constexpr double kPrior = 0.005;  // of an effect to be there
+  constexpr double kPrior = 0.005;  // probability that an effect is there
   const auto causes = std::count_if(
       state.causes.begin(), state.causes.end(),
       [](const FoundCause& cause) { return cause.score != 0 && !isOfNoise(*cause.effect); });
   const double p_value = std::pow(kPrior, static_cast<double>(causes));
   const bool passed = !(p_value < kCheckThreshold);
   return {"parsimony", static_cast<double>(causes), p_value, passed,
-          passed ? "" : "so many causes at once: more likely one that the catalogue lacks"};
+          passed ? "" : "so many causes at once are unlikely; the catalogue may lack the true one"};
 }
 
 void conclude(Explanation* explanation) {
@@ -64,7 +65,8 @@ void conclude(Explanation* explanation) {
     explanation->verdict = passed ? Verdict::explained : Verdict::partly_explained;
   }
   std::string names, failed;
-  for (const Cause& cause : explanation->causes) names = joined(names, cause.name);
+  for (const Cause& cause : explanation->causes)
+    names = joined(names, cause.description + " (" + cause.name + ")");
   for (const Check& check : explanation->checks_after)
     if (!check.passed) failed = joined(failed, check.name);
   explanation->message = messageOf(explanation->verdict, names, failed);

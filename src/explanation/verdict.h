@@ -5,16 +5,18 @@
 
 namespace uncertainty_identification {
 
-/// While some check fails, only what explains most is named, if it is no noise: what a search takes
-/// in beside that, or on top of a noise that explains far more, stands in for what the catalogue
-/// lacks.
+/// Whether a cause, while some check still fails, may be only a symptom of something that the
+/// catalogue lacks. That is so for every cause of the noise, and for a cause whose score is
+/// exceeded by that of another cause outside the noise, or by a third by that of a cause of the
+/// noise. Causes that the samples show by themselves are no symptoms.
 bool isSymptom(const FoundCause& found, const SearchState& state);
 
-/// Each further cause beside the noise is one less likely to be true: three that happen to describe
-/// the data together are more often one that the catalogue lacks.
+/// A check of the number of causes outside the noise. Several independent faults at once are
+/// unlikely: three causes that describe the data together are more often one that the catalogue
+/// lacks.
 Check parsimony(const SearchState& state);
 
-/// Verdict and message of an explanation with its causes and checks.
+/// Sets verdict and message of an explanation from its causes and checks.
 void conclude(Explanation* explanation);
 
 }  // namespace uncertainty_identification

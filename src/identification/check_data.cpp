@@ -1,4 +1,4 @@
-#include "data/check.h"
+#include "data/experiment_checks.h"
 #include "identification/steps.h"
 #include "uncertainty_identification/errors.h"
 

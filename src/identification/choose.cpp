@@ -4,6 +4,7 @@
 #include "estimation/initial_guess.h"
 #include "estimation/selection.h"
 #include "identification/steps.h"
+#include "math/information_criterion.h"
 #include "model/fixed_plant.h"
 #include "model/sensitivity.h"
 

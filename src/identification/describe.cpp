@@ -1,9 +1,10 @@
 #include <algorithm>
 
-#include "data/check.h"
-#include "estimation/residual_tests.h"
+#include "data/experiment_checks.h"
 #include "estimation/selection.h"
 #include "identification/steps.h"
+#include "math/information_criterion.h"
+#include "residual_tests/residual_tests.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -3,6 +3,7 @@
 #include "estimation/initial_guess.h"
 #include "estimation/selection.h"
 #include "identification/steps.h"
+#include "math/information_criterion.h"
 #include "uncertainty_identification/errors.h"
 
 /// Where the optimisation starts, and with how many components.

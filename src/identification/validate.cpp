@@ -1,4 +1,4 @@
-#include "data/check.h"
+#include "data/experiment_checks.h"
 #include "estimation/linearisation.h"
 #include "estimation/simulation_fit.h"
 #include "identification/steps.h"

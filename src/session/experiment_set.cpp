@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "data/check.h"
+#include "data/experiment_checks.h"
 
 namespace uncertainty_identification {
 namespace {

@@ -4,7 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "data/check.h"
+#include "data/experiment_checks.h"
 #include "io/atomic_file.h"
 #include "io/read_file.h"
 #include "session/experiment_store.h"

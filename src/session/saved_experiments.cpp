@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "data/check.h"
+#include "data/experiment_checks.h"
 #include "session/bag_name.h"
 #include "session/file_name.h"
 #include "session/mebibytes.h"

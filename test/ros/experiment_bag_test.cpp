@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "data/check.h"
+#include "data/experiment_checks.h"
 #include "session/experiment_store.h"
 #include "support/example1.h"
 #include "support/temporary_folder.h"

@@ -10,7 +10,7 @@
 #include <random>
 #include <thread>
 
-#include "data/check.h"
+#include "data/experiment_checks.h"
 #include "ros/experiment_bag.h"
 #include "ros/message_conversions.h"
 #include "support/example1.h"

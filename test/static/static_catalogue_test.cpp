@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "simulation/hidden_effect.h"
 #include "uncertainty_identification/effects/catalogue.h"
 #include "uncertainty_identification/errors.h"
 

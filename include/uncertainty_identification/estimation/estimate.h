@@ -86,7 +86,7 @@ struct Validation {
 };
 
 /// Whether the residuals are white and hold nothing of the input, over all experiments
-/// (estimation/residual_tests.h). Empty where there are too few residuals, or not computed.
+/// (residual_tests/residual_tests.h). Empty where there are too few residuals, or not computed.
 struct ResidualTests {
   long samples = 0;                       ///< residuals
   std::vector<double> autocorrelation;    ///< at lags 1, 2, ...; standard deviation 1/sqrt(samples)

@@ -11,40 +11,41 @@
 #include "uncertainty_identification/estimation/estimate.h"
 #include "uncertainty_identification/identifier.h"
 
-/// What the simulation (the identified model) gets wrong, why, and what naming the cause gains.
+/// explain(): what the identified model gets wrong, by which physical effect, and how much the
+/// model gains by including that effect.
 namespace uncertainty_identification {
 
-/// none: nothing is wrong. explained: causes are named and all checks pass with them.
-/// partly_explained: causes are named, some check still fails. unknown: some check fails and no
-/// cause was found.
+/// none: all checks pass without a cause. explained: causes are named, and all checks pass with
+/// them. partly_explained: causes are named, but some check still fails. unknown: some check fails,
+/// and no cause was found.
 enum class Verdict { none, explained, partly_explained, unknown };
 
 const EnumNames<Verdict>& enumNames(Verdict);
 
-/// A test of what a model leaves of the data.
+/// A test of the residuals of a model.
 struct Check {
   std::string name;  ///< "whiteness", "variance over time", ...
   double statistic = 0;
   double p_value = 1;
   bool passed = true;
-  std::string where;  ///< frequency band, time, amplitude or experiments it shows in; empty: passed
+  std::string where;  ///< where it fails: frequency, time, amplitude or experiments; empty: passed
 };
 
-/// A quantity before and after a cause is taken into the model.
+/// A quantity under the model without a cause and with it.
 struct Comparison {
   double before = 0, after = 0;
 };
 
-/// What taking a cause into the model gains on experiments not used for fitting.
+/// What the model gains by a cause on experiments that were not used for fitting.
 struct Gain {
   double log_density = 0;             ///< [nats] per experiment, mean of paired differences
-  double standard_error = 0;          ///< NaN: no two experiments tell it
+  double standard_error = 0;          ///< of log_density; NaN with a single experiment
   double lower_90 = 0, upper_90 = 0;  ///< of the mean, by Student's t; NaN as standard_error
   Comparison nrmse_fit_percent;  ///< free simulation, as Validation::simulation_fit_percent_pooled
   Comparison coverage_50, coverage_90, coverage_95;  ///< shares of samples in prediction intervals
   Comparison noise_variance;
-  /// Of the region that holds 95 % of the linear plants, in the three decades below the Nyquist
-  /// frequency [decades x decades]; NaN where Go is not stable.
+  /// Area of the region of the Bode magnitude diagram that contains 95 % of the linear plants, over
+  /// the three decades below the Nyquist frequency [decades x decades]; NaN where Go is not stable.
   Comparison bode_area;
 };
 
@@ -56,37 +57,38 @@ struct CauseParameter {
   double lower_90 = 0, upper_90 = 0;
 };
 
-/// A physical effect that the data show and the model lacked.
+/// A physical effect that the data show and that the model lacked.
 struct Cause {
   std::string name;                     ///< of the catalogue, e.g. "act_deadzone"
   std::string variant;                  ///< e.g. "per_experiment", or the covariate
   std::string group;                    ///< "actuator", "plant", "sensor", "noise", "experiment"
   std::string description;              ///< in words
   double confidence = 0;                ///< posterior probability among the candidates
-  std::vector<std::string> equivalent;  ///< names that the data cannot tell from it
+  std::vector<std::string> equivalent;  ///< names of effects that the data may not distinguish
   std::vector<CauseParameter> parameters;
-  std::string advice;        ///< what to look at on the rig, or to record next
-  std::optional<Gain> gain;  ///< none where taking it in gains no likelihood (exp_feedback)
+  std::string advice;        ///< what to check on the rig, or to record next
+  std::optional<Gain> gain;  ///< none for exp_feedback, which does not change the model
 };
 
-/// An effect that was tried.
+/// An effect that was tried on top of the model.
 struct TriedEffect {
   std::string name, variant;
-  double score = 0;          ///< [nats] gain of training likelihood less its penalty
+  double score = 0;          ///< [nats] gain of log-likelihood, minus the BIC penalty
   double held_out_gain = 0;  ///< [nats] per experiment; NaN where the score is not positive
   double standard_error = 0;
 };
 
-/// One experiment as the models before and after see it.
+/// Signals of one experiment, measured and simulated with the models before and after.
 struct ExperimentPicture {
   std::string id;
   double sample_time = 0;  ///< [s]
   Eigen::VectorXd input, measured;
-  Eigen::VectorXd simulated_before, simulated_after;  ///< given the experiment's own error
+  /// Simulated with the experiment's own error parameters.
+  Eigen::VectorXd simulated_before, simulated_after;
   Eigen::VectorXd deviation_before, deviation_after;  ///< standard deviation of the prediction
 };
 
-/// What is left of the data by one model, for figures: means over the experiments.
+/// The residuals of one model for figures: means over the experiments.
 struct ResidualPicture {
   std::vector<double> autocorrelation, cross_correlation;  ///< as in ResidualTests
   double confidence_95 = 0;                                ///< half width for a white residual
@@ -97,7 +99,7 @@ struct ResidualPicture {
   std::vector<double> of_experiment;  ///< root mean square of each experiment / sigma
 };
 
-/// The answer to "what does the simulation get wrong?".
+/// The result of explain().
 struct Explanation {
   Verdict verdict = Verdict::none;
   std::string message;  ///< in one sentence
@@ -106,8 +108,8 @@ struct Explanation {
   std::vector<TriedEffect> candidates;
   std::vector<std::string> warnings;
   Estimate before, after;  ///< models without and with the causes, from the same experiments
-  /// Ids of the experiments that the gains were measured on; none: those fitted to, as there were
-  /// too few to keep any out.
+  /// Ids of the held-out experiments, on which the gains were measured. Empty where there were too
+  /// few experiments to hold any out; the gains were then measured on those fitted to.
   std::vector<std::string> held_out;
   ResidualPicture residual_before, residual_after;
   std::vector<ExperimentPicture> pictures;         ///< held-out experiments: median and worst fit
@@ -115,12 +117,14 @@ struct Explanation {
   double seconds = 0;                              ///< [s] wall time
 };
 
-/// Explains `experiments`: identifies the model that `configuration` names, tests what it leaves,
-/// screens the catalogue of effects, takes the best into the model, measures the gain on
-/// experiments kept out of the fit (`validation`; none: a seeded share of the experiments), and so
-/// on until the checks pass or nothing helps (docs/explanation.md). Throws DataError when no usable
-/// experiment is left, ConfigurationError for a configuration that is not valid. The answer does
-/// not depend on the number of threads.
+/// Explains what the model of `configuration` gets wrong on `experiments`. It identifies the model,
+/// tests its residuals, and extends it by effects of the catalogue in a forward selection with
+/// backward elimination, until the checks pass or no effect is accepted (docs/explanation.md).
+/// Gains are measured on `validation`; if it is empty, on a share of the experiments that is drawn
+/// with the configuration's seed and held out of the fit.
+///
+/// `progress` returns false to cancel. The result does not depend on the number of threads. Throws
+/// DataError where no experiment is usable, ConfigurationError for an invalid configuration.
 Explanation explain(const Configuration& configuration, const std::vector<Experiment>& experiments,
                     const std::vector<Experiment>& validation = {},
                     const ProgressCallback& progress = {});

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <set>
 
-#include "simulation/hidden_effect.h"
 #include "support/effect_setup.h"
 #include "support/error_message.h"
 #include "support/hidden_effects/hidden_effect.h"

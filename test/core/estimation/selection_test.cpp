@@ -11,10 +11,6 @@
 namespace uncertainty_identification {
 namespace {
 
-TEST(Bic, CountsSamplesForTheModelAndExperimentsForTheMixture) {
-  EXPECT_NEAR(bic(-100, 5, 3, 2000, 40), 200 + 5 * std::log(2000.0) + 3 * std::log(40.0), 1e-12);
-}
-
 TEST(MixtureParameters, AreTheFreeOnes) {
   EXPECT_EQ(mixtureParameters(Constraint::zero_static_gain, 0, 1), 0);
   EXPECT_EQ(mixtureParameters(Constraint::zero_static_gain, 1, 2), 1 + 2 + 2);

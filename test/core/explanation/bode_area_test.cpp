@@ -1,4 +1,4 @@
-// The area of the region of the Bode diagram that holds 95 % of the plants.
+// The area of the region of the Bode diagram that contains 95 % of the plants.
 #include "explanation/bode_area.h"
 
 #include <gtest/gtest.h>

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// Example 1 under a mixture of one component, and what two gain.
+/// A fit of one component to Example 1, and the gain of log-likelihood by a second one.
 struct OneOfTwo {
   Fit one;
   FitData data;

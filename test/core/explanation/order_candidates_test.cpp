@@ -1,4 +1,4 @@
-// Models on top of which causes are looked for where the orders were chosen from the data.
+// The models on top of which causes are looked for when the orders were chosen from the data.
 #include "explanation/order_candidates.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace uncertainty_identification {
 namespace {
 
-/// Twelve experiments of Example 1, whose plant is of order 1, cut to so many samples.
+/// Twelve experiments of Example 1, whose plant is of order 1, shortened to so many samples.
 std::vector<Experiment> example1(int samples) {
   std::vector<Experiment> experiments = test::example1(2, 12).experiments;
   for (Experiment& experiment : experiments) {
@@ -18,7 +18,7 @@ std::vector<Experiment> example1(int samples) {
   return experiments;
 }
 
-/// The candidates where these orders were chosen for the plant.
+/// The orders of the candidates if `order` was chosen for the plant.
 std::vector<NominalModelOptions> candidates(const std::vector<Experiment>& experiments, int order) {
   Configuration configuration = test::example1Configuration();
   configuration.nominal_model.na = configuration.nominal_model.nb = order;
@@ -41,13 +41,14 @@ TEST(OrderCandidates, LeavesThoseThatSuffice) {
   EXPECT_EQ(orders[0].na, 1);
 }
 
-/// Two poles more would need 22 samples, and there are 20: none is taken, and nothing fails.
+/// Two more poles would need 22 samples, and there are 20: the orders stay, and nothing fails.
 TEST(OrderCandidates, TriesNoMoreThanTheDataAllow) {
   EXPECT_EQ(candidates({example1(20).front()}, 2).front().na, 2);
 }
 
-/// The declared input is what must enter a lag for Example 1's to leave it: the plant is of order 2
-/// and was chosen of order 1. Both are given, the larger first, with one noise model.
+/// The recorded input passes through a lag before it becomes Example 1's input, so the plant is of
+/// order 2, and order 1 was chosen. Models of both orders are given, the larger first, with the
+/// same orders of the noise model.
 TEST(OrderCandidates, RaisesThoseThatAreTooLowAndKeepsThemAsTheSmallerModel) {
   constexpr double kPole = 0.7;
   std::vector<Experiment> experiments = example1(100);

@@ -1,4 +1,4 @@
-// What explanations hold for the figures of residuals.
+// What explanations contain for the figures of residuals.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 
 constexpr double kWidth = 0.4;  // of the dead zone
 
-/// Commands are held for eight samples, so that the output still has to do with the one of now.
+/// Commands are held for eight samples, so that the output correlates with the present command.
 const Explanation& explanation() {
   static const Explanation kExplanation = [] {
     Truth truth = loadTruth(std::string(PROJECT_FOLDER) + "/config/example1_truth.yaml");

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <set>
 
-#include "data/check.h"
+#include "data/experiment_checks.h"
 #include "support/core_setup.h"
 #include "support/error_message.h"
 #include "uncertainty_identification/errors.h"

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "data/check.h"
+#include "data/experiment_checks.h"
 #include "session/store_writer.h"
 #include "support/csv_experiment_files.h"
 #include "support/error_message.h"

@@ -1,4 +1,5 @@
-#include "simulation/hidden_effect.h"
+
+#include "support/hidden_effects/hidden_effect.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +8,6 @@
 
 #include "io/truth_yaml.h"
 #include "simulation/simulate.h"
-#include "support/hidden_effects/hidden_effect.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification::test {

@@ -1,4 +1,4 @@
-#include "explanation/peaks.h"
+#include "explanation/spectral_peaks.h"
 
 #include <cmath>
 
@@ -11,8 +11,8 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr int kRefinement = 4;  // points per line of the spectrum
-constexpr int kLowest = 2 * kRefinement;
+constexpr int kRefinement = 4;            // points per resolved line of the spectrum
+constexpr int kLowest = 2 * kRefinement;  // points below it are left out: the window's mean
 
 /// Power at `points` frequencies up to the Nyquist frequency, by Goertzel's recursion.
 ArrayXd spectrum(const VectorXd& signal, int points) {
@@ -30,7 +30,7 @@ ArrayXd spectrum(const VectorXd& signal, int points) {
   return power;
 }
 
-/// Without its mean, under a Hann window.
+/// The signal minus its mean, multiplied by a Hann window.
 VectorXd windowed(VectorXd signal) {
   const auto length = static_cast<double>(signal.size());
   signal.array() -= signal.mean();
@@ -39,6 +39,7 @@ VectorXd windowed(VectorXd signal) {
   return signal;
 }
 
+/// Frequency of the largest peak [rad/sample].
 double peakOf(const ArrayXd& power) {
   Index at = 0;
   power.tail(power.size() - kLowest).maxCoeff(&at);
@@ -47,7 +48,7 @@ double peakOf(const ArrayXd& power) {
 
 }  // namespace
 
-void findPeaks(const Residuals& residuals, const FitData& data, DataSummary* summary) {
+void findSpectralPeaks(const Residuals& residuals, const FitData& data, DataSummary* summary) {
   constexpr int kMostSpectra = 12, kMostSamples = 2000;
   const int samples = std::min(summary->samples, kMostSamples), points = kRefinement * samples / 2;
   if (points <= kLowest) return;

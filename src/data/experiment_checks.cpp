@@ -1,4 +1,4 @@
-#include "data/check.h"
+#include "data/experiment_checks.h"
 
 #include <algorithm>
 #include <map>
@@ -6,7 +6,8 @@
 
 #include "data/text.h"
 
-// Checks that compare experiments with each other; check_experiment.cpp looks at each by itself.
+// Checks that compare experiments with each other; single_experiment_checks.cpp checks each by
+// itself.
 namespace uncertainty_identification {
 namespace {
 

@@ -1,4 +1,4 @@
-#include "explanation/tails.h"
+#include "explanation/residual_distribution.h"
 
 #include <algorithm>
 #include <boost/math/distributions/poisson.hpp>
@@ -15,6 +15,7 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXd;
 
+/// The residuals of all measured samples.
 ArrayXd pooled(const Residuals& residuals, const FitData& data) {
   std::vector<double> values;
   for (std::size_t b = 0; b < data.blocks().size(); ++b) {
@@ -27,6 +28,7 @@ ArrayXd pooled(const Residuals& residuals, const FitData& data) {
   return Eigen::Map<const ArrayXd>(values.data(), static_cast<Index>(values.size()));
 }
 
+/// Standard deviation estimated by the median absolute value, which outliers hardly change.
 double robustDeviation(const ArrayXd& values) {
   std::vector<double> sizes(values.size() > 0 ? static_cast<std::size_t>(values.size()) : 1);
   for (Index k = 0; k < values.size(); ++k)
@@ -39,7 +41,8 @@ ArrayXd logNormal(const ArrayXd& r, double deviation) {
   return -0.5 * std::log(2 * kPi) - std::log(deviation) - 0.5 * (r / deviation).square();
 }
 
-/// Student's t with `degrees`, its scale fitted; log density of each value.
+/// Log density of each value under Student's t distribution with so many degrees of freedom.
+/// `scale` is where the fit of the scale starts, and is set to the fitted one.
 ArrayXd logStudent(const ArrayXd& r, double degrees, double* scale) {
   constexpr int kSteps = 12;
   for (int k = 0; k < kSteps; ++k) {
@@ -51,24 +54,25 @@ ArrayXd logStudent(const ArrayXd& r, double degrees, double* scale) {
   return constant - (degrees + 1) / 2 * (1 + (r / *scale).square() / degrees).log();
 }
 
+/// ln(exp(a) + exp(b)) of each element without overflow.
 ArrayXd logSum(const ArrayXd& a, const ArrayXd& b) {
   const ArrayXd larger = a.max(b);
   return larger + ((a - larger).exp() + (b - larger).exp()).log();
 }
 
-void fitStudent(const ArrayXd& r, Tails* tails) {
+void fitStudent(const ArrayXd& r, ResidualDistribution* distribution) {
   const double deviation = std::sqrt(r.square().mean());
   const double gaussian = logNormal(r, deviation).sum();
   for (const double degrees : {2.2, 2.6, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0, 10.0, 15.0, 25.0}) {
     double scale = deviation * std::sqrt(std::max(degrees - 2, 0.1) / degrees);
     const double gain = logStudent(r, degrees, &scale).sum() - gaussian;
-    if (gain <= tails->student_gain) continue;
-    tails->student_gain = gain;
-    tails->degrees = degrees;
+    if (gain <= distribution->student_gain) continue;
+    distribution->student_gain = gain;
+    distribution->degrees = degrees;
   }
 }
 
-void fitMixtureOfTwo(const ArrayXd& r, Tails* tails) {
+void fitMixtureOfTwo(const ArrayXd& r, ResidualDistribution* distribution) {
   constexpr int kSteps = 60;
   const double gaussian = logNormal(r, std::sqrt(r.square().mean())).sum();
   double share = 0.02, narrow = robustDeviation(r), wide = 4 * narrow, value = 0;
@@ -81,12 +85,13 @@ void fitMixtureOfTwo(const ArrayXd& r, Tails* tails) {
     wide = std::sqrt((weight * r.square()).sum() / std::max(weight.sum(), 1e-12));
     narrow = std::sqrt(((1 - weight) * r.square()).sum() / (1 - weight).sum());
   }
-  tails->mixture_gain = value - gaussian;
-  tails->share = share;
-  tails->ratio = wide / narrow;
+  distribution->mixture_gain = value - gaussian;
+  distribution->share = share;
+  distribution->ratio = wide / narrow;
 }
 
-/// Pairs of marked samples at most `reach` apart, against those that chance would make.
+/// p-value of the number of pairs of marked samples at most kReach apart, which is a Poisson
+/// variable where the marked samples are independent.
 double clusteringOf(const std::vector<Signals>& marked, double samples) {
   constexpr int kReach = 3;
   double count = 0, pairs = 0;
@@ -100,9 +105,10 @@ double clusteringOf(const std::vector<Signals>& marked, double samples) {
   return cdf(complement(boost::math::poisson(expected), pairs - 1));
 }
 
-/// Chen and Liu's search for additive outliers: the innovations matched with their footprint.
+/// Chen and Liu's search for additive outliers: residuals are correlated with the impulse response
+/// of the whitening, and the largest correlations are removed until none is large.
 void findAdditive(const Fit& fit, const FitData& data, const Residuals& residuals, double deviation,
-                  Tails* tails) {
+                  ResidualDistribution* distribution) {
   const Polynomials p = fit.model->nominal().polynomials(
       fit.at.parameters.head(fit.model->nominal().parameterCount()));
   if (p.c.size() + p.d.size() == 0) return;
@@ -144,61 +150,66 @@ void findAdditive(const Fit& fit, const FitData& data, const Residuals& residual
     after += r.square().sum();
     count += found.sum();
     samples += data.blocks()[b].weight.sum();
-    tails->found.push_back(std::move(found));
+    distribution->found.push_back(std::move(found));
   }
-  const double cost = std::log(1 / 0.02) + 0.5 * std::log(60.0);  // of a place and of a size
-  tails->additive_gain = 0.5 * samples * std::log(before / std::max(after, 1e-300)) - cost * count;
+  const double cost = std::log(1 / 0.02) + 0.5 * std::log(60.0);  // of stating time and size
+  distribution->additive_gain =
+      0.5 * samples * std::log(before / std::max(after, 1e-300)) - cost * count;
 }
 
 }  // namespace
 
-Tails tailsOf(const Fit& fit, const FitData& data, const Residuals& residuals) {
-  Tails tails;
+ResidualDistribution residualDistribution(const Fit& fit, const FitData& data,
+                                          const Residuals& residuals) {
+  ResidualDistribution distribution;
   const ArrayXd r = pooled(residuals, data);
   const double deviation = robustDeviation(r);
-  fitStudent(r, &tails);
-  fitMixtureOfTwo(r, &tails);
-  findAdditive(fit, data, residuals, deviation, &tails);
-  const bool additive = tails.additive_gain > 0.8 * tails.mixture_gain && !tails.found.empty();
+  fitStudent(r, &distribution);
+  fitMixtureOfTwo(r, &distribution);
+  findAdditive(fit, data, residuals, deviation, &distribution);
+  const bool additive =
+      distribution.additive_gain > 0.8 * distribution.mixture_gain && !distribution.found.empty();
   std::vector<Signals> marked;
   for (const Signals& signal : residuals.standardised)
     marked.push_back((signal.abs() > 4 * deviation).cast<double>());
-  tails.clustering = clusteringOf(additive ? tails.found : marked, static_cast<double>(r.size()));
-  return tails;
+  distribution.clustering =
+      clusteringOf(additive ? distribution.found : marked, static_cast<double>(r.size()));
+  return distribution;
 }
 
-bool isOfTails(const Effect& effect) {
+bool isResidualDistribution(const Effect& effect) {
   return effect.name() == "noise_tails" || effect.name() == "sens_outliers";
 }
 
-TailLaw lawOf(const Effect& effect) {
-  return effect.name() == "noise_tails" ? TailLaw::student : TailLaw::mixture;
+DistributionFamily familyOf(const Effect& effect) {
+  return effect.name() == "noise_tails" ? DistributionFamily::student : DistributionFamily::mixture;
 }
 
-VectorXd tailGain(const Tails& tails, TailLaw law, const Residuals& residuals,
-                  const FitData& data) {
+VectorXd distributionGain(const ResidualDistribution& distribution, DistributionFamily family,
+                          const Residuals& residuals, const FitData& data) {
   VectorXd gain = VectorXd::Zero(data.count());
   const ArrayXd all = pooled(residuals, data);
   const double deviation = std::sqrt(all.square().mean());
-  double scale =
-      deviation * std::sqrt(std::max(tails.degrees - 2, 0.1) / std::max(tails.degrees, 1.0));
-  if (law == TailLaw::student) logStudent(all, tails.degrees, &scale);
+  double scale = deviation * std::sqrt(std::max(distribution.degrees - 2, 0.1) /
+                                       std::max(distribution.degrees, 1.0));
+  if (family == DistributionFamily::student) logStudent(all, distribution.degrees, &scale);
   const double narrow =
-      deviation / std::sqrt(1 - tails.share + tails.share * tails.ratio * tails.ratio);
+      deviation / std::sqrt(1 - distribution.share +
+                            distribution.share * distribution.ratio * distribution.ratio);
   for (std::size_t b = 0; b < data.blocks().size(); ++b) {
     const Block& block = data.blocks()[b];
     for (int lane = 0; lane < block.lanes; ++lane) {
       const ArrayXd r = residuals.standardised[b].row(lane).transpose();
       ArrayXd density;
-      if (law == TailLaw::student) {
-        const double constant = std::lgamma((tails.degrees + 1) / 2) -
-                                std::lgamma(tails.degrees / 2) -
-                                0.5 * std::log(tails.degrees * kPi) - std::log(scale);
-        density =
-            constant - (tails.degrees + 1) / 2 * (1 + (r / scale).square() / tails.degrees).log();
+      if (family == DistributionFamily::student) {
+        const double constant = std::lgamma((distribution.degrees + 1) / 2) -
+                                std::lgamma(distribution.degrees / 2) -
+                                0.5 * std::log(distribution.degrees * kPi) - std::log(scale);
+        density = constant - (distribution.degrees + 1) / 2 *
+                                 (1 + (r / scale).square() / distribution.degrees).log();
       } else {
-        density = logSum(std::log(tails.share) + logNormal(r, narrow * tails.ratio),
-                         std::log(1 - tails.share) + logNormal(r, narrow));
+        density = logSum(std::log(distribution.share) + logNormal(r, narrow * distribution.ratio),
+                         std::log(1 - distribution.share) + logNormal(r, narrow));
       }
       const ArrayXd weight = block.weight.row(lane).transpose();
       gain[block.index[static_cast<std::size_t>(lane)]] =
@@ -209,10 +220,11 @@ VectorXd tailGain(const Tails& tails, TailLaw law, const Residuals& residuals,
 }
 
 std::vector<Experiment> withoutOutliers(const FitData& data, const Residuals& residuals,
-                                        const Tails& tails) {
+                                        const ResidualDistribution& distribution) {
   constexpr double kLarge = 4.5;
   const double deviation = robustDeviation(pooled(residuals, data));
-  const bool additive = tails.additive_gain > 0.8 * tails.mixture_gain && !tails.found.empty();
+  const bool additive =
+      distribution.additive_gain > 0.8 * distribution.mixture_gain && !distribution.found.empty();
   std::vector<Experiment> experiments = data.experiments();
   for (std::size_t b = 0; b < data.blocks().size(); ++b) {
     const Block& block = data.blocks()[b];
@@ -222,7 +234,7 @@ std::vector<Experiment> withoutOutliers(const FitData& data, const Residuals& re
       std::vector<std::uint8_t> valid(static_cast<std::size_t>(experiment.samples()));
       for (int t = 0; t < experiment.samples(); ++t) {
         const bool spoiled =
-            additive ? tails.found[b](lane, t) > 0
+            additive ? distribution.found[b](lane, t) > 0
                      : std::abs(residuals.standardised[b](lane, t)) > kLarge * deviation;
         valid[static_cast<std::size_t>(t)] = experiment.isValid(t) && !spoiled;
       }

@@ -1,5 +1,5 @@
-// What is said of samples that repeat each other exactly.
-#include "explanation/signatures.h"
+// Which defects of the sensor are found in samples that repeat each other exactly.
+#include "explanation/sample_checks.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ bool names(const Explanation& explanation, const std::string& name) {
                      [&](const Cause& cause) { return cause.name == name; });
 }
 
-TEST(Signatures, ASystemAtRestBeforeTheTestIsNoFault) {
+TEST(SampleChecks, ASystemAtRestBeforeTheTestIsNoFault) {
   constexpr int kRest = 20;
   std::vector<Experiment> all = example1Experiments(12);
   for (Experiment& experiment : all) {
@@ -33,7 +33,7 @@ TEST(Signatures, ASystemAtRestBeforeTheTestIsNoFault) {
   EXPECT_FALSE(names(found, "sens_dropout"));
 }
 
-TEST(Signatures, ACoarseSensorWithUnequalStepsDoesNotHang) {
+TEST(SampleChecks, ACoarseSensorWithUnequalStepsDoesNotHang) {
   std::vector<Experiment> all = example1Experiments(12);
   for (Experiment& experiment : all)
     experiment.y = (experiment.y.array() / 5).sinh().unaryExpr([](double y) {
@@ -42,7 +42,7 @@ TEST(Signatures, ACoarseSensorWithUnequalStepsDoesNotHang) {
   EXPECT_FALSE(names(explain(example1Configuration(), all), "sens_dropout"));
 }
 
-TEST(Signatures, ASensorThatHangsIsNamed) {
+TEST(SampleChecks, ASensorThatHangsIsNamed) {
   std::vector<Experiment> all = example1Experiments(12);
   for (Experiment& experiment : all) {
     for (int t = 30; t < 34; ++t) experiment.y[t] = experiment.y[29];
@@ -61,13 +61,13 @@ std::vector<Experiment> noise() {
   return all;
 }
 
-TEST(Signatures, ContinuousNoiseHasNone) { EXPECT_TRUE(signaturesOf(noise()).empty()); }
+TEST(SampleChecks, ContinuousNoiseHasNone) { EXPECT_TRUE(checkSamples(noise()).empty()); }
 
-TEST(Signatures, ALatticeIsASensorThatReadsInSteps) {
+TEST(SampleChecks, ALatticeIsASensorThatReadsInSteps) {
   std::vector<Experiment> experiments = noise();
   for (Experiment& experiment : experiments)
     experiment.y = (0.3 * (experiment.y.array() / 0.3).round() + 0.07).matrix();
-  const auto found = signaturesOf(experiments);
+  const auto found = checkSamples(experiments);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].name, "sens_quant");
   EXPECT_NEAR(found[0].parameters.at(0).value, 0.3, 1e-9);
@@ -75,14 +75,14 @@ TEST(Signatures, ALatticeIsASensorThatReadsInSteps) {
   EXPECT_EQ(kept[0].validSamples(), 500) << "steps spoil no sample";
 }
 
-TEST(Signatures, RepeatedExtremesAreALimit) {
+TEST(SampleChecks, RepeatedExtremesAreALimit) {
   std::vector<Experiment> experiments = noise();
   int clipped = 0;
   for (Experiment& experiment : experiments) {
     clipped += static_cast<int>((experiment.y.array() > 3).count());
     experiment.y = experiment.y.cwiseMin(3);
   }
-  const auto found = signaturesOf(experiments);
+  const auto found = checkSamples(experiments);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].name, "sens_clip");
   EXPECT_EQ(found[0].parameters.at(0).value, -HUGE_VAL) << "nothing is clipped below";
@@ -93,10 +93,10 @@ TEST(Signatures, RepeatedExtremesAreALimit) {
   EXPECT_EQ(valid, 1000 - clipped);
 }
 
-TEST(Signatures, RepeatedValuesAreASensorThatHolds) {
+TEST(SampleChecks, RepeatedValuesAreASensorThatHolds) {
   std::vector<Experiment> experiments = noise();
   for (int t = 10; t < 500; t += 100) experiments[1].y[t] = experiments[1].y[t - 1];
-  const auto found = signaturesOf(experiments);
+  const auto found = checkSamples(experiments);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].name, "sens_dropout");
   EXPECT_DOUBLE_EQ(found[0].parameters.at(0).value, 5.0 / 1000);
@@ -106,33 +106,33 @@ TEST(Signatures, RepeatedValuesAreASensorThatHolds) {
   EXPECT_FALSE(kept[1].isValid(110));
 }
 
-TEST(Signatures, ALargestValueThatIsHeldIsNoLimit) {
+TEST(SampleChecks, ALargestValueThatIsHeldIsNoLimit) {
   std::vector<Experiment> experiments = noise();
   for (int t = 10; t < 500; t += 100) experiments[1].y[t] = experiments[1].y[t - 1];
   Eigen::Index largest = 0;
   experiments[0].y.head(490).maxCoeff(&largest);
   experiments[0].y[largest] += 10;
   for (int t = 1; t < 6; ++t) experiments[0].y[largest + t] = experiments[0].y[largest];
-  const auto found = signaturesOf(experiments);
+  const auto found = checkSamples(experiments);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].name, "sens_dropout");
 }
 
-TEST(Signatures, ThreeRepeatsAreChance) {
+TEST(SampleChecks, ThreeRepeatsAreChance) {
   std::vector<Experiment> experiments = noise();
   for (int t : {10, 20, 30}) experiments[0].y[t] = experiments[0].y[t - 1];
-  EXPECT_TRUE(signaturesOf(experiments).empty());
+  EXPECT_TRUE(checkSamples(experiments).empty());
 }
 
-TEST(Signatures, MissingSamplesCountForNothing) {
+TEST(SampleChecks, MissingSamplesCountForNothing) {
   std::vector<Experiment> experiments = noise();
   experiments[0].valid.assign(500, 1);
   for (int t = 100; t < 110; ++t) {
     experiments[0].y[t] = 99;
     experiments[0].valid[static_cast<std::size_t>(t)] = 0;
   }
-  EXPECT_TRUE(signaturesOf(experiments).empty());
-  EXPECT_TRUE(signaturesOf({}).empty());
+  EXPECT_TRUE(checkSamples(experiments).empty());
+  EXPECT_TRUE(checkSamples({}).empty());
 }
 
 }  // namespace

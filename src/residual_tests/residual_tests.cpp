@@ -1,11 +1,10 @@
-#include "estimation/residual_tests.h"
+#include "residual_tests/residual_tests.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <limits>
-#include <utility>
+
+#include "residual_tests/test_statistics.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -15,8 +14,15 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kLags = 20;
-constexpr double kUnknown = 1e8;       // variance of what is unknown at the start, relative
-constexpr double kUndetermined = 1e4;  // prediction variance from where on a sample only informs
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+// Variance over sigma^2 of the coefficients before the first sample: so large that it states
+// nothing.
+constexpr double kUnknown = 1e8;
+// Variance over sigma^2 of a sample's prediction above which the sample only determines the
+// coefficients, and is no residual itself.
+constexpr double kUndetermined = 1e4;
+// Relative eigenvalue of the input's covariance below which the input hardly moves in a direction.
+constexpr double kHardlyMoved = 1e-9;
 
 /// Residuals of one experiment at its samples, zero where there is none; `valid` is 1 where one is.
 struct Residuals {
@@ -42,7 +48,8 @@ MatrixXd columnsOf(const Response& response, int lane, Index samples) {
   return columns;
 }
 
-/// Recursive least squares.
+/// Residuals of one experiment by recursive least squares: each sample is predicted with the
+/// coefficients of the columns that the samples before it determine.
 Residuals residualsOf(const Response& response, const Block& block, int lane) {
   const Index samples = block.lengths[static_cast<std::size_t>(lane)];
   const MatrixXd X = columnsOf(response, lane, samples);
@@ -88,25 +95,6 @@ struct Sums {
   }
 };
 
-double probabilityBeyond(double sum, double degrees) {
-  namespace math = boost::math;
-  if (!std::isfinite(sum)) return std::numeric_limits<double>::quiet_NaN();
-  return cdf(complement(math::chi_squared(std::max(1.0, degrees)), std::max(0.0, sum)));
-}
-
-/// x' A^+ x and the rank of A, directions in which the input hardly moves left out.
-std::pair<double, double> quadraticForm(const MatrixXd& A, const VectorXd& x) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> of_A(A);
-  const VectorXd along = of_A.eigenvectors().transpose() * x;
-  double sum = 0, rank = 0;
-  for (Index k = 0; k < x.size(); ++k) {
-    if (of_A.eigenvalues()[k] < 1e-9 * of_A.eigenvalues().maxCoeff()) continue;
-    sum += along[k] * along[k] / of_A.eigenvalues()[k];
-    ++rank;
-  }
-  return {sum, rank};
-}
-
 ResidualTests testsOf(const Sums& sums, int noise_parameters, int plant_parameters) {
   ResidualTests tests;
   if (!(sums.pairs[0] > 2 * kLags) || !(sums.products[0] > 0)) return tests;
@@ -122,10 +110,14 @@ ResidualTests testsOf(const Sums& sums, int noise_parameters, int plant_paramete
     const double scale = std::sqrt(variance * sums.input(k, k) * sums.pairs[0]);
     tests.cross_correlation.push_back(scale > 0 ? sums.cross[k] / scale : 0);
   }
-  tests.whiteness_p_value = probabilityBeyond(whiteness, kLags - noise_parameters);
-  const auto [dependence, rank] = quadraticForm(sums.input, sums.cross);
+  // However many parameters were fitted, one degree of freedom is left to test with.
+  const double whiteness_degrees = std::max<double>(1, kLags - noise_parameters);
+  tests.whiteness_p_value = chiSquaredTail(whiteness, whiteness_degrees, kNone);
+  const QuadraticForm dependence = quadraticForm(sums.input, sums.cross, kHardlyMoved);
+  const double dependence_degrees =
+      dependence.rank - std::min<double>(plant_parameters, dependence.rank - 1);
   tests.independence_p_value =
-      probabilityBeyond(dependence / variance, rank - std::min<double>(plant_parameters, rank - 1));
+      chiSquaredTail(dependence.value / variance, std::max(1.0, dependence_degrees), kNone);
   return tests;
 }
 

@@ -1,4 +1,4 @@
-#include "data/check.h"
+#include "data/experiment_checks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,57 +1,62 @@
-#include "explanation/attempt.h"
+#include "explanation/search_outcome.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "explanation/checks.h"
 #include "explanation/estimate_fit.h"
-#include "explanation/peaks.h"
+#include "explanation/feedback_check.h"
+#include "explanation/spectral_peaks.h"
+#include "math/information_criterion.h"
 #include "model/sensitivity.h"
 
 namespace uncertainty_identification {
 namespace {
 
+/// The model of the estimate, optimised by the search's own fit, as the state before any cause.
 SearchState baseOf(const Estimate& estimate, const Split& data, const FitContext& context) {
   SearchState base{{}, FitData(usedBy(estimate, data.train)), FitData(data.held), {}, {}};
   base.fitted_to = data.fitted_to;
   const Fit fit = fitOf(estimate, base.train, summarise(base.train.experiments()));
-  base.fit = settled(fit, base.train, context);
+  base.fit = optimise(fit, base.train, context);
   return base;
 }
 
+/// The catalogue of effects, with starts that suit the data and the residuals of the base.
 Effects catalogueFor(const SearchState& base) {
   const NominalModel& nominal = base.fit.model->nominal();
   DataSummary summary = summarise(base.train.experiments());
   summary.regressors = base.fit.model->regressors();
   summary.plant_parameters =
       plantParameters(nominal, base.fit.at.parameters.head(nominal.parameterCount()));
-  findPeaks(residualsOf(base.fit, base.train), base.train, &summary);
+  findSpectralPeaks(residualsOf(base.fit, base.train), base.train, &summary);
   return catalogue(summary);
 }
 
-/// Causes that the samples show by themselves; a lattice only where it is coarse against the noise.
-void addSignatures(const std::vector<Signature>& signatures, const Effects& effects,
-                   SearchState* base) {
+/// Accepts the causes that the samples show without a model. Quantisation is accepted only if it is
+/// coarse: a step that is small compared with the noise does no harm.
+void addCausesThatSamplesShow(const std::vector<SpoiltSamples>& spoilt, const Effects& effects,
+                              SearchState* base) {
   constexpr double kCoarse = 0.2;  // variance of rounding / sigma^2
-  for (const Signature& signature : signatures) {
-    if (signature.name == "sens_quant") {
-      const double step = signature.parameters.front().value;
+  for (const SpoiltSamples& each : spoilt) {
+    if (each.name == "sens_quant") {
+      const double step = each.parameters.front().value;
       base->quantised = step * step / 12 > kCoarse * base->fit.at.noise_variance;
       if (!base->quantised) continue;
     }
     const HeldOut held = heldOut(base->fit, base->held);
     FoundCause cause;
-    cause.effect = findEffect(effects, signature.name, "");
-    cause.parameters = signature.parameters;
+    cause.effect = findEffect(effects, each.name, "");
+    cause.parameters = each.parameters;
     cause.gain = gainOf(held, held, base->gains(base->fit, base->fit));
     base->causes.push_back(std::move(cause));
-    base->banned.push_back(signature.name);
+    base->banned.push_back(each.name);
   }
   base->heavy_tails = base->quantised;
 }
 
+/// Accepts feedback as a cause (exp_feedback) if its test says so.
 void addFeedback(const Effects& effects, SearchState* found) {
-  constexpr double kFeedback = 1e-4;
+  constexpr double kFeedback = 1e-4;  // p-value
   if (feedbackProbability(residualsOf(found->fit, found->train), found->train) >= kFeedback) return;
   FoundCause cause;
   cause.effect = findEffect(effects, "exp_feedback", "");
@@ -60,9 +65,9 @@ void addFeedback(const Effects& effects, SearchState* found) {
 
 }  // namespace
 
-double Attempt::merit() const {
+double SearchOutcome::penalisedLikelihood() const {
   const double parameters = base.fit.model->nominal().parameterCount();
-  return base.fit.log_likelihood - 0.5 * parameters * std::log(base.train.samples()) + found.total;
+  return base.fit.log_likelihood - bicPenalty(parameters, base.train.samples()) + found.total;
 }
 
 FitContext contextOf(const Estimate& estimate, std::uint64_t seed) {
@@ -72,18 +77,18 @@ FitContext contextOf(const Estimate& estimate, std::uint64_t seed) {
     context.options.floor = covarianceFloor(estimate.error_model.mixture);
   context.seed = seed;
   context.going_on = [] { return true; };
-  context.searched = [](double) {};
+  context.report_searched = [](double) {};
   return context;
 }
 
-Attempt attempted(const ExplanationOptions& options, const FitContext& context, Estimate estimate,
-                  const Split& data, const std::vector<Signature>& signatures) {
+SearchOutcome searchOnTopOf(const ExplanationOptions& options, const FitContext& context,
+                            Estimate estimate, const Split& data,
+                            const std::vector<SpoiltSamples>& spoilt) {
   SearchState base = baseOf(estimate, data, context);
   const Effects effects = catalogueFor(base);
-  addSignatures(signatures, effects, &base);
+  addCausesThatSamplesShow(spoilt, effects, &base);
   Search search(options, context, effects);
-  // the error of a coarse lattice is neither Gaussian nor white: what else is wrong would drown in
-  // it
+  // The error of a coarse quantisation is neither Gaussian nor white, and hides other effects.
   SearchState found = base.quantised ? base : search.run(base);
   const auto& excluded = options.exclude;
   if (std::find(excluded.begin(), excluded.end(), "exp_feedback") == excluded.end())

@@ -1,6 +1,6 @@
-// Tests of residuals: Example 1 at its own parameters passes all; spoilt in one way, it fails the
-// test that is made for that.
-#include "explanation/checks.h"
+// Checks of residuals: Example 1 with its true parameters passes all; if the data are spoilt in one
+// way, the check for that fails.
+#include "explanation/residual_checks.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include <functional>
 #include <random>
 
+#include "explanation/feedback_check.h"
 #include "support/fit_setup.h"
 
 namespace uncertainty_identification {
@@ -30,7 +31,7 @@ Judged judgedWith(const Spoil& spoil) {
 
 Check checkNamed(const std::string& name, const Spoil& spoil) {
   const Judged judged = judgedWith(spoil);
-  for (const Check& check : checksOf(judged.fit, judged.data, false))
+  for (const Check& check : checkResiduals(judged.fit, judged.data, false))
     if (check.name == name) return check;
   ADD_FAILURE() << "no check " << name;
   return {};
@@ -46,7 +47,7 @@ void expectFails(const std::string& name, const std::string& where, const Spoil&
 
 TEST(Checks, PassAtTheTruth) {
   const Judged judged = judgedWith([](Experiment*) {});
-  const auto checks = checksOf(judged.fit, judged.data, false);
+  const auto checks = checkResiduals(judged.fit, judged.data, false);
   EXPECT_EQ(checks.size(), 7u);
   for (const Check& check : checks) {
     EXPECT_TRUE(check.passed) << check.name;
@@ -54,7 +55,8 @@ TEST(Checks, PassAtTheTruth) {
     EXPECT_TRUE(check.where.empty());
   }
   EXPECT_TRUE(allPassed(checks));
-  EXPECT_EQ(checksOf(judged.fit, judged.data, true).size(), 3u) << "without those of the shape";
+  EXPECT_EQ(checkResiduals(judged.fit, judged.data, true).size(), 3u)
+      << "without those of the shape";
 }
 
 TEST(Checks, SeeWhatIsWrongAndWhere) {
@@ -91,7 +93,7 @@ TEST(Checks, NameTheExperimentThatDiffers) {
 TEST(Feedback, IsSeenInTheInputThatAnswersTheOutput) {
   const Judged open = judgedWith([](Experiment*) {});
   EXPECT_GT(feedbackProbability(residualsOf(open.fit, open.data), open.data), 1e-3);
-  // u = r - 0.8 y(t-1), Example 1's plant and noise anew
+  // u = r - 0.8 y(t-1); plant and noise of Example 1 are simulated with this input
   std::mt19937_64 engine(2);
   std::normal_distribution<double> normal;
   const Judged closed = judgedWith([&](Experiment* e) {

@@ -1,4 +1,4 @@
-#include "explanation/signatures.h"
+#include "explanation/sample_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr int kFewest = 4;  // exact repeats that do not happen by chance
+constexpr int kFewest = 4;  // exact repeats; fewer may happen by chance
 
 std::vector<double> measured(const std::vector<Experiment>& experiments) {
   std::vector<double> values;
@@ -19,7 +19,8 @@ std::vector<double> measured(const std::vector<Experiment>& experiments) {
   return values;
 }
 
-/// The step of a lattice that all values lie on; 0 where there is none.
+/// The quantisation step, of which all differences between the values are multiples; 0 where there
+/// is none.
 double latticeStep(const std::vector<double>& values) {
   constexpr std::size_t kMostLevels = 4000;
   constexpr double kTolerance = 1e-3;
@@ -43,13 +44,14 @@ CauseParameter exact(const std::string& name, const std::string& unit, double va
   return {name, unit, value, 0, value, value};
 }
 
-/// Whether sample t is within the extremes and repeats the one before.
+/// Whether sample t lies strictly between the extremes and repeats the sample before.
 bool isHeld(const Experiment& experiment, int t, double low, double high) {
   return t > 0 && experiment.isValid(t) && experiment.isValid(t - 1) &&
          experiment.y[t] == experiment.y[t - 1] && experiment.y[t] > low && experiment.y[t] < high;
 }
 
-/// How often a value within the extremes occurs again: of a sensor that resolves finely, when held.
+/// How often values strictly between the extremes occur again. A sensor of fine resolution repeats
+/// values only while it holds them.
 long repeats(const std::vector<double>& sorted) {
   long count = 0;
   for (std::size_t k = 1; k < sorted.size(); ++k)
@@ -57,7 +59,8 @@ long repeats(const std::vector<double>& sorted) {
   return count;
 }
 
-/// How often the measurement is at a value; where the sensor holds, how often it comes to it.
+/// Number of samples at a value. If the sensor `holds` samples, those that repeat the sample before
+/// are not counted.
 long visits(const std::vector<Experiment>& experiments, double value, bool holds) {
   long count = 0;
   for (const Experiment& experiment : experiments) {
@@ -71,7 +74,8 @@ long visits(const std::vector<Experiment>& experiments, double value, bool holds
   return count;
 }
 
-/// Share of the samples that repeat the one before within the extremes; 0 where by chance.
+/// Share of the samples that the sensor holds. 0 where so few samples repeat the one before that
+/// this may be chance, or where most repeated values are apart in time, which is coarse resolution.
 double heldShare(const std::vector<Experiment>& experiments, const std::vector<double>& sorted) {
   long held = 0;
   for (const Experiment& experiment : experiments) {
@@ -95,7 +99,7 @@ std::vector<Experiment> withoutRest(std::vector<Experiment> experiments) {
   return experiments;
 }
 
-std::vector<Signature> signaturesOf(const std::vector<Experiment>& experiments) {
+std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experiments) {
   const std::vector<double> values = measured(experiments);
   if (values.size() < 2) return {};
   if (const double step = latticeStep(values); step > 0)
@@ -105,7 +109,7 @@ std::vector<Signature> signaturesOf(const std::vector<Experiment>& experiments) 
   const double held = heldShare(experiments, values);
   const bool at_low = visits(experiments, low, held > 0) >= kFewest;
   const bool at_high = visits(experiments, high, held > 0) >= kFewest;
-  std::vector<Signature> found;
+  std::vector<SpoiltSamples> found;
   if (at_low || at_high)
     found.push_back({"sens_clip",
                      {exact("lower_limit", "unit of y", at_low ? low : -kNone),
@@ -115,12 +119,12 @@ std::vector<Signature> signaturesOf(const std::vector<Experiment>& experiments) 
 }
 
 std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,
-                                       const Signature& signature) {
-  if (signature.name == "sens_quant") return experiments;
+                                       const SpoiltSamples& defect) {
+  if (defect.name == "sens_quant") return experiments;
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  const bool clipped = signature.name == "sens_clip";
-  const double low = clipped ? signature.parameters[0].value : -kFar;
-  const double high = clipped ? signature.parameters[1].value : kFar;
+  const bool clipped = defect.name == "sens_clip";
+  const double low = clipped ? defect.parameters[0].value : -kFar;
+  const double high = clipped ? defect.parameters[1].value : kFar;
   for (Experiment& experiment : experiments) {
     std::vector<std::uint8_t> valid(static_cast<std::size_t>(experiment.samples()));
     for (int t = 0; t < experiment.samples(); ++t) {

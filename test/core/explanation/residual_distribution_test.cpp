@@ -1,4 +1,4 @@
-#include "explanation/tails.h"
+#include "explanation/residual_distribution.h"
 
 #include <gtest/gtest.h>
 
@@ -12,12 +12,12 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// y = u(t-1) + noise of a law, white.
+/// y(t) = u(t-1) + white noise of the given distribution, with its true model.
 struct WithNoise {
   Fit fit;
   FitData data;
   Residuals residuals;
-  Tails tails;
+  ResidualDistribution distribution;
 };
 
 template <typename Draw>
@@ -40,62 +40,64 @@ WithNoise withNoise(const Draw& draw) {
   const FitData data(experiments);
   const Fit fit = test::fitOfTruth(truth, configuration, data);
   const Residuals residuals = residualsOf(fit, data);
-  return {fit, data, residuals, tailsOf(fit, data, residuals)};
+  return {fit, data, residuals, residualDistribution(fit, data, residuals)};
 }
 
 double gaussian(std::mt19937_64* engine) { return std::normal_distribution<double>()(*engine); }
 
 double student(std::mt19937_64* engine) { return std::student_t_distribution<double>(4)(*engine); }
 
-/// One in fifty ten times as large.
+/// Gaussian noise of which one sample in fifty is ten times as large.
 double contaminated(std::mt19937_64* engine) {
   return (std::bernoulli_distribution(0.02)(*engine) ? 10 : 1) * gaussian(engine);
 }
 
-TEST(Tails, OfGaussianNoiseGainNothing) {
+TEST(ResidualDistributions, OfGaussianNoiseGainNothing) {
   const WithNoise of = withNoise(gaussian);
   // twice a gain is chi-squared with one or two degrees of freedom
-  EXPECT_LT(of.tails.student_gain, 6);
-  EXPECT_LT(of.tails.mixture_gain, 8);
-  EXPECT_GT(of.tails.clustering, 1e-3);
+  EXPECT_LT(of.distribution.student_gain, 6);
+  EXPECT_LT(of.distribution.mixture_gain, 8);
+  EXPECT_GT(of.distribution.clustering, 1e-3);
   int kept = 0;
-  for (const Experiment& experiment : withoutOutliers(of.data, of.residuals, of.tails))
+  for (const Experiment& experiment : withoutOutliers(of.data, of.residuals, of.distribution))
     kept += experiment.validSamples();
   EXPECT_GE(kept, 3999);  // of 4000, beyond 4.5 deviations: 0.03
 }
 
-TEST(Tails, OfStudentsNoiseAreStudents) {
+TEST(ResidualDistributions, OfStudentsNoiseAreStudents) {
   const WithNoise of = withNoise(student);
-  EXPECT_GT(of.tails.student_gain, 100);
-  EXPECT_GE(of.tails.degrees, 3.5);
-  EXPECT_LE(of.tails.degrees, 5);
-  const VectorXd gain = tailGain(of.tails, TailLaw::student, of.residuals, of.data);
-  EXPECT_NEAR(gain.sum(), of.tails.student_gain, 0.02 * of.tails.student_gain);
+  EXPECT_GT(of.distribution.student_gain, 100);
+  EXPECT_GE(of.distribution.degrees, 3.5);
+  EXPECT_LE(of.distribution.degrees, 5);
+  const VectorXd gain =
+      distributionGain(of.distribution, DistributionFamily::student, of.residuals, of.data);
+  EXPECT_NEAR(gain.sum(), of.distribution.student_gain, 0.02 * of.distribution.student_gain);
 }
 
-TEST(Tails, OfWrongReadingsAreAMixture) {
+TEST(ResidualDistributions, OfWrongReadingsAreAMixture) {
   const WithNoise of = withNoise(contaminated);
-  EXPECT_GT(of.tails.mixture_gain, of.tails.student_gain);
-  EXPECT_NEAR(of.tails.share, 0.02, 4 * std::sqrt(0.02 / 4000) + 0.005);
-  EXPECT_NEAR(of.tails.ratio, 10, 4 * 10 / std::sqrt(2 * 80.0));
-  EXPECT_GT(of.tails.clustering, 1e-6);
-  const VectorXd gain = tailGain(of.tails, TailLaw::mixture, of.residuals, of.data);
-  EXPECT_NEAR(gain.sum(), of.tails.mixture_gain, 0.05 * of.tails.mixture_gain);
+  EXPECT_GT(of.distribution.mixture_gain, of.distribution.student_gain);
+  EXPECT_NEAR(of.distribution.share, 0.02, 4 * std::sqrt(0.02 / 4000) + 0.005);
+  EXPECT_NEAR(of.distribution.ratio, 10, 4 * 10 / std::sqrt(2 * 80.0));
+  EXPECT_GT(of.distribution.clustering, 1e-6);
+  const VectorXd gain =
+      distributionGain(of.distribution, DistributionFamily::mixture, of.residuals, of.data);
+  EXPECT_NEAR(gain.sum(), of.distribution.mixture_gain, 0.05 * of.distribution.mixture_gain);
   int masked = 0;
-  for (const Experiment& experiment : withoutOutliers(of.data, of.residuals, of.tails))
+  for (const Experiment& experiment : withoutOutliers(of.data, of.residuals, of.distribution))
     masked += 200 - experiment.validSamples();
   EXPECT_GT(masked, 30);  // of 80 wide ones those beyond 4.5 deviations: 65 %
   EXPECT_LT(masked, 80);
 }
 
-TEST(Tails, OfBurstsCluster) {
+TEST(ResidualDistributions, OfBurstsCluster) {
   int burst = 0;
   const WithNoise of = withNoise([&](std::mt19937_64* engine) {
     if (burst == 0 && std::bernoulli_distribution(0.005)(*engine)) burst = 5;
     if (burst > 0) --burst;
     return (burst > 0 ? 10 : 1) * gaussian(engine);
   });
-  EXPECT_LT(of.tails.clustering, 1e-6);
+  EXPECT_LT(of.distribution.clustering, 1e-6);
 }
 
 }  // namespace

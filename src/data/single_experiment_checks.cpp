@@ -3,7 +3,7 @@
 #include <limits>
 #include <optional>
 
-#include "data/check.h"
+#include "data/experiment_checks.h"
 #include "data/text.h"
 
 namespace uncertainty_identification {

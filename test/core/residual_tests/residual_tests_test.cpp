@@ -1,4 +1,4 @@
-#include "estimation/residual_tests.h"
+#include "residual_tests/residual_tests.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,42 @@
+#include "explanation/acceptance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace uncertainty_identification {
+
+bool passes(const Gain& gain, AcceptanceRule rule) {
+  if (std::isnan(gain.standard_error) || rule == AcceptanceRule::any_gain)
+    return gain.log_density > 0;
+  const double least_errors = rule == AcceptanceRule::no_significant_loss ? -2 : 1.645;
+  return gain.log_density > least_errors * gain.standard_error;
+}
+
+AcceptanceRule acceptanceRule(const Effect& effect, double score) {
+  constexpr double kHigh = 15;  // [nats]
+  if (isOfMixture(effect)) return AcceptanceRule::no_significant_loss;
+  return score > kHigh ? AcceptanceRule::any_gain : AcceptanceRule::significant_gain;
+}
+
+double confidenceOf(const FittedEffect& chosen, const std::vector<FittedEffect>& ranked) {
+  double sum = 0;
+  for (const FittedEffect& other : ranked)
+    sum += std::exp(std::min(other.score - chosen.score, 50.0));
+  return 1 / std::max(sum, 1.0);
+}
+
+std::vector<std::string> equivalentOf(const FittedEffect& chosen,
+                                      const std::vector<FittedEffect>& ranked) {
+  constexpr double kNear = 6;  // [nats]
+  std::vector<std::string> names = chosen.effect->description().equivalent;
+  for (const FittedEffect& other : ranked) {
+    const bool same = other.effect->name() == chosen.effect->name();
+    const std::string name = same ? other.effect->label() : other.effect->name();
+    const bool is_new = std::find(names.begin(), names.end(), name) == names.end();
+    if (other.effect != chosen.effect && other.score > chosen.score - kNear && is_new)
+      names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "explanation/fitted_effect.h"
+#include "explanation/measure.h"
+
+/// When a candidate is accepted as a cause, and how sure that is.
+namespace uncertainty_identification {
+
+/// What the gain of log density on the held-out experiments must be for a cause to be accepted.
+/// With a single experiment, which has no standard error, it must be positive.
+enum class AcceptanceRule {
+  significant_gain,    ///< above zero by 1.645 standard errors: the score is too low to rely on
+  any_gain,            ///< positive, however uncertain: the score is high
+  no_significant_loss  ///< above -2 standard errors: effects of the mixture gain only about a nat
+                       ///< per experiment, which few held-out experiments do not show
+};
+
+bool passes(const Gain& gain, AcceptanceRule rule);
+
+/// The rule for an effect whose score is `score` [nats].
+AcceptanceRule acceptanceRule(const Effect& effect, double score);
+
+/// Posterior probability of the chosen candidate among the ranked ones, all equally probable
+/// before: exp(score) over the sum of exp(score) of all.
+double confidenceOf(const FittedEffect& chosen, const std::vector<FittedEffect>& ranked);
+
+/// Names of the effects that the data may not distinguish from the chosen one: those that its
+/// description lists, and those of a score within a few nats. Another form of the same effect is
+/// given by its label.
+std::vector<std::string> equivalentOf(const FittedEffect& chosen,
+                                      const std::vector<FittedEffect>& ranked);
+
+}  // namespace uncertainty_identification

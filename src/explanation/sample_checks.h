@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "uncertainty_identification/data/experiment.h"
+#include "uncertainty_identification/explanation/explanation.h"
+
+/// Checks of the samples for defects of the sensor that show without a model: a measurement with
+/// continuous noise never repeats a value exactly.
+namespace uncertainty_identification {
+
+/// A defect of the sensor that spoils samples.
+struct SpoiltSamples {
+  std::string name;  ///< of the effect: sens_quant, sens_clip or sens_dropout
+  std::vector<CauseParameter> parameters;
+};
+
+/// The experiments with the outputs masked that precede the first change of the output. A recording
+/// of a system at rest repeats values though its sensor neither hangs nor is at a limit.
+std::vector<Experiment> withoutRest(std::vector<Experiment> experiments);
+
+/// The defects found: quantisation alone, or clipping or held samples or both.
+std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experiments);
+
+/// The experiments with the spoilt samples masked: those at a limit of the sensor, or those that
+/// repeat the sample before. Quantisation spoils no single sample.
+std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,
+                                       const SpoiltSamples& defect);
+
+}  // namespace uncertainty_identification

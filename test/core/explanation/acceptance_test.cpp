@@ -1,0 +1,71 @@
+// Which gains on held-out experiments make a candidate a cause, and how sure that is.
+#include "explanation/acceptance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace uncertainty_identification {
+namespace {
+
+/// An effect that does nothing.
+class Named : public Effect {
+ public:
+  explicit Named(const std::string& name) : Effect(described(name)) {}
+  void apply(const Eigen::VectorXd& /*psi*/, Chain* /*chain*/) const override {}
+
+ private:
+  static EffectDescription described(const std::string& name) {
+    EffectDescription description;
+    description.name = name;
+    return description;
+  }
+};
+
+Gain gainOf(double value, double standard_error) {
+  Gain gain;
+  gain.log_density = value;
+  gain.standard_error = standard_error;
+  return gain;
+}
+
+FittedEffect scored(const std::string& name, double score) {
+  FittedEffect candidate;
+  candidate.effect = std::make_shared<Named>(name);
+  candidate.score = score;
+  return candidate;
+}
+
+TEST(AcceptanceRules, CompareTheGainWithItsStandardError) {
+  EXPECT_TRUE(passes(gainOf(1.7, 1), AcceptanceRule::significant_gain));
+  EXPECT_FALSE(passes(gainOf(1.6, 1), AcceptanceRule::significant_gain));
+  EXPECT_TRUE(passes(gainOf(0.1, 1), AcceptanceRule::any_gain));
+  EXPECT_FALSE(passes(gainOf(-0.1, 1), AcceptanceRule::any_gain));
+  EXPECT_TRUE(passes(gainOf(-1.9, 1), AcceptanceRule::no_significant_loss));
+  EXPECT_FALSE(passes(gainOf(-2.1, 1), AcceptanceRule::no_significant_loss));
+}
+
+TEST(AcceptanceRules, AskForAGainWhereThereIsNoStandardError) {
+  EXPECT_TRUE(passes(gainOf(0.1, std::nan("")), AcceptanceRule::significant_gain));
+  EXPECT_FALSE(passes(gainOf(-0.1, std::nan("")), AcceptanceRule::no_significant_loss));
+}
+
+TEST(AcceptanceRules, DependOnTheEffectAndItsScore) {
+  EXPECT_EQ(acceptanceRule(Named("act_deadzone"), 14), AcceptanceRule::significant_gain);
+  EXPECT_EQ(acceptanceRule(Named("act_deadzone"), 16), AcceptanceRule::any_gain);
+  EXPECT_EQ(acceptanceRule(Named("exp_mode"), 16), AcceptanceRule::no_significant_loss);
+}
+
+TEST(Confidence, IsThePosteriorProbabilityAmongTheCandidates) {
+  const std::vector<FittedEffect> ranked{scored("act_deadzone", 10), scored("act_backlash", 9)};
+  EXPECT_NEAR(confidenceOf(ranked[0], ranked), 1 / (1 + std::exp(-1.0)), 1e-12);
+  EXPECT_EQ(equivalentOf(ranked[0], ranked), std::vector<std::string>{"act_backlash"});
+}
+
+TEST(Confidence, EffectsOfAMuchLowerScoreAreNotEquivalent) {
+  const std::vector<FittedEffect> ranked{scored("act_deadzone", 10), scored("act_backlash", 3)};
+  EXPECT_TRUE(equivalentOf(ranked[0], ranked).empty());
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
