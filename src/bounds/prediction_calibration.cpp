@@ -78,10 +78,10 @@ void compareWithModel(PredictionCalibration* calibration) {
     for (double score : calibration->scores) inside += score <= calibration->model_radius[k];
     if (twoSided(inside, trials, level) >= kSignificant) continue;
     std::ostringstream message;
-    message << "the identified model expects " << 100 * level << " % of experiments to stay within "
-            << calibration->model_radius[k]
-            << " of their simulation, of those not used for fitting " << inside << " of " << trials
-            << " do: the model does not describe their spread; trust the calibrated radius";
+    message << "the identified model expects the simulation error of " << 100 * level
+            << " % of experiments to stay within " << calibration->model_radius[k]
+            << ", but it does so in " << inside << " of " << trials << " held-out experiments"
+            << ": the model does not describe their spread; trust the calibrated radius";
     calibration->warnings.push_back(message.str());
     return;  // one warning is enough
   }

@@ -140,7 +140,7 @@ SensitivityTerms sensitivityTerms(const NominalModel& nominal, const ErrorModelO
   std::vector<int> varied;
   for (const std::string& name : options.parameters) {
     require(std::find(moving.begin(), moving.end(), name) != moving.end(), "error_model.parameters",
-            name, "parameters that the nominal model's Go has: " + listed(moving));
+            name, "a parameter of Go: " + listed(moving));
     varied.push_back(static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin()));
   }
   SensitivityTerms terms;
@@ -164,18 +164,18 @@ void completeErrorModel(const NominalModel& nominal, ErrorModelOptions* options)
   if (!variesParameters(options->basis) || options->taps == 0) return;
   if (options->parameters.empty()) {
     const std::vector<std::string> moving = namesThatMoveGo(nominal);
-    require(!moving.empty(), "error_model.basis", "one that varies Go's parameters",
-            "fir, laguerre or kautz where Go has none of its own (fit: simulation holds it)");
+    require(!moving.empty(), "error_model.basis", "one that varies parameters of Go",
+            "fir, laguerre or kautz where Go has no free parameters (fit: simulation fixes it)");
     require(options->basis == BasisKind::sensitivity || moving.size() == 1,
             "error_model.parameters", "nothing",
-            "the names of those that vary from experiment to experiment, of " + listed(moving));
+            "the names of the parameters that vary between experiments, from " + listed(moving));
     options->parameters = moving;
   }
   const int count = sensitivityTerms(nominal, *options).count();
   require(count <= kMaxErrorParameters, "error_model.parameters",
           std::to_string(count) + " regressors",
           "at most " + std::to_string(kMaxErrorParameters) +
-              "; name fewer parameters, or take sensitivity_order 1");
+              "; name fewer parameters, or use sensitivity_order 1");
   options->taps = count;
 }
 
