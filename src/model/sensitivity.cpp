@@ -12,14 +12,14 @@
 namespace uncertainty_identification {
 namespace {
 
-/// Share of a first derivative below which a second one is rounding.
+/// A second derivative smaller than this share of the first is rounding.
 constexpr double kVanishing = 1e-8;
 
 using Eigen::ArrayXcd;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Names of theta's entries that B or A depend on.
+/// Names of the entries of theta on which B or A depend.
 std::vector<std::string> namesThatMoveGo(const NominalModel& nominal) {
   const std::vector<std::string> names = nominal.names();
   const VectorXd anywhere =
@@ -39,7 +39,7 @@ std::string listed(const std::vector<std::string>& names) {
   return all.empty() ? "none" : all;
 }
 
-/// Frequency responses of Go and its derivatives, by the recursion of PlantDerivatives.
+/// Frequency responses of Go and of its derivatives, by the recursion of PlantDerivatives.
 class PlantResponses {
  public:
   PlantResponses(const NominalModel& nominal, const VectorXd& theta, const VectorXd& omega)
@@ -81,7 +81,8 @@ void subtract(const VectorXd& term, VectorXd* from) {
   from->head(term.size()) -= term;
 }
 
-/// Numerators over A^(n + 1) of Go's n-th derivatives, by the recursion of PlantDerivatives.
+/// Numerators of the derivatives of Go, by the recursion of PlantDerivatives. Those of order n have
+/// the denominator A^(n + 1).
 class PlantNumerators {
  public:
   PlantNumerators(const NominalModel& nominal, const VectorXd& theta)
