@@ -15,15 +15,16 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kLags = 20;
-constexpr double kUnknown = 1e8;       // variance of what is unknown at the start, relative
-constexpr double kUndetermined = 1e4;  // prediction variance from where on a sample only informs
+constexpr double kUnknown = 1e8;  // prior variance of unknown coefficients, relative to sigma^2
+constexpr double kUndetermined = 1e4;  // above this prediction variance a sample gives no residual
 
-/// Residuals of one experiment at its samples, zero where there is none; `valid` is 1 where one is.
+/// Residuals of one experiment at its samples, zero where there is none. `valid` is 1 at samples
+/// with a residual.
 struct Residuals {
   VectorXd values, valid;
 };
 
-/// Whitened [Z Phi] of a lane, each column scaled to a mean square of 1.
+/// Whitened [Z Phi] of a lane, with columns scaled to mean square 1.
 MatrixXd columnsOf(const Response& response, int lane, Index samples) {
   const WhitenedSignals& value = response.value;
   MatrixXd columns =
@@ -42,7 +43,7 @@ MatrixXd columnsOf(const Response& response, int lane, Index samples) {
   return columns;
 }
 
-/// Recursive least squares.
+/// Residuals of an experiment by recursive least squares.
 Residuals residualsOf(const Response& response, const Block& block, int lane) {
   const Index samples = block.lengths[static_cast<std::size_t>(lane)];
   const MatrixXd X = columnsOf(response, lane, samples);
@@ -67,10 +68,10 @@ Residuals residualsOf(const Response& response, const Block& block, int lane) {
 
 /// Sums over all experiments.
 struct Sums {
-  VectorXd products = VectorXd::Zero(kLags + 1);          ///< of residuals k samples apart
-  VectorXd pairs = VectorXd::Zero(kLags + 1);             ///< their number
-  VectorXd cross = VectorXd::Zero(kLags + 1);             ///< of the input and the residual k later
-  MatrixXd input = MatrixXd::Zero(kLags + 1, kLags + 1);  ///< of inputs, where a residual is
+  VectorXd products = VectorXd::Zero(kLags + 1);  ///< of residuals with distance k
+  VectorXd pairs = VectorXd::Zero(kLags + 1);     ///< number of these products
+  VectorXd cross = VectorXd::Zero(kLags + 1);     ///< of the input and the residual k samples later
+  MatrixXd input = MatrixXd::Zero(kLags + 1, kLags + 1);  ///< of inputs at samples with a residual
 
   void add(const Residuals& residuals, const VectorXd& u) {
     const Index samples = u.size();
@@ -94,7 +95,7 @@ double probabilityBeyond(double sum, double degrees) {
   return cdf(complement(math::chi_squared(std::max(1.0, degrees)), std::max(0.0, sum)));
 }
 
-/// x' A^+ x and the rank of A, directions in which the input hardly moves left out.
+/// x' A^+ x and the rank of A. Directions in which the input hardly varies are left out.
 std::pair<double, double> quadraticForm(const MatrixXd& A, const VectorXd& x) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> of_A(A);
   const VectorXd along = of_A.eigenvectors().transpose() * x;
