@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "io/text.h"
+#include "data/text.h"
 
 // Checks that compare experiments with each other; check_experiment.cpp looks at each by itself.
 namespace uncertainty_identification {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "data/check.h"
-#include "io/text.h"
+#include "data/text.h"
 
 namespace uncertainty_identification {
 namespace {

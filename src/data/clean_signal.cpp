@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/text.h"
+#include "data/text.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "io/text.h"
+#include "data/text.h"
 #include "uncertainty_identification/errors.h"
 
 // What comes in: samples, cuts and the clock. experiment_windows.cpp makes experiments of it.

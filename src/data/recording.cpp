@@ -7,7 +7,7 @@
 #include "data/clean_signal.h"
 #include "data/covariates.h"
 #include "data/output_sampler.h"
-#include "io/text.h"
+#include "data/text.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

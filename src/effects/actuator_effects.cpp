@@ -59,6 +59,7 @@ MadeEffects actuatorDelay(const DataSummary& data) {
 MadeEffects actuatorQuantisation(const DataSummary& data) {
   constexpr int kStarts = 45;
   std::vector<VectorXd> starts;
+  starts.reserve(kStarts);
   for (int k = 0; k < kStarts; ++k)
     starts.push_back(
         VectorXd::Constant(1, 0.12 * data.input_deviation * std::pow(20.0, k / (kStarts - 1.0))));

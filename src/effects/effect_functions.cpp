@@ -45,6 +45,7 @@ std::shared_ptr<Effect> loopEffect(EffectDescription description, FeedbackFuncti
 std::vector<VectorXd> quantileStarts(const VectorXd& sorted,
                                      const std::vector<double>& probabilities, double lowest) {
   std::vector<double> all;
+  all.reserve(probabilities.size());
   for (const double q : probabilities) all.push_back(std::max(sortedQuantile(sorted, q), lowest));
   return values(all);
 }

@@ -95,6 +95,7 @@ MadeEffects plantCoulombFriction(const DataSummary& data) {
 MadeEffects plantResonance(const DataSummary& data) {
   constexpr int kStarts = 30;
   std::vector<VectorXd> starts;
+  starts.reserve(kStarts);
   for (int k = 0; k < kStarts; ++k)
     starts.push_back(
         Eigen::Vector4d(0.95, (0.1 + 2.9 * k / (kStarts - 1.0)) / data.sample_time, 0, 0));

@@ -4,8 +4,8 @@
 
 #include "data/covariates.h"
 #include "data/sample_grid.h"
+#include "data/text.h"
 #include "io/csv_table.h"
-#include "io/text.h"
 #include "uncertainty_identification/io/csv.h"
 
 namespace uncertainty_identification {

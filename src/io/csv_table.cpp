@@ -13,7 +13,7 @@
 #include <memory>
 #include <unordered_map>
 
-#include "io/text.h"
+#include "data/text.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

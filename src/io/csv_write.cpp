@@ -4,8 +4,8 @@
 #include <memory>
 #include <set>
 
+#include "data/text.h"
 #include "io/atomic_file.h"
-#include "io/text.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/csv.h"
 

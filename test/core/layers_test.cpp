@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <regex>
 #include <string>
 #include <vector>
@@ -17,28 +16,36 @@ namespace fs = std::filesystem;
 
 const std::string kPackage = "uncertainty_identification";
 
-/// What the layers below input and output may use besides the standard library and this package.
+/// What the rooms below input and output may use besides the standard library and this package.
 const std::vector<std::string> kCoreLibraries{"Eigen/", "unsupported/Eigen/", "boost/math/",
-                                              "sys/"};
+                                              "nlopt.hpp", "sys/"};
 const std::vector<std::string> kIoLibraries{"yaml-cpp/", "nlohmann/", "boost/program_options"};
 
-/// Layers from the lowest; a file may include what is in its own or a lower one.
-const std::map<std::string, int> kLayers{{"data", 1},       {"model", 2},       {"effects", 3},
-                                         {"estimation", 4}, {"simulation", 4},  {"bounds", 5},
-                                         {"detection", 6},  {"explanation", 8}, {"io", 9},
-                                         {"ros", 10},       {"nodes", 11},      {"tools", 12}};
-constexpr int kIdentifier = 7;
-constexpr int kSharedVocabulary = 0;  // configuration.h, errors.h, ...
+/// Rooms from the lowest; a file may include what is in its own room or in one before it.
+const std::vector<std::string> kRooms{
+    "math",       "configuration", "data",           "model",     "effects",
+    "estimation", "bounds",        "identification", "baselines", "control",
+    "detection",  "simulation",    "explanation",    "io",        "session",
+    "ros",        "nodes",         "tools"};
 
-/// The layer of a path relative to include/<package>/ or src/.
-int layerOf(const std::string& path) {
-  if (path.rfind("identifi", 0) == 0) return kIdentifier;
-  const auto layer = kLayers.find(path.substr(0, path.find('/')));
-  return layer == kLayers.end() ? kSharedVocabulary : layer->second;
+/// Headers in the root of include/ that every room may use.
+const std::vector<std::string> kVocabulary{"errors.h", "version.h"};
+constexpr int kLowest = -1;
+
+int placeOf(const std::string& room) {
+  const auto found = std::find(kRooms.begin(), kRooms.end(), room);
+  return found == kRooms.end() ? static_cast<int>(kRooms.size())
+                               : static_cast<int>(found - kRooms.begin());
 }
 
-/// The highest layer that a file of this layer may include: the configuration speaks of mixtures.
-int highestFor(int layer) { return layer == kSharedVocabulary ? kLayers.at("model") : layer; }
+/// The place in kRooms of a path relative to include/<package>/ or src/; beyond the last for a
+/// folder that is no room.
+int layerOf(const std::string& path) {
+  if (std::find(kVocabulary.begin(), kVocabulary.end(), path) != kVocabulary.end()) return kLowest;
+  if (path == "identifier.h") return placeOf("identification");
+  const auto slash = path.find('/');
+  return placeOf(slash == std::string::npos ? "configuration" : path.substr(0, slash));
+}
 
 struct Include {
   std::string file;      ///< relative to its root
@@ -76,15 +83,22 @@ bool startsWithOneOf(const std::string& text, const std::vector<std::string>& be
   });
 }
 
-/// Headers of this package, of the standard library and of the libraries that a layer may use.
+/// A header of this package: its path without the package's name; empty for all others.
+std::string ownHeader(const Include& include) {
+  if (include.generated) return "";
+  const std::string prefix = kPackage + "/";
+  if (include.included.rfind(prefix, 0) == 0) return include.included.substr(prefix.size());
+  const std::string room = include.included.substr(0, include.included.find('/'));
+  return room != include.included && placeOf(room) < placeOf("") ? include.included : "";
+}
+
+/// Headers of this package, of the standard library and of the libraries that a room may use.
 bool isAllowedWithoutRos(const Include& include) {
-  if (include.included.rfind(kPackage + "/", 0) == 0) return !include.generated;
+  if (!ownHeader(include).empty()) return true;
+  if (include.generated) return false;
+  if (startsWithOneOf(include.included, kCoreLibraries)) return true;
   if (include.included.find('/') == std::string::npos) return include.included != "ros.h";
-  const int layer = layerOf(include.included);  // of a header beside the sources
-  if (layer != kSharedVocabulary && layer < kLayers.at("ros")) return true;
-  const bool io = layerOf(include.file) >= kLayers.at("io");
-  return startsWithOneOf(include.included, kCoreLibraries) ||
-         (io && startsWithOneOf(include.included, kIoLibraries));
+  return layerOf(include.file) >= placeOf("io") && startsWithOneOf(include.included, kIoLibraries);
 }
 
 TEST(Layers, OnlyTheRosLayerIncludesRosOrOtherForeignHeaders) {
@@ -92,19 +106,30 @@ TEST(Layers, OnlyTheRosLayerIncludesRosOrOtherForeignHeaders) {
   EXPECT_GT(includes.size(), 300u) << "the sources were not found";
   for (const Include& include : includes) {
     const int layer = layerOf(include.file);
-    if (layer == kLayers.at("ros") || layer == kLayers.at("nodes")) continue;
+    if (layer == placeOf("ros") || layer == placeOf("nodes")) continue;
     EXPECT_TRUE(isAllowedWithoutRos(include)) << include.file << " includes " << include.included;
   }
 }
 
-TEST(Layers, NothingIncludesAHigherLayer) {
-  const std::string prefix = kPackage + "/";
+TEST(Layers, NothingIncludesAHigherRoom) {
   for (const Include& include : allIncludes()) {
-    if (include.generated) continue;
-    const bool is_public = include.included.rfind(prefix, 0) == 0;
-    const std::string path = include.included.substr(is_public ? prefix.size() : 0);
-    EXPECT_LE(layerOf(path), highestFor(layerOf(include.file)))
+    const std::string own = ownHeader(include);
+    if (own.empty()) continue;
+    EXPECT_LE(layerOf(own), layerOf(include.file))
         << include.file << " includes " << include.included;
+  }
+}
+
+TEST(Layers, AreTheFoldersOfTheSources) {
+  for (const auto& entry : fs::directory_iterator(fs::path(PROJECT_FOLDER) / "src"))
+    EXPECT_LT(placeOf(entry.path().filename().string()), placeOf("")) << entry.path();
+}
+
+TEST(Layers, PublicHeadersIncludeNoPrivateOnes) {
+  for (const Include& include : includesBelow(fs::path(PROJECT_FOLDER) / "include" / kPackage)) {
+    const std::string own = ownHeader(include);
+    EXPECT_TRUE(own.empty() || own != include.included)
+        << include.file << " includes " << include.included << ", which is not installed";
   }
 }
 
