@@ -79,7 +79,7 @@ void VaryingPlant::checkConditioning() const {
       const double scale = std::abs(exact(k, i)) + std::abs(valueAt(zero.b, shift) / denominator);
       if (std::abs(found - exact(k, i)) > kTolerance * scale) {
         throw DataError(
-            "the nominal model's poles are too close to 1 for bounds with basis sensitivity, whose "
+            "the nominal model's poles lie too near to 1 for bounds with basis sensitivity, whose "
             "denominator is a power of A; use basis parameter_spread or a longer sample time");
       }
     }
