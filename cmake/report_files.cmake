@@ -38,7 +38,7 @@ endforeach()
 file(READ ${SOURCE}/report.html page)
 file(READ ${SOURCE}/report.css style)
 
-file(WRITE ${OUTPUT}.new "#include \"uncertainty_identification/io/report_files.h\"\n\n"
+file(WRITE ${OUTPUT}.new "#include \"io/report_files.h\"\n\n"
   "namespace uncertainty_identification {\nnamespace {\n\n")
 append_text(Page "${page}")
 append_text(Style "${style}")

@@ -1,13 +1,14 @@
 'use strict';
-// Figures with bands of all levels, and the buttons that say which kind of bands they show.
+// Figures with bands at all levels, and the buttons that select which kind of bands they show.
 
 function hasBands(bands) {
   return Boolean(bands && bands.pointwise.length > 0);
 }
 
-/// Which bands are drawn: shared by all figures, which are told when it changes.
+/// Which bands are drawn. All figures share this choice and are notified when it changes.
 class BandChoice {
-  /// withSpread: whether the bands hold plants that differ, or one plant that is not known well.
+  /// withSpread: whether the plants differ between experiments; otherwise the bands only show how accurately one
+  /// plant is known.
   constructor(withSpread) {
     this.withSpread = withSpread;
     this.source = 'total';
@@ -15,7 +16,8 @@ class BandChoice {
     this.followers = [];
   }
 
-  /// The bands chosen of {mixture, total}; the mixture's where errors of the estimate are not known; none: [].
+  /// The chosen bands of {mixture, total}; those of the mixture if the errors of the estimate are not known; [] if
+  /// there are none.
   of(bands) {
     if (!bands) return [];
     const chosen = hasBands(bands[this.source]) ? bands[this.source] : bands.mixture;
@@ -31,22 +33,22 @@ class BandChoice {
 function showBandChoice(parent, bands, choices) {
   const frequency = bands.frequency;
   const controls = [choice('kind', 'Bands hold', [
-    {value: 'pointwise', title: 'at each point by itself'}, {value: 'simultaneous', title: 'at all points at once'}],
+    {value: 'pointwise', title: 'at each point separately'}, {value: 'simultaneous', title: 'at all points together'}],
     kind => choices.set({kind}))];
   if (choices.withSpread && hasBands(frequency.magnitude_bands.total)) {
     controls.push(choice('source', 'They count', [
-      {value: 'total', title: 'the plants\u2019 spread and the estimate\u2019s errors'},
-      {value: 'mixture', title: 'the plants\u2019 spread only'}], source => choices.set({source})));
+      {value: 'total', title: 'spread of the plants and errors of the estimate'},
+      {value: 'mixture', title: 'spread of the plants only'}], source => choices.set({source})));
   }
   parent.append(element('div', {class: 'choices'}, ...controls));
 }
 
 /// What the bands mean, for captions.
 function bandsInWords(choices, withTotal) {
-  const where = choices.kind === 'pointwise' ? 'at each point by itself' : 'at all points at once';
-  if (!choices.withSpread) return `Shaded: where the plant lies with the named probability, ${where}, by the estimate\u2019s errors.`;
-  const errors = `the estimate\u2019s errors${choices.source === 'total' && withTotal ? '' : ' not'} included`;
-  return `Shaded: where the named share of plants lies, ${where}; ${errors}.`;
+  const where = choices.kind === 'pointwise' ? 'at each point separately' : 'at all points together';
+  if (!choices.withSpread) return `Shaded: the plant lies there with the stated probability, ${where}, given the errors of the estimate.`;
+  const errors = `the errors of the estimate are${choices.source === 'total' && withTotal ? '' : ' not'} included`;
+  return `Shaded: the stated share of the plants lies there, ${where}; ${errors}.`;
 }
 
 /// A figure of a nominal curve in bands. spec: figure()'s title, caption, height and axes, and

@@ -1,12 +1,12 @@
 'use strict';
-// Results of identify --method pem or mem: prediction-error fits of each experiment by itself.
+// Results of identify --method pem or mem: a prediction-error fit of each experiment separately.
 
-const kBaselines = {pem: 'prediction-error fits of each experiment by itself', mem: 'model error modelling'};
+const kBaselines = {pem: 'a prediction-error fit of each experiment separately', mem: 'model error modelling'};
 
 function showBaseline(parent, result) {
   const {baseline, nominal_model: model} = result, {omega} = baseline;
   parent.append(paragraph(`The method was ${kBaselines[baseline.method] || baseline.method}; the nominal model is the mean of ` +
-    `${counted(baseline.experiments.length, 'fit')}. Standard deviations say how the fits differ from experiment to experiment.`));
+    `${counted(baseline.experiments.length, 'fit')}. The standard deviations say how much the fits differ between experiments.`));
   const names = model.parameters.map(parameter => parameter.name);
   parent.append(table([{title: 'Parameter'}, {title: 'Mean of the fits', number: true}, {title: 'Standard deviation', number: true}],
     baseline.mean.map((mean, k) => [names[k] || String(k + 1), number(mean), number(baseline.deviation[k], 3)])));
@@ -22,6 +22,6 @@ function showBaseline(parent, result) {
     {level, lower: lower.map(value => decibel(Math.max(value, 1e-12))), upper: upper.map(decibel)}));
   figure(parent, {
     title: 'Magnitude, fits of each experiment', height: 340, datasets: [...lines, ...bandDatasets(omega, bands, kColors[0])],
-    caption: 'Shaded: where the named share of plants lies by this method. Hover over a line for the experiment it belongs to.',
+    caption: 'Shaded: the stated share of the plants lies there according to this method. Hover over a line to see its experiment.',
     axes: {x: frequencyAxis(omega), y: aligningAxis(linearAxis(`|G| [dB re 1 ${kGainUnit}]`, {grace: '2%'}))}});
 }

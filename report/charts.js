@@ -1,11 +1,11 @@
 'use strict';
-// Figures: Chart.js with this report's axes, colours (Okabe and Ito's, told apart by the colour-blind) and tooltips.
+// Figures: Chart.js with this report's axes, tooltips and colours (by Okabe and Ito, distinct for the colour-blind).
 
 const kColors = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9'];
 const kInk = '#1a1a1a';
 const kGrid = 'rgba(0, 0, 0, 0.09)';
 
-/// Between white (0) and the colour (1).
+/// A tint between white (0) and the colour (1).
 function tint(color, amount) {
   const mixed = [1, 3, 5].map(k => Math.round(255 + amount * (parseInt(color.slice(k, k + 2), 16) - 255)));
   return `rgb(${mixed.join(', ')})`;
@@ -21,12 +21,12 @@ function linearAxis(title, more = {}) {
           ticks: {color: kInk, callback: value => number(value, 6), maxRotation: 0, includeBounds: false, ...more.ticks}};
 }
 
-/// An axis of figures that stand below each other: as wide in all of them.
+/// An axis of equal width in all figures, so that figures below each other are aligned.
 function aligningAxis(axis) {
   return {...axis, afterFit: scale => { scale.width = 72; }};
 }
 
-/// Labels at powers of ten; at 2 and 5 times them too where there are few.
+/// Labels at powers of ten, and at 2 and 5 times them if there are few.
 function logarithmicAxis(title, minimum, maximum) {
   const few = Math.log10(maximum / minimum) < 1.7;
   const label = value => {
@@ -54,7 +54,7 @@ function options(axes, mode, datasets) {
   };
 }
 
-/// A line for a line, a box for a shade, the point's own shape for points.
+/// Legend symbols: a line for lines, a box for shaded areas, their own shape for points.
 function legendLabels(chart) {
   return Chart.defaults.plugins.legend.labels.generateLabels(chart).filter(item => item.text).map(item => {
     const {fill, showLine, borderDash} = chart.data.datasets[item.datasetIndex];
@@ -63,7 +63,7 @@ function legendLabels(chart) {
   });
 }
 
-/// Of all points with something to say the one nearest to the pointer; bands' edges and ellipses do not stand in the way.
+/// The point nearest to the pointer among those that have a description, so not the edges of bands and ellipses.
 function nearestDescribed(chart, event) {
   let nearest = [], least = Infinity;
   for (const {data, index: datasetIndex} of chart.getSortedVisibleDatasetMetas()) {
@@ -98,8 +98,8 @@ function points(x, y) {
   return x.map((value, k) => ({x: value, y: y[k]}));
 }
 
-/// The datasets of nested bands, the narrowest in front: the upper limits carry the shade down to the lower
-/// ones, or to the axis where there are none.
+/// The datasets of nested bands, the narrowest in front. Each is shaded from its upper limit down to its lower one,
+/// or to the axis if there is no lower one.
 function bandDatasets(x, bands, color, more = {}) {
   const drawn = [];
   bands.forEach(({level, lower, upper}, k) => {
@@ -113,7 +113,8 @@ function bandDatasets(x, bands, color, more = {}) {
 
 const kPrintWidth = 680;  // [px] of a page's text
 
-/// Figures drawn anew for paper, and back: scaled down from the screen's width their labels would be too small.
+/// Draws all figures again in the width of a printed page, and back: if they were scaled down from the width of the
+/// screen, their labels would be too small.
 function printFigures() {
   const redraw = size => Object.values(Chart.instances).forEach(chart => {
     chart.resize(...size(chart));
@@ -125,7 +126,7 @@ function printFigures() {
 
 /// Makes one unit equally long on both axes; the box {x: [min, max], y: [min, max]} stays visible.
 function equalUnits(chart, box) {
-  for (let pass = 0; pass < 2; ++pass) {  // labels, and so the space that is left, change with the limits
+  for (let pass = 0; pass < 2; ++pass) {  // twice, because labels, and with them the space left for the figure, change with the limits
     const {width, height} = chart.chartArea;
     const unit = Math.max((box.x[1] - box.x[0]) / width, (box.y[1] - box.y[0]) / height) / 2;
     for (const [axis, size] of [['x', width], ['y', height]]) {

@@ -1,5 +1,5 @@
 'use strict';
-// The experiments: which were used, which not and why, and how well the model explains each.
+// The experiments: which were used, which were not and why, and how well the model explains each of them.
 
 function mostProbable(experiment) {
   const shares = experiment.responsibilities;
@@ -10,7 +10,7 @@ function showData(parent, result) {
   const {estimates, rejected, count: used, samples} = result.experiments;
   parent.append(paragraph(`${counted(used, 'experiment')} with ${counted(samples, 'measured output sample')} ` +
     `${used === 1 ? 'was' : 'were'} used` + (rejected.length > 0 ? '.' : '; none was left out.') + ' ' +
-    `Offsets taken off before the model: ${number(result.offsets.u)} from u, ${number(result.offsets.y)} from y.`));
+    `The operating point, which is subtracted from the signals: ${number(result.offsets.u)} from u, ${number(result.offsets.y)} from y.`));
   if (rejected.length > 0) {
     parent.append(element('h3', {}, 'Left out'),
       scrolling(table([{title: 'Experiment'}, {title: 'Reason'}], rejected.map(({id, reason}) => [id, reason])), rejected.length));
@@ -36,8 +36,8 @@ function showLikelihoods(parent, result) {
   }
   figure(parent, {
     title: 'How well the model explains each experiment', height: 230, datasets,
-    caption: 'Log-likelihood of each experiment per sample. One far below the others was recorded under other ' +
-      'conditions, or holds faulty data. Hover over a point for the experiment it belongs to.',
+    caption: 'Log-likelihood per sample of each experiment. An experiment far below the others was recorded under different ' +
+      'conditions or contains faulty data. Hover over a point to see its experiment.',
     axes: {x: linearAxis('experiment, in order', {min: 0, max: estimates.length + 1, ticks: {precision: 0}}),
            y: linearAxis('log-likelihood per sample')}});
 }
@@ -60,8 +60,8 @@ function experimentsTable(result) {
 function showValidation(parent, result) {
   const {experiments, simulation_fit_percent: fits, log_density_per_experiment: density} = result.validation;
   if (experiments.length === 0) {
-    parent.append(paragraph('No data were set aside for validation (identify --validation DATA): how well the model ' +
-      'predicts data it was not fitted to is not known.'));
+    parent.append(paragraph('No data were held out for validation (identify --validation DATA), so it is not known how well the model ' +
+      'predicts data to which it was not fitted.'));
     return;
   }
   parent.append(paragraph(validationSentence(result) + ` The mean log predictive density is ${number(density, 5)} per experiment.`));
@@ -70,7 +70,7 @@ function showValidation(parent, result) {
   figure(parent, {
     title: 'Simulation fit on validation data', height: 230, type: 'bar', mode: 'index',
     caption: 'Free simulation of the nominal model, the worst experiment first: 100 (1 \u2212 |y \u2212 y_sim| / |y \u2212 mean y|). ' +
-      'Hover over a bar for the experiment it belongs to.',
+      'Hover over a bar to see its experiment.',
     datasets: [{data: order.map((k, rank) => ({x: rank + 1, y: fits[k]})), backgroundColor: kColors[0],
                 describe: rank => `${experiments[order[rank]]}: ${inPercent(fits[order[rank]], 3)}`}],
     axes: {x: linearAxis('experiment, by rank', {offset: false, min: 0.5, max: order.length + 0.5, ticks: {precision: 0}}),

@@ -3,12 +3,12 @@
 
 function showCandidates(parent, candidates) {
   if (candidates.length === 0) {
-    parent.append(paragraph('Orders and components were given by the configuration; no candidates were compared.'));
+    parent.append(paragraph('The configuration stated all orders and numbers of components, so no candidates were compared.'));
     return;
   }
   const chosen = candidates.filter(candidate => candidate.chosen).map(candidate => candidate.description);
   parent.append(element('h3', {}, 'Candidates compared'),
-    paragraph(`Chosen: ${listed(chosen)}. By BIC less is better, by held-out fit more.`),
+    paragraph(`Chosen: ${listed(chosen)}. A lower BIC and a higher held-out fit are better.`),
     scrolling(table([{title: 'Choice'}, {title: 'Candidate'}, {title: 'Parameters', number: true}, {title: 'Log-likelihood', number: true},
                      {title: 'BIC', number: true}, {title: 'Held-out fit [%]', number: true}, {title: ''}],
       candidates.map(({choice: of, description, parameters, log_likelihood: likelihood, bic, validation_fit: fit, chosen: best}) =>
@@ -20,14 +20,14 @@ function showConvergence(parent, result) {
   parent.append(paragraph(`Log-likelihood ${fixed(result.log_likelihood, 3)}, BIC ${fixed(result.bic, 3)}.`));
   const {trace} = result;
   if (trace.length < 2) {
-    parent.append(paragraph('The start could not be improved upon: there is no path to draw.'));
+    parent.append(paragraph('The starting point was the optimum already: there are no steps to draw.'));
     return;
   }
   const end = Math.max(...trace.map(point => point.log_likelihood));
   figure(parent, {
     title: 'Convergence', height: 250, mode: 'index',
-    caption: 'How far below its end the log-likelihood was after each iteration of the optimisation. Few points mean that ' +
-      'its start was good.',
+    caption: 'Final log-likelihood minus that after each iteration of the optimisation. Few points mean that its starting ' +
+      'point was good.',
     datasets: [{data: trace.map(point => ({x: point.passes, y: end - point.log_likelihood})), borderColor: kColors[0], backgroundColor: kColors[0],
                 clip: false, pointRadius: trace.length > 60 ? 0 : 3.5,
                 describe: k => [`iteration ${count(trace[k].iteration)}, ${counted(trace[k].passes, 'pass', 'passes')} over the data`,
@@ -45,6 +45,6 @@ function asYaml(value, indent = '') {
 }
 
 function showConfiguration(parent, result) {
-  parent.append(paragraph('What reproduces this result, given the same data. Automatic choices are replaced by what was chosen.'),
+  parent.append(paragraph('With this configuration and the same data the result can be reproduced. Automatic choices are replaced by the values chosen.'),
     element('details', {}, element('summary', {}, 'Show the configuration'), element('pre', {}, asYaml(result.configuration))));
 }

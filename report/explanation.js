@@ -28,7 +28,7 @@ function verdictSentence(explanation) {
   return {
     none: `Nothing: all ${counted(before.length, 'test')} of the residuals pass.`,
     explained: `${named} With ${causes.length === 1 ? 'it' : 'them'} in the model all tests pass.`,
-    partly_explained: `${named} That is not all: ${failure(after, 'still fail')}.`,
+    partly_explained: `${named} This explains only a part: ${failure(after, 'still fail')}.`,
     unknown: `Something that no effect of the catalogue explains: ${failure(before, 'fail')}.`,
   }[verdict];
 }
@@ -66,7 +66,7 @@ function causeParameters(parameters) {
 
 function showCause(parent, cause, index) {
   parent.append(element('h3', {}, `Cause ${index + 1}: ${fullName(cause)}, ${cause.group}`));
-  const others = cause.equivalent.length > 0 ? ` The data cannot tell it from ${listed(cause.equivalent)}.` : '';
+  const others = cause.equivalent.length > 0 ? ` The data explain ${listed(cause.equivalent)} equally well.` : '';
   parent.append(paragraph(`${asSentence(cause.description || cause.name)} Its probability among the candidates is ` +
     `${percent(Math.floor(1000 * cause.confidence) / 1000)}.${others}`));
   if (cause.advice) parent.append(element('p', {class: 'advice'}, element('b', {}, 'What to do: '), asSentence(cause.advice)));
@@ -84,8 +84,8 @@ function showVerdict(parent, explanation) {
 }
 
 const kExplanationSections = [
-  {id: 'gain', title: 'What the causes gain', show: showGain},
+  {id: 'gain', title: 'What the causes improve', show: showGain},
   {id: 'simulated', title: 'Measured against simulated', show: showSimulated},
-  {id: 'left', title: 'What the simulation leaves', show: showLeft},
+  {id: 'left', title: 'Residuals with and without the causes', show: showLeft},
   {id: 'tried', title: 'Effects that were tried', show: showTried},
 ];

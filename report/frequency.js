@@ -21,7 +21,7 @@ function phaseStep(values) {
   return [15, 30, 45, 90, 180, 360, 720].find(step => range / step <= 8) || 1440;
 }
 
-/// Below what no magnitude is drawn: bands reach down to zero where a plant can have a zero.
+/// The smallest magnitude that is drawn. Bands may reach down to zero, which has no decibel.
 function lowestMagnitude(frequency) {
   const positive = frequency.magnitude.filter(value => value > 0);
   const bands = frequency.magnitude_bands;
@@ -47,13 +47,13 @@ function showBode(parent, frequency, sampleTime, choices) {
     toAxis: value => decibel(Math.max(value, floor)),
     describe: (k, bands) => [head(k), `nominal: ${gain(magnitude[k])}`, ...bands.map(band => interval(at(band, k), gain))],
     axes: {x: frequencyAxis(omega), y: aligningAxis(linearAxis(`|G| [dB re 1 ${kGainUnit}]`, {grace: '2%'}))}}, choices);
-  // At the Nyquist frequency responses are real: a phase there is one of two, half a turn apart, and says nothing.
+  // At the Nyquist frequency all responses are real: the phase is 0 or 180 degrees and carries no information.
   const nyquist = Math.PI / sampleTime, last = omega.findIndex(value => value > 0.9999 * nyquist);
   const below = values => values.slice(0, last < 0 ? undefined : last);
   const angle = value => `${number(degrees(value), 4)}\u00b0`;
   bandFigure(parent, {
     title: 'Phase', x: below(omega), nominal: below(phase), bands: frequency.phase_bands, height: 290, toAxis: degrees,
-    caption: 'Phase of G, the delay included; a plant\u2019s phase is counted within half a turn of the nominal one.',
+    caption: 'Phase of G, including the delay. The phase of each plant is chosen within 180 degrees of the nominal one.',
     describe: (k, bands) => [head(k), `nominal: ${angle(phase[k])}`, ...bands.map(band => interval(at(band, k), angle))],
     axes: {x: frequencyAxis(omega), y: aligningAxis(linearAxis('phase [degree]', {ticks: {stepSize: phaseStep(phase.map(degrees))}}))}}, choices);
 }
@@ -62,7 +62,7 @@ function showStep(parent, step, choices) {
   const {time, nominal, bands} = step, text = value => number(value, 4);
   bandFigure(parent, {
     title: 'Response to a unit step', x: time, nominal, bands, height: 400, toAxis: value => value,
-    stepped: time.length <= 120 ? 'before' : false, caption: 'Output after the input has stepped from 0 to 1 at time 0, without noise.',
+    stepped: time.length <= 120 ? 'before' : false, caption: 'Output without noise when the input steps from 0 to 1 at time 0.',
     describe: (k, shown) => [`${number(time[k], 4)} s`, `nominal: ${text(nominal[k])}`,
                              ...shown.map(band => interval(at(band, k), text))],
     axes: {x: linearAxis('time [s]', {min: 0, max: time[time.length - 1]}), y: linearAxis(`y [${kGainUnit}]`, {grace: '4%'})}}, choices);

@@ -1,7 +1,7 @@
 'use strict';
-// What taking causes into the model gains, and how the effects that were tried compare.
+// What it gains to include causes in the model, and how the effects that were tried compare.
 
-/// Horizontal bars, one for each name, with whiskers where there are intervals: values, lower, upper.
+/// Horizontal bars, one for each name, with whiskers if there are intervals: values, lower, upper.
 function barFigure(parent, {title, caption, axis, names, values, intervals = [], color, describe}) {
   const whiskers = intervals.flatMap(({lower, upper}, k) => (isNumber(lower) && isNumber(upper)) ?
     [{type: 'line', borderColor: kInk, borderWidth: 2, data: [{x: lower, y: k + 1}, {x: upper, y: k + 1}],
@@ -35,23 +35,23 @@ function gainTable(causes) {
 function showGain(parent, {causes, held_out: heldOut}) {
   const gained = causes.filter(cause => cause.gain);
   if (gained.length === 0) {
-    parent.append(paragraph(causes.length === 0 ? 'No cause was named: there is nothing to gain from.' :
-      'What was named changes no prediction: it is found by a test and has no gain.'));
+    parent.append(paragraph(causes.length === 0 ? 'No cause was named, so there is no gain.' :
+      'The named cause was found by a test and does not change predictions, so there is no gain.'));
     return;
   }
   const measured = heldOut.length > 0 ? `${counted(heldOut.length, 'experiment')} not used for fitting` :
-    'the experiments fitted to, as there are too few to keep any out: gains are too large';
-  parent.append(paragraph(`Measured on ${measured}. Each cause is counted on top of those above it.`));
+    'the experiments used for fitting, because there are too few to hold any out; the gains are therefore too large';
+  parent.append(paragraph(`Measured on ${measured}. The gain of each cause is in addition to the gains of those above it.`));
   const densities = gained.map(cause => cause.gain.held_out_log_density_per_experiment);
   const intervals = densities.map(({lower_90: lower, upper_90: upper}) => ({lower, upper}));
   barFigure(parent, {
-    title: heldOut.length > 0 ? 'Gain on experiments not used for fitting' : 'Gain on the experiments fitted to', color: kColorAfter, names: gained.map(fullName), values: densities.map(({value}) => value),
+    title: heldOut.length > 0 ? 'Gain on experiments not used for fitting' : 'Gain on the experiments used for fitting', color: kColorAfter, names: gained.map(fullName), values: densities.map(({value}) => value),
     axis: 'log predictive density gained per experiment [nats]', intervals,
     caption: 'Whiskers: 90\u00a0% interval of the mean over the experiments. One nat makes the data 2.7 times as probable.',
     describe: k => [fullName(gained[k]), `${plusMinus(densities[k].value, densities[k].standard_error)} nats per experiment`]});
   parent.append(gainTable(causes));
-  parent.append(paragraph('Before \u2192 after. Of a right model 50\u00a0% of the samples lie in 50\u00a0% intervals. The region of the Bode diagram, which holds ' +
-    '95\u00a0% of the plants, is measured in decades by decades.', 'note'));
+  parent.append(paragraph('Before \u2192 after. If the model is right, 50\u00a0% of the samples lie in 50\u00a0% intervals. The region of the Bode diagram that ' +
+    'contains 95\u00a0% of the plants is measured in decades of frequency times decades of magnitude.', 'note'));
 }
 
 function showTried(parent, {candidates, causes}) {
@@ -64,7 +64,7 @@ function showTried(parent, {candidates, causes}) {
   barFigure(parent, {
     title: 'Score of each effect', color: ordered.map(effect => (named(effect) ? kColorAfter : tint(kColorAfter, 0.45))),
     axis: 'log-likelihood gained, less a penalty for parameters and starts [nats]', names: ordered.map(fullName), values: ordered.map(({score}) => score),
-    caption: 'From the experiments used for fitting. Dark: named as a cause. Effects that resemble the cause gain too, as long as it is not in the model.',
+    caption: 'On the experiments used for fitting. Dark: named as a cause. Effects that resemble a cause score well, too, as long as it is not in the model.',
     describe: k => [fullName(ordered[k]), `score ${number(ordered[k].score)} nats`]});
   parent.append(scrolling(table([{title: 'Effect'}, {title: 'Score [nats]', number: true}, {title: 'Gain per experiment held out [nats]', number: true}],
     ordered.map(effect => [fullName(effect), number(effect.score), plusMinus(effect.held_out_gain, effect.standard_error)]),

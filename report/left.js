@@ -1,7 +1,7 @@
 'use strict';
-// What the models leave of the data, before and after the causes: where the simulation is wrong.
+// Residuals of the models without and with the causes: where the simulation is wrong.
 
-/// The sides to draw of a picture before and one after: {label, color, picture}; without causes there is one.
+/// What to draw, {label, color, picture}: without and with the causes, or one side only if there are none.
 function sidesOf({causes, residuals_before: before, residuals_after: after}) {
   if (causes.length === 0) return [{label: '', color: kColorBefore, picture: before}];
   return [{label: 'without the causes', color: kColorBefore, picture: before}, {label: 'with the causes', color: kColorAfter, picture: after}];
@@ -16,7 +16,7 @@ function lagFigure(parent, sides, {title, axis, key, first}) {
   const limit = sides[0].picture.confidence_95, last = first + sides[0].picture[key].length - 1;
   const largest = Math.max(1.5 * limit, ...sides.flatMap(({picture}) => picture[key].map(value => 1.1 * Math.abs(value))));
   figure(parent, {
-    title, height: 240, type: 'bar', caption: 'Of a right model one in twenty bars leaves the limits.',
+    title, height: 240, type: 'bar', caption: 'If the model is right, one in twenty bars exceeds the limits.',
     datasets: [...sides.map(({label, color, picture}) => (
       {label, data: picture[key].map((value, k) => ({x: first + k, y: value})), backgroundColor: color, fill: true,
        describe: k => [`lag ${first + k}${label && ', ' + label}`, `correlation ${number(picture[key][k], 3)}`]})),
@@ -25,7 +25,7 @@ function lagFigure(parent, sides, {title, axis, key, first}) {
            y: linearAxis('correlation [1]', {min: -largest, max: largest})}});
 }
 
-/// A quantity over another one, {x, y: keys of the picture}; a right model stays about `level`.
+/// A quantity over another one, {x, y: keys of the picture}; for a right model it stays near `level`.
 function curveFigure(parent, sides, {title, axis, unit, quantity, x, y, level, caption, logarithmic = false}) {
   const values = picture => (x ? picture[x] : picture[y].map((value, k) => k + 1));
   const all = sides.flatMap(({picture}) => values(picture)), first = Math.min(...all), last = Math.max(...all);
@@ -46,9 +46,9 @@ const kCurves = [
   {title: 'Residual over the simulated output', axis: 'simulated output', unit: '', x: 'output_level', y: 'residual_of_output', quantity: 'mean residual / \u03c3',
    level: 0, caption: 'A bend points to the sensor or to a plant that is not linear.'},
   {title: 'Residual over time', axis: 'time since the start [s]', unit: 's', x: 'time', y: 'residual_of_time', quantity: 'mean residual / \u03c3', level: 0,
-   caption: 'A ramp points to a drift, a departure at the start to initial states.'},
+   caption: 'A ramp points to a drift, a deviation at the start to the initial state.'},
   {title: 'Variance over time', axis: 'time since the start [s]', unit: 's', x: 'time', y: 'variance_of_time', quantity: 'variance / \u03c3\u00b2', level: 1,
-   caption: 'A step points to noise that changes, or to a gain that does.'},
+   caption: 'A step points to a change of the noise or of the gain.'},
   {title: 'Spectrum of the residuals', axis: 'frequency [rad/s]', unit: 'rad/s', x: 'frequency', y: 'spectrum', quantity: 'power / that of white noise', level: 1,
    caption: 'A narrow peak points to hum, a broad one to a resonance, low frequencies to drift.', logarithmic: true},
   {title: 'Size of the residuals by experiment', axis: 'experiment, in order', unit: '(experiment)', y: 'of_experiment', quantity: 'root mean square / \u03c3', level: 1,
@@ -57,8 +57,8 @@ const kCurves = [
 
 function showLeft(parent, explanation) {
   const sides = sidesOf(explanation), drawn = key => sides.every(({picture}) => picture[key].length > 1);
-  parent.append(paragraph('What is left of the data when the model has predicted all it can, relative to the noise\u2019s standard deviation \u03c3. ' +
-    'Of a right model nothing is left but noise: figures stay about their dashed lines.'));
+  parent.append(paragraph('Residuals of the prediction, relative to the standard deviation \u03c3 of the noise. If the model is right they are ' +
+    'nothing but noise, and the curves stay near their dashed lines.'));
   const figures = element('div', {class: 'figures'});
   parent.append(figures);
   const lags = [{title: 'Residuals: autocorrelation', axis: 'lag [samples]', key: 'autocorrelation', first: 1},

@@ -6,8 +6,8 @@ const kBases = {fir: 'delays q\u207b\u1d4f (FIR)', laguerre: 'Laguerre functions
 function showMixture(parent, result) {
   const model = result.error_model;
   if (!hasErrorModel(result)) {
-    parent.append(paragraph('No error model was identified: all experiments are taken to come from the same plant. Two experiments or ' +
-      'more show how the plant varies; a mixture needs at least four, better twenty.'));
+    parent.append(paragraph('No error model was identified: all experiments are assumed to come from the same plant. How the plant varies can ' +
+      'be seen from two experiments or more; a mixture needs at least four, better twenty.'));
     return;
   }
   parent.append(paragraph(`${errorModelSentence(model)} Each experiment\u2019s \u03be is drawn from ` +
@@ -25,13 +25,13 @@ function errorModelSentence(model) {
   }
   if (model.basis === 'sensitivity') {
     return `The parameters of Go vary from experiment to experiment: \u03be are the relative deviations of ${names}` +
-      `${model.sensitivity_order === 2 ? ' and products of two of them' : ''}, as Go\u2019s derivatives carry them into G.`;
+      `${model.sensitivity_order === 2 ? ' and products of two of them' : ''}, to which G responds by the derivatives of Go.`;
   }
   return `G = Go (1 + G\u0394), where G\u0394 = \u2211 \u03b7\u2096 F\u2096 over ${counted(model.T.length, 'tap')} of ` +
     `${kBases[model.basis] || model.basis}, \u03b7 = T \u03be with T = ${matrix(model.T)}.`;
 }
 
-/// An axis' title: the k-th coordinate of xi, and what it is where it is the deviation of one parameter.
+/// Title of an axis: the k-th coordinate of xi, with the parameter whose deviation it is, if it is that of one.
 function coordinateName(model, k) {
   const index = model.means[0].length === 1 ? '' : '\u2080\u2081\u2082\u2083\u2084\u2085\u2086\u2087\u2088\u2089'[k + 1];
   const parameter = (model.varied_parameters || [])[k];
@@ -93,13 +93,13 @@ function showDensity(parent, result) {
   });
   figure(parent, {
     title: 'Density of the relative error\u2019s coordinate \u03be', height: 320, datasets,
-    caption: 'Ticks: the posterior mean of \u03be of each experiment, in the colour of its most probable component. ' +
-      'Posterior means are pulled towards the components\u2019 means, the more so the noisier the experiment.',
+    caption: 'Ticks: the posterior mean of \u03be of each experiment, in the colour of its most probable component. The noisier an ' +
+      'experiment is, the more its posterior mean is drawn towards the mean of the component.',
     axes: {x: linearAxis(coordinateName(model, 0), {min: grid[0], max: grid[grid.length - 1]}), y: linearAxis('probability density [1]', {
              min: -0.09 * peak, max: 1.06 * peak, ticks: {callback: value => (value < 0 ? '' : number(value))}})}});
 }
 
-/// Points of the ellipse that holds this share of a two-dimensional Gaussian.
+/// Points of the ellipse that contains this share of a two-dimensional Gaussian.
 function ellipse([mx, my], [[xx, xy], [, yy]], share) {
   const radius = Math.sqrt(-2 * Math.log(1 - share)), l11 = Math.sqrt(xx), l21 = l11 > 0 ? xy / l11 : 0;
   const l22 = Math.sqrt(Math.max(0, yy - l21 * l21));
@@ -111,7 +111,7 @@ function ellipse([mx, my], [[xx, xy], [, yy]], share) {
 
 function showPairs(parent, result, dimension) {
   const grid = element('div', {class: 'figures'}), shown = Math.min(dimension, 4);
-  if (shown < dimension) parent.append(paragraph(`Of ${dimension} coordinates the first ${shown} are drawn.`));
+  if (shown < dimension) parent.append(paragraph(`The first ${shown} of ${dimension} coordinates are drawn.`));
   parent.append(grid);
   for (let i = 0; i < shown; ++i) for (let j = i + 1; j < shown; ++j) showPair(grid, result, i, j);
 }
@@ -131,7 +131,7 @@ function showPair(parent, result, i, j) {
   });
   figure(parent, {
     title: `Relative error, coordinates ${i + 1} and ${j + 1} of \u03be`, height: 380, datasets,
-    caption: 'Ellipses hold 50 % (solid) and 95 % (dashed) of each component. Points: the posterior mean of each experiment, by its most ' +
+    caption: 'Ellipses contain 50 % (solid) and 95 % (dashed) of each component. Points: the posterior mean of each experiment, by its most ' +
       'probable component.',
     axes: {x: linearAxis(coordinateName(model, i), {grace: '4%'}), y: linearAxis(coordinateName(model, j), {grace: '4%'})}});
 }

@@ -16,12 +16,12 @@ function showNominalModel(parent, result) {
   parent.append(parametersTable([...model.parameters, {...result.noise_variance, name: 'noise variance'}]));
   const undetermined = model.parameters.filter(parameter => !isNumber(parameter.standard_error)).length;
   if (result.baseline) {
-    parent.append(paragraph('The mean of the experiments\u2019 own fits; standard errors of this mean come from their spread.', 'note'));
+    parent.append(paragraph('The mean of the fits of the single experiments; the standard errors of this mean follow from their spread.', 'note'));
     return;
   }
-  parent.append(paragraph('Standard errors come from the observed information and hold if the model is right; robust ones, from ' +
-    'the spread of the experiments\u2019 scores, hold if it is not. A large difference between the two says that it is not.' +
-    (undetermined > 0 ? ' A dash stands where the data do not determine the parameter, or not its error.' : ''), 'note'));
+  parent.append(paragraph('Standard errors follow from the observed information and are valid if the model is right. Robust ones follow from the ' +
+    'spread of the scores of the experiments and are valid even if it is not. A large difference means that it is not.' +
+    (undetermined > 0 ? ' A dash means that the data do not determine the parameter or its error.' : ''), 'note'));
 }
 
 function parametersTable(parameters) {

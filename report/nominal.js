@@ -14,7 +14,7 @@ function plantPolynomials(model) {
   return {numerator: [...Array(model.delay).fill(0), ...model.b], denominator: [1, ...model.a]};
 }
 
-/// As the bounds hold it, without bands: omega [rad/s], magnitude, phase [rad] unwrapped.
+/// The frequency response in the form of the bounds, without bands: omega [rad/s], magnitude, unwrapped phase [rad].
 function nominalFrequencyResponse(model) {
   const {numerator, denominator} = plantPolynomials(model);
   const nyquist = Math.PI / model.sample_time;
@@ -34,7 +34,7 @@ function nominalFrequencyResponse(model) {
   return response;
 }
 
-/// As the bounds hold it, without bands: until the plant has settled, 20 to 500 samples.
+/// The step response in the form of the bounds, without bands: until the plant has settled, 20 to 500 samples.
 function nominalStepResponse(model) {
   const {numerator, denominator} = plantPolynomials(model);
   const y = [];

@@ -1,5 +1,5 @@
 'use strict';
-// Numbers as text for people: as many digits as mean something.
+// Numbers as text for people, with only as many digits as are significant.
 
 const kNone = '\u2013';
 
@@ -21,7 +21,7 @@ function isAwkward(value) {
   return value !== 0 && (Math.abs(value) < 1e-3 || Math.abs(value) >= 1e6);
 }
 
-/// To so many significant digits, without trailing zeros; null (not a number) is a dash.
+/// A number with the given number of significant digits, without trailing zeros; a dash for null (not a number).
 function number(value, digits = 4) {
   if (!isNumber(value)) return kNone;
   if (!isAwkward(value)) return withMinus(String(Number(value.toPrecision(digits))));
@@ -41,7 +41,7 @@ function counted(amount, singular, plural = singular + 's') {
   return count(amount) + ' ' + (amount === 1 ? singular : plural);
 }
 
-/// A number of per cent, never parted from its sign by the end of a line.
+/// A percentage, with a space that no line break separates from the sign.
 function inPercent(value, digits = 4) {
   return number(value, digits) + '\u00a0%';
 }
@@ -72,7 +72,7 @@ function vector(values) {
   return values.length === 1 ? number(values[0]) : '(' + values.map(value => number(value)).join(', ') + ')';
 }
 
-/// Texts of values side by side: as many decimals for all as tell them apart to three digits.
+/// Texts of values in one row or column: all with as many decimals as distinguish them to three digits.
 function aligned(values) {
   const numbers = values.filter(isNumber), largest = Math.max(...numbers.map(Math.abs));
   const spread = Math.max(...numbers) - Math.min(...numbers);

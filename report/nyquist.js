@@ -1,5 +1,5 @@
 'use strict';
-// The response in the complex plane, with the regions that hold shares of the plants.
+// The response in the complex plane, with the regions that contain shares of the plants.
 
 function extent(values) {
   return [Math.min(...values), Math.max(...values)];
@@ -22,7 +22,7 @@ function regionDatasets(regions, level) {
   });
 }
 
-/// The regions' box and the curve's, and a little around.
+/// The smallest box around the regions and the curve, with a margin.
 function nyquistBox(datasets) {
   const all = datasets.flatMap(dataset => dataset.data);
   const box = {x: extent(all.map(point => point.x)), y: extent(all.map(point => point.y))};
@@ -38,15 +38,15 @@ function showNyquist(parent, result, frequency) {
   const chart = figure(parent, {
     title: 'Complex plane (Nyquist)', height: 400, datasets: datasets(preferred),
     caption: 'G(e^(j\u03c9Ts)) from the lowest frequency to the highest' + (regions.length > 0 ?
-      `. Each polygon holds the ${hasErrorModel(result) ? 'named share of plants' : 'plant with the named probability'} at one frequency, ` +
-      'the estimate\u2019s errors included where they are known.' : '.'),
+      `. Each polygon contains the ${hasErrorModel(result) ? 'stated share of the plants' : 'plant with the stated probability'} at one frequency, ` +
+      'including the errors of the estimate if they are known.' : '.'),
     axes: {x: linearAxis(`real part [${kGainUnit}]`), y: linearAxis(`imaginary part [${kGainUnit}]`)}});
   const fit = () => chart.chartArea && equalUnits(chart, nyquistBox(chart.data.datasets));
   chart.fit = fit;
   chart.options.onResize = () => setTimeout(fit);
   fit();
   if (levels.length < 2) return;
-  chart.canvas.parentNode.after(element('div', {class: 'choices'}, choice('level', 'Regions hold',
+  chart.canvas.parentNode.after(element('div', {class: 'choices'}, choice('level', 'Regions contain',
     levels.map(level => ({value: level, title: percent(level)})), level => {
       chart.data.datasets = datasets(level);
       fit();

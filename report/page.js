@@ -1,5 +1,5 @@
 'use strict';
-// Building the page. Text from the result enters as text nodes only, so that an id cannot become markup.
+// Builds the page. Text from the result is inserted as text nodes only, so that an id cannot become markup.
 
 function element(tag, attributes = {}, ...children) {
   const node = document.createElement(tag);
@@ -27,12 +27,12 @@ function table(columns, rows, isChosen = () => false) {
   return element('table', {}, element('thead', {}, head), element('tbody', {}, ...body));
 }
 
-/// A long table in a box of its own on the screen; whole on paper.
+/// A long table in a box that scrolls on the screen; on paper it is printed in full.
 function scrolling(content, rows) {
   return rows > 20 ? element('div', {class: 'scroll', tabindex: '0'}, content) : content;
 }
 
-/// Radio buttons. Options: {value, title}; one is chosen from the start. Calls back with the value chosen.
+/// Radio buttons. Options: {value, title}; one is selected initially. Calls back with the selected value.
 function choice(name, title, options, changed, chosen = options[0].value) {
   const node = element('fieldset', {}, element('legend', {}, title));
   options.forEach(({value, title: text}) => {
@@ -47,7 +47,7 @@ function fraction(numerator, denominator) {
   return element('span', {class: 'fraction'}, element('span', {}, numerator), element('span', {}, denominator));
 }
 
-/// sum of coefficients times variable^power; powers start at `first` and go by `step`.
+/// The sum of coefficients times variable^power; the powers start at `first` and change by `step`.
 function polynomial(coefficients, variable, first = 0, step = -1) {
   let text = '';
   coefficients.forEach((coefficient, k) => {

@@ -1,5 +1,5 @@
 'use strict';
-// The multiplicative uncertainty |G/Go - 1| and the weight W that covers it, for robust control.
+// The multiplicative uncertainty |G/Go - 1| and the weight W that bounds it, for robust control.
 
 function showRelativeError(parent, result, choices) {
   const {frequency, weight} = result.bounds, {omega} = frequency, Ts = result.nominal_model.sample_time;
@@ -16,7 +16,7 @@ function showRelativeError(parent, result, choices) {
     if (cover) delete drawn[1].describe;
     return drawn;
   };
-  const words = () => (cover ? 'The weight covers the bound that holds at all frequencies at once. ' : '') +
+  const words = () => (cover ? 'The weight lies above the bound that is valid at all frequencies together. ' : '') +
     bandsInWords(choices, hasBands(frequency.relative_error.total));
   const chart = figure(parent, {
     title: 'Relative error |G/Go \u2212 1|', height: 330, datasets: datasets(), mode: 'index',
@@ -30,7 +30,8 @@ function showRelativeError(parent, result, choices) {
   showWeight(parent, weight);
 }
 
-/// What holds the bounds and the weight, at most five decades: |G/Go - 1| may vanish at low frequency.
+/// Limits of the axis that show the bounds and the weight, at most five decades: |G/Go - 1| may vanish at low
+/// frequencies.
 function errorLimits(bands, cover) {
   const all = ['mixture', 'total'].filter(source => hasBands(bands[source]))
     .flatMap(source => [...bands[source].simultaneous, ...bands[source].pointwise].flatMap(band => band.upper)).concat(cover || []);
@@ -43,15 +44,15 @@ function errorLimits(bands, cover) {
 
 function showWeight(parent, weight) {
   if (!weight) {
-    parent.append(paragraph('There is no weight for robust control: the plants do not differ.'));
+    parent.append(paragraph('There is no weight for robust control, because the plants do not differ.'));
     return;
   }
   const degree = values => values.length - 1;
   const continuous = weight.continuous;
   parent.append(paragraph('For robust control: G = Go (1 + W \u0394) with |\u0394| \u2264 1. ' +
-    `W, of order ${weight.order}, is stable and minimum phase. It covers ${percent(weight.level_held)} of the plants drawn at all frequencies ` +
-    `(asked for: ${percent(weight.level)}) and lies ${number(weight.over_bounding_median, 4)} times the bound in the median, ` +
-    `${number(weight.over_bounding_max, 4)} times at most; checked at ${count(weight.check_frequencies)} frequencies.`));
+    `W, of order ${weight.order}, is stable and minimum phase. It bounds the relative error of ${percent(weight.level_held)} of the drawn plants at all ` +
+    `frequencies (requested: ${percent(weight.level)}). |W| is ${number(weight.over_bounding_median, 4)} times the bound in the median and ` +
+    `${number(weight.over_bounding_max, 4)} times at most, checked at ${count(weight.check_frequencies)} frequencies.`));
   parent.append(formula('W(z) = ', fraction(polynomial(weight.num, 'z'), polynomial(weight.den, 'z'))),
     formula('W(s) = ', fraction(polynomial(continuous.num, 's', degree(continuous.num)), polynomial(continuous.den, 's', degree(continuous.den))),
       element('span', {class: 'note'}, ' by Tustin\u2019s rule')));

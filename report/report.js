@@ -1,18 +1,18 @@
 'use strict';
-// The report of a result (result.json), and of an explanation where there is one, top to bottom.
+// The sections of the report of a result (result.json) and, if there is one, of an explanation.
 
 function showResponses(parent, result) {
   const choices = new BandChoice(hasErrorModel(result)), bounds = hasBounds(result) ? result.bounds : null;
   if (bounds) {
-    const spread = hasErrorModel(result) ? 'the identified distribution' : 'the distribution of the estimate\u2019s errors';
+    const spread = hasErrorModel(result) ? 'the identified distribution' : 'the distribution of the errors of the estimate';
     parent.append(paragraph(`Bands from ${counted(bounds.samples, 'plant')} drawn from ${spread}; the Nyquist frequency is ` +
       `${number(Math.PI / result.nominal_model.sample_time)} rad/s.`));
     showBandChoice(parent, bounds, choices);
   } else if (result.baseline) {
-    parent.append(paragraph('This method gives bands of the magnitude only, drawn above. Here are the mean model\u2019s own responses.'));
+    parent.append(paragraph('This method gives bands of the magnitude only, which are drawn above. The responses below are those of the mean model.'));
   } else {
-    parent.append(paragraph('This result holds no bounds (bounds: {frequencies: 0} in its configuration, or they could not be computed; see the ' +
-      'notes at the top). The nominal model\u2019s own responses are drawn, without uncertainty.'));
+    parent.append(paragraph('This result contains no bounds: its configuration has bounds: {frequencies: 0}, or they could not be computed (see the ' +
+      'notes at the top). The responses of the nominal model are drawn without uncertainty.'));
   }
   const frequency = bounds ? bounds.frequency : nominalFrequencyResponse(result.nominal_model);
   showBode(parent, frequency, result.nominal_model.sample_time, choices);

@@ -1,5 +1,5 @@
 'use strict';
-// Whether what the model leaves of the data is white noise that holds nothing of the input.
+// Whether the residuals are white and uncorrelated with the input.
 
 const kInsideShare = 2.576;  // standard deviations within which 99 % of a Gaussian lie
 
@@ -15,7 +15,7 @@ function correlationFigure(parent, title, axis, correlation, first, samples) {
   const largest = Math.max(1.25 * limit, ...correlation.map(value => 1.1 * Math.abs(value)));
   figure(parent, {
     title, height: 260, type: 'bar',
-    caption: 'Where the model is right one in a hundred bars leaves the limits. Of very many samples even harmless correlations do.',
+    caption: 'If the model is right, one in a hundred bars exceeds the limits. With very many samples even harmless correlations do.',
     datasets: [{data: correlation.map((value, k) => ({x: first + k, y: value})), backgroundColor: kColors[0],
                 describe: k => [`lag ${first + k}`, `correlation ${number(correlation[k], 3)}`]}, edge(1), edge(-1)],
     axes: {x: linearAxis(axis, {offset: false, min: first - 0.5, max: last + 0.5, ticks: {precision: 0}}),
@@ -25,14 +25,14 @@ function correlationFigure(parent, title, axis, correlation, first, samples) {
 function showResiduals(parent, result) {
   const tests = result.residual_tests;
   if (!tests || tests.autocorrelation.length === 0) {
-    parent.append(paragraph('This result holds no residual tests.'));
+    parent.append(paragraph('This result contains no residual tests.'));
     return;
   }
-  parent.append(paragraph(`From ${counted(tests.samples, 'residual')}: each sample less its prediction from the samples before it in the same ` +
-    'experiment, relative errors unknown at its start. ' +
-    verdict(tests.whiteness_p_value, 'They look white: nothing speaks against the noise model', 'They are not white: the noise model leaves something out') + ' ' +
-    verdict(tests.independence_p_value, 'They hold nothing of the input: nothing speaks against the plant model',
-            'They hold something of the input: the plant model leaves something out')));
+  parent.append(paragraph(`From ${counted(tests.samples, 'residual')}: each sample minus its prediction from the earlier samples of the same ` +
+    'experiment, with its relative error unknown at the start. ' +
+    verdict(tests.whiteness_p_value, 'They look white, as they should with the right noise model', 'They are not white, so the noise model is incomplete') + ' ' +
+    verdict(tests.independence_p_value, 'They are uncorrelated with the input, as they should be with the right plant model',
+            'They are correlated with the input, so the plant model is incomplete')));
   const pair = element('div', {class: 'figures'});
   parent.append(pair);
   correlationFigure(pair, 'Autocorrelation of the residuals', 'lag [samples]', tests.autocorrelation, 1, tests.samples);

@@ -1,9 +1,9 @@
 'use strict';
-// Single experiments: what was measured against what the models simulate.
+// Single experiments: measured output and what the models simulate.
 
-const kMostSamples = 1000;  // drawn; more would hide each other
+const kMostSamples = 1000;  // drawn at most; more would hide each other
 
-/// Where the part to draw begins: where the simulation without the causes errs most.
+/// Index of the first sample to draw: the part in which the simulation without the causes is worst.
 function worstStretch({measured, simulated_before: simulated}) {
   if (measured.length <= kMostSamples) return 0;
   const error = measured.map((value, k) => (isNumber(value) && isNumber(simulated[k]) ? (value - simulated[k]) ** 2 : 0));
@@ -41,7 +41,7 @@ function simulationDatasets({time, measured}, {simulated, lower, upper}, color) 
     ...bandDatasets(time, [{level: 0.95, lower, upper}], color)];
 }
 
-/// A figure that shows another experiment when told to; `datasets` and `axes` make its content of a part.
+/// A figure that can be switched to another experiment; `datasets` and `axes` are functions of the part drawn.
 function followingFigure(parent, part, content) {
   const chart = figure(parent, {...content, datasets: content.datasets(part), axes: content.axes(part)});
   return shown => {
@@ -64,7 +64,7 @@ function outputAxis({measured, before, after}) {
 
 function showSimulated(parent, {pictures, causes}) {
   if (pictures.length === 0) {
-    parent.append(paragraph('This explanation holds no pictures of experiments.'));
+    parent.append(paragraph('This explanation contains no signals of experiments.'));
     return;
   }
   const parts = pictures.map(partOf), models = causes.length > 0 ? ['before', 'after'] : ['before'], followers = [];
@@ -82,13 +82,13 @@ function showSimulated(parent, {pictures, causes}) {
     const color = model === 'before' ? kColorBefore : kColorAfter;
     followers.push(followingFigure(parent, parts[0], {
       title: causes.length === 0 ? 'Measured and simulated' : `Measured and simulated ${model === 'before' ? 'without' : 'with'} the causes`, height: 270,
-      caption: 'Dots: measured. Line: simulation from the input alone, given this experiment\u2019s own estimated error. Shaded: where 95\u00a0% of ' +
-        'the samples should lie. ' +
-        (Math.max(...pictures.map(({measured}) => measured.length)) > kMostSamples ? `The ${count(kMostSamples)} samples where the plain simulation errs most.` : ''),
+      caption: 'Dots: measured. Line: simulation from the input alone, with the relative error estimated for this experiment. Shaded: ' +
+        '95\u00a0% of the samples should lie there. ' +
+        (Math.max(...pictures.map(({measured}) => measured.length)) > kMostSamples ? `Only the ${count(kMostSamples)} samples are drawn in which the simulation without the causes is worst.` : ''),
       datasets: part => simulationDatasets(part, part[model], color), axes: part => ({x: timeAxis(part), y: outputAxis(part)})}));
   }
   followers.push(followingFigure(parent, parts[0], {
-    title: 'Input of this experiment', height: 170, caption: 'Held from sample to sample.',
+    title: 'Input of this experiment', height: 170, caption: 'Its value is held from one sample to the next.',
     datasets: ({time, input}) => [{data: points(time, input), stepped: 'before', borderColor: kInk, backgroundColor: kInk, borderWidth: 1.2,
                                    describe: k => [`${number(time[k])} s`, `u ${number(input[k])}`]}],
     axes: part => ({x: timeAxis(part), y: aligningAxis(linearAxis('u', {grace: '4%'}))})}));

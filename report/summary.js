@@ -1,10 +1,10 @@
 'use strict';
-// What a reader should know first: warnings, the result in words, its main figures.
+// What a reader should know first: warnings, the result in words, and its most important numbers.
 
 const kStructures = {output_error: 'output-error', arx: 'ARX', armax: 'ARMAX', box_jenkins: 'Box-Jenkins',
                      continuous: 'continuous-time'};
 const kEndings = {
-  converged: 'The estimation converged', iteration_limit: 'The estimation stopped at its limit of iterations',
+  converged: 'The estimation converged', iteration_limit: 'The estimation stopped at the iteration limit',
   stalled: 'The estimation stalled', cancelled: 'The estimation was cancelled', not_run: 'The estimation was not run'};
 
 function hasErrorModel(result) {
@@ -26,7 +26,7 @@ function showWarnings(parent, result) {
   if (result.termination !== 'converged') warnings.unshift(`${kEndings[result.termination]}: ${result.message}.`);
   const rejected = result.experiments.rejected.length;
   if (rejected > 0) {
-    warnings.push(`${counted(rejected, 'experiment')} ${rejected === 1 ? 'was' : 'were'} left out; section Data says why.`);
+    warnings.push(`${counted(rejected, 'experiment')} ${rejected === 1 ? 'was' : 'were'} left out; the section Data says why.`);
   }
   if (warnings.length === 0) return;
   parent.append(element('div', {class: 'warnings', role: 'note'}, element('h2', {}, 'Please note'),
@@ -37,17 +37,17 @@ function modelSentence(result) {
   const model = result.nominal_model, name = kStructures[model.structure] || model.structure;
   return `${/^[aeio]/i.test(name) ? 'An' : 'A'} ${name} model with ${counted(model.a.length, 'pole')} and a delay of ` +
     `${counted(model.delay, 'sample')} was identified from ${counted(result.experiments.count, 'experiment')} with ` +
-    `${counted(result.experiments.samples, 'sample')} in all, taken every ${number(model.sample_time)} s.`;
+    `${counted(result.experiments.samples, 'sample')} in total, one every ${number(model.sample_time)} s.`;
 }
 
 function uncertaintySentence(result) {
-  if (result.baseline) return 'Each experiment was fitted by itself; this model is the mean of the fits.';
-  if (!hasErrorModel(result)) return 'How the plant varies from experiment to experiment was not modelled.';
+  if (result.baseline) return 'Each experiment was fitted separately; this model is the mean of the fits.';
+  if (!hasErrorModel(result)) return 'The model does not describe how the plant varies between experiments.';
   const {weights, means} = result.error_model;
   const shape = weights.length === 1 ? 'a Gaussian distribution' : `a mixture of ${weights.length} Gaussian components`;
   const names = result.error_model.varied_parameters || [];
   const what = names.length > 0 ? `the relative deviations of ${listed(names)} follow` : 'its relative error follows';
-  return `The plant varies from experiment to experiment: ${what} ${shape} in ${counted(means[0].length, 'dimension')}.`;
+  return `The plant varies between experiments: ${what} ${shape} in ${counted(means[0].length, 'dimension')}.`;
 }
 
 function boundsSentence(result) {
@@ -57,17 +57,17 @@ function boundsSentence(result) {
   if (!hasBands(kind)) return '';
   const level = levels.includes(0.95) ? levels.indexOf(0.95) : levels.length - 1;
   const upper = kind.simultaneous[level].upper, largest = Math.max(...upper);
-  const whose = hasErrorModel(result) ? `For ${percent(levels[level])} of plants` : `With a probability of ${percent(levels[level])}`;
+  const whose = hasErrorModel(result) ? `For ${percent(levels[level])} of the plants` : `With a probability of ${percent(levels[level])}`;
   return `${whose} the relative error |G/Go \u2212 1| stays below ${inPercent(100 * largest, 2)} at all frequencies; ` +
     `this bound is largest at ${number(frequency.omega[upper.indexOf(largest)], 3)} rad/s.`;
 }
 
 function validationSentence(result) {
   const fit = result.validation.simulation_fit_percent_pooled, tried = result.validation.experiments.length;
-  if (tried === 0) return 'No data were set aside to validate the model.';
-  return `On ${counted(tried, 'experiment')} set aside for validation the nominal model alone, in free simulation, ` +
-    `reproduces ${inPercent(fit, 3)} of the output (100\u00a0% is perfect, 0\u00a0% no better than the mean)` +
-    (hasErrorModel(result) ? '; the rest is noise and what this plant differs from the nominal one.' : '.');
+  if (tried === 0) return 'No data were held out for validating the model.';
+  return `On ${counted(tried, 'experiment')} held out for validation, a free simulation of the nominal model alone ` +
+    `reproduces ${inPercent(fit, 3)} of the output (100\u00a0% is perfect, 0\u00a0% is no better than the mean)` +
+    (hasErrorModel(result) ? '; the rest is noise and the difference between this plant and the nominal one.' : '.');
 }
 
 function tile(value, text) {

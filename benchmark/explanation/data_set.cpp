@@ -7,6 +7,7 @@
 #include <exception>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "io/atomic_file.h"
 #include "io/truth_yaml.h"

@@ -87,11 +87,13 @@ struct ErrorModelOptions {
 /// How the parameters are estimated.
 struct EstimationOptions {
   Algorithm algorithm = Algorithm::maximum_likelihood;
-  int max_iterations = 2000;  ///< 0: evaluate the model at `initial` without optimising
-  double tolerance = 1e-6;    ///< em: relative change of all parameters (paper, section 5);
-                              ///< maximum_likelihood: predicted gain of a further step [nats]
-  int restarts = 8;           ///< additional starts of the mixture, drawn with the seed
-  int threads = kAutomatic;   ///< kAutomatic: cores - 1, at least 1; never changes a result
+  /// Limit for the optimisation, including scoring steps but not the search for a start. 0:
+  /// evaluate the model at `initial` without optimising.
+  int max_iterations = 2000;
+  double tolerance = 1e-6;   ///< em: relative change of all parameters (paper, section 5);
+                             ///< maximum_likelihood: predicted gain of a further step [nats]
+  int restarts = 8;          ///< additional starts of the mixture, drawn with the seed
+  int threads = kAutomatic;  ///< kAutomatic: cores - 1, at least 1; never changes a result
   std::uint64_t seed = 1;
   InitialState initial_state = InitialState::estimate;
   int discard_samples = 50;  ///< initial_state: discard; leading samples kept out of the likelihood

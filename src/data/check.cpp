@@ -16,7 +16,8 @@ bool sameSampleTime(double one, double other) {
   return std::abs(one - other) <= kSampleTimeTolerance * std::max(std::abs(one), std::abs(other));
 }
 
-/// The sample time that most experiments share; of equal numbers, the one with more samples.
+/// The sample time that most experiments share. If two are equally frequent, the one with more
+/// samples in total.
 double commonSampleTime(const std::vector<Experiment>& experiments,
                         const std::vector<int>& candidates) {
   std::vector<std::pair<double, long>> sorted;  // sample time, samples
@@ -43,8 +44,8 @@ double commonSampleTime(const std::vector<Experiment>& experiments,
   return common;
 }
 
-/// Whether the input changes at most once. Such a step excites slow dynamics only, and what follows
-/// is the same at any later time.
+/// Whether the input changes at most once. A single step excites slow dynamics only: soon after it,
+/// the signals are constant and add no information.
 bool isSingleStep(const Experiment& experiment) {
   int changes = 0;
   for (Eigen::Index k = 1; k < experiment.u.size() && changes < 2; ++k) {
@@ -76,7 +77,7 @@ class Checker {
       if (ids.insert(id).second) continue;
       reject(static_cast<std::size_t>(i),
              named(id) +
-                 ": a second experiment has the same id; the first one is kept, "
+                 ": an earlier experiment has the same id and is used instead; "
                  "give every experiment an id of its own");
     }
   }
@@ -106,8 +107,8 @@ class Checker {
     if (usable.size() > 1) which += " and the other " + std::to_string(usable.size() - 1);
     report_.warnings.push_back(
         which +
-        ": the input changes only once; a single step excites little beyond low "
-        "frequencies, record several steps or a random binary sequence");
+        ": the input changes only once, and a single step excites little beyond low "
+        "frequencies; record several steps or a random binary sequence");
   }
 
   CheckReport report() {

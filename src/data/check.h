@@ -24,29 +24,29 @@ struct CheckReport {
   std::vector<std::string> warnings;
 };
 
-/// Findings about one experiment by itself: no samples or one; fewer than min_samples measured; u,
-/// y, valid, covariates or stamp_offset of unequal length; sample time not positive; a non-finite
-/// u, measured y or covariate; constant input or output; more than max_missing of the output
-/// missing; a required covariate absent. A covariate that is not required but not finite is a
-/// warning.
+/// Findings about one experiment by itself. It is rejected for fewer than two samples; fewer than
+/// min_samples measured outputs; u, y, valid, covariates or stamp_offset of unequal length; a
+/// sample time that is not positive; a non-finite u, measured y or required covariate; a constant
+/// input or output; a share of missing outputs above max_missing; a required covariate that is
+/// absent. A non-finite covariate that is not required is a warning.
 std::vector<Finding> checkExperiment(const Experiment& experiment, const LimitOptions& limits,
                                      const std::vector<std::string>& required_covariates);
 
-/// Why checkExperiment rejects the experiment, whatever covariates a model may require; several
-/// reasons are joined. Empty: it does not.
+/// Why checkExperiment rejects the experiment when no covariates are required; several reasons are
+/// joined. Empty: it does not.
 std::string defectOf(const Experiment& experiment, const LimitOptions& limits);
 
 /// Checks all experiments before a fit. Beyond checkExperiment: a second experiment of the same id
-/// is rejected, and one whose sample time departs by more than a thousandth from `sample_time` [s]
-/// (0: from that of most experiments). A warning where no usable input does more than a single
-/// step.
+/// is rejected, and so is one whose sample time differs by more than a thousandth from
+/// `sample_time` [s] (0: from that of most experiments). There is a warning if every usable input
+/// is a single step.
 CheckReport checkExperiments(const std::vector<Experiment>& experiments, const LimitOptions& limits,
                              const std::vector<std::string>& required_covariates,
                              double sample_time);
 
-/// 16 hexadecimal digits (64-bit FNV-1a) of what determines a fit: sample times, u, valid, y where
-/// it was measured, and covariates; neither ids nor start times. Independent of the order of the
-/// experiments.
+/// A hash (64-bit FNV-1a, 16 hexadecimal digits) of all that determines a fit: sample times, u,
+/// valid, measured y, and covariates, but neither ids nor start times. It does not depend on the
+/// order of the experiments.
 std::string dataFingerprint(const std::vector<Experiment>& experiments);
 
 }  // namespace uncertainty_identification

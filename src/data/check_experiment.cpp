@@ -9,7 +9,7 @@
 namespace uncertainty_identification {
 namespace {
 
-/// Collects what is found in one experiment.
+/// Collects the findings about one experiment.
 class Findings {
  public:
   explicit Findings(const std::string& id) : id_(id) {}
@@ -79,7 +79,7 @@ void checkCovariates(const Experiment& experiment, const std::vector<std::string
   for (const std::string& name : required) {
     if (experiment.scalars.count(name) > 0 || experiment.signals.count(name) > 0) continue;
     findings.reject("covariate '" + name +
-                    "' is missing; record it, or take it out of the configuration");
+                    "' is missing; record it, or remove it from the configuration");
   }
   const auto report = [&](const std::string& name, const std::string& what) {
     const std::string message = "covariate '" + name + "' is " + what + "; record finite values";
@@ -114,9 +114,9 @@ void checkCounts(const Experiment& experiment, const LimitOptions& limits, Findi
 void checkExcitation(const Experiment& experiment, Findings& findings) {
   const Eigen::VectorXd& u = experiment.u;
   if ((u.array() != u(0)).any()) return;
-  findings.reject(
-      "the input is constant (" + text(u(0)) +
-      "), so nothing is excited; record it while the input changes, e.g. a random binary sequence");
+  findings.reject("the input is constant (" + text(u(0)) +
+                  "), so that the plant is not excited; apply an input that changes, e.g. a random "
+                  "binary sequence");
 }
 
 void checkResponse(const Experiment& experiment, Findings& findings) {
@@ -129,7 +129,7 @@ void checkResponse(const Experiment& experiment, Findings& findings) {
   if (lowest != highest) return;
   findings.reject(
       "the output is constant (" + text(lowest) +
-      "); check that the sensor is connected and the right field is read, and record its response");
+      "); check that the sensor is connected and that the right field of its message is read");
 }
 
 }  // namespace
@@ -144,7 +144,7 @@ std::vector<Finding> checkExperiment(const Experiment& experiment, const LimitOp
   checkLengths(experiment, findings);
   if (experiment.samples() < 2) {
     findings.reject(experiment.samples() == 0
-                        ? "it has no samples; record input and output while it runs"
+                        ? "it has no samples; record input and output during the experiment"
                         : "it has one sample only; record a longer experiment");
   }
   if (!findings.empty()) return findings.take();

@@ -26,7 +26,7 @@ void checkStamp(const StampedSignal& signal, std::size_t i, const std::string& e
     refuse(experiment, role,
            "stamps go back from " + text(signal.stamps[i - 1]) + " s to " + text(stamp) +
                " s at sample " + std::to_string(i) +
-               "; record with one clock, and start a new experiment when it is reset");
+               "; use one clock for all stamps, and start a new experiment when it is reset");
   }
 }
 
@@ -68,7 +68,7 @@ CleanSignal cleanSignal(const StampedSignal& signal, const std::string& experime
     refuse(
         experiment, role,
         "has no samples between the start and the end of the experiment; check that its topic is "
-        "recorded and that its stamps are on the clock of the others");
+        "recorded and that its stamps come from the same clock as the others");
   }
   clean.grid = fitSampleGrid(clean.stamps);
   clean.instants = clean.stamps;

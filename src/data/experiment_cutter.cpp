@@ -7,23 +7,25 @@
 #include "data/text.h"
 #include "uncertainty_identification/errors.h"
 
-// What comes in: samples, cuts and the clock. experiment_windows.cpp makes experiments of it.
+// Takes in samples and cuts, and watches the clock. experiment_windows.cpp makes experiments of
+// them.
 namespace uncertainty_identification {
 
 ExperimentCutter::ExperimentCutter(const ExperimentOptions& options, const LimitOptions& limits)
     : options_(options), max_samples_(static_cast<std::size_t>(std::max(1, limits.max_samples))) {
   if (options.mode == ExperimentMode::message) {
     throw ConfigurationError(
-        "experiment.mode: message brings whole experiments, nothing is to be cut; choose topic, "
-        "service, duration or gap to cut signals");
+        "experiment.mode: with message, experiments arrive as a whole and no signals are cut; "
+        "choose "
+        "topic, service, duration or gap to cut signals");
   }
   if (options.mode == ExperimentMode::duration && !(options.duration > 0)) {
     throw ConfigurationError("experiment.duration: found " + text(options.duration) +
-                             ", must be above 0 s in mode duration");
+                             "; it must be above 0 s in mode duration");
   }
   if (options.mode == ExperimentMode::gap && !(options.gap > 0)) {
     throw ConfigurationError("experiment.gap: found " + text(options.gap) +
-                             ", must be above 0 s in mode gap");
+                             "; it must be above 0 s in mode gap");
   }
 }
 
@@ -91,7 +93,7 @@ bool ExperimentCutter::running() const { return !windows_.empty() && !ended(wind
 
 bool ExperimentCutter::waiting() const { return !windows_.empty() && ended(windows_.front()); }
 
-/// Keeps track of the clock. False for a stamp that is to be left out.
+/// Keeps track of the clock. False if the sample with this stamp must be left out.
 bool ExperimentCutter::acceptStamp(const std::string& signal, double newest, double stamp) {
   const bool of_old_clock = newest == kNever && stamp > old_clock_ && now_ < old_clock_;
   if (!std::isfinite(stamp) || of_old_clock) {
@@ -103,8 +105,8 @@ bool ExperimentCutter::acceptStamp(const std::string& signal, double newest, dou
   return true;
 }
 
-/// Signals that have not gone back yet may still deliver stamps of the old clock: those nearer to
-/// the old time than to the new one are taken for such.
+/// Starts anew after the clock went back. Other signals may still deliver stamps of the old clock:
+/// a stamp that is nearer to the old time than to the new one is taken for one of those.
 void ExperimentCutter::resetClock(const std::string& signal, double from, double to) {
   releaseClosed();
   for (const Window& window : windows_) {

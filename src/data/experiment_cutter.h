@@ -21,14 +21,14 @@ namespace uncertainty_identification {
 /// its arrival;
 /// - mode duration: windows of `duration` seconds, one after the other, from the first stamp at
 /// which both signals are
-///   present; windows without an output are passed over;
+///   present; windows without an output are skipped;
 /// - mode gap: a silence of both signals longer than `gap` seconds.
 ///
 /// Topics may arrive in any order among each other, each in order of its stamps. An experiment is
 /// therefore released only when input and output have both shown a stamp at or past its end (or by
-/// releaseClosed() or flush()), and samples beyond the end are kept for the next one. Of the
-/// samples before an experiment, the newest input and the newest of each covariate go with it: they
-/// are in force when it starts.
+/// releaseClosed() or flush()), and samples beyond the end are kept for the next one. The newest
+/// input and the newest value of each covariate before an experiment become part of it, because
+/// they still act when it starts.
 ///
 /// A stamp smaller than the one before on the same signal means that the clock went back (a looped
 /// bag, a reset simulation): closed experiments are released, the running one is rejected, and
@@ -68,24 +68,25 @@ class ExperimentCutter {
   /// are silent).
   void releaseClosed();
 
-  /// End of the data: releases everything, the running experiment as well: in modes topic and
-  /// service with a note, in mode duration as a shorter window, in mode gap as any other. Use a new
-  /// cutter for other data.
+  /// To be called at the end of the data: releases everything, also the running experiment (with a
+  /// note in modes topic and service, with a shorter window in mode duration). Use a new cutter for
+  /// other data.
   void flush();
 
-  /// Hands out what was finished since the last call, in order.
+  /// Returns the experiments that were finished since the last call, in order.
   std::vector<Recording> takeFinished();
 
-  /// Hands out what was rejected since the last call, in order.
+  /// Returns the experiments that were rejected since the last call, in order.
   std::vector<RejectedExperiment> takeRejected();
 
-  /// Samples with the stamp of the one before, of which only one counts (see Duplicates).
+  /// Number of samples with the same stamp as the previous one (see Duplicates).
   long duplicates() const { return duplicates_; }
 
   /// How often the clock went back.
   long clockResets() const { return clock_resets_; }
 
-  /// Samples left out because their stamp was not finite, or of the old clock after it went back.
+  /// Number of samples left out because their stamp was not finite, or belonged to the old clock
+  /// after the clock went back.
   long dropped() const { return dropped_; }
 
  private:

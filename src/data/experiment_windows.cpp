@@ -5,8 +5,7 @@
 
 #include "data/experiment_cutter.h"
 
-// When experiments begin, end and are released. experiment_cutter.cpp takes in what they are made
-// of.
+// Decides when experiments begin, end and are released. experiment_cutter.cpp takes in the samples.
 namespace uncertainty_identification {
 
 /// Brings the windows up to date with the samples.
@@ -25,7 +24,8 @@ void ExperimentCutter::advance() {
   boundMemory();
 }
 
-/// Whether too much is kept to wait any longer, e.g. for an input that has died.
+/// Whether so many samples are kept that the front experiment is released without waiting any
+/// longer for the other signal, e.g. for an input that has died.
 bool ExperimentCutter::crowded() const {
   return std::max(input_.size(), output_.size()) > 2 * max_samples_;
 }
@@ -36,7 +36,7 @@ void ExperimentCutter::openWindow(double start, double end, const std::string& i
   windows_.push_back({id.empty() ? counted : id, start, end, ""});
 }
 
-/// The window of the oldest output that no window has had yet.
+/// Opens the window that contains the oldest output that was in no window so far.
 void ExperimentCutter::openDurationWindow() {
   if (first_window_ == kNever) {
     if (input_.size() == 0 || output_.size() == 0) return;
@@ -46,14 +46,14 @@ void ExperimentCutter::openDurationWindow() {
   if (next == kEndless) return;
   const double length = options_.duration;
   double index = std::floor((next - first_window_) / length);
-  if (next >= first_window_ + (index + 1) * length) ++index;  // rounding of the quotient, up
-  if (next < first_window_ + index * length) --index;         // ... and down
+  if (next >= first_window_ + (index + 1) * length) ++index;  // the quotient was rounded down
+  if (next < first_window_ + index * length) --index;         // the quotient was rounded up
   openWindow(std::max(first_window_ + index * length, released_until_),
              first_window_ + (index + 1) * length);
 }
 
-/// Mode gap: walks through the stamps of both signals up to `known_until` [s], beyond which some
-/// may still be to come.
+/// Mode gap: goes through the stamps of both signals up to `known_until` [s]; later than that, more
+/// stamps may still arrive.
 void ExperimentCutter::followActivity(double known_until) {
   for (;;) {
     const double next = std::min(input_.firstAbove(activity_), output_.firstAbove(activity_));
@@ -65,7 +65,7 @@ void ExperimentCutter::followActivity(double known_until) {
   }
 }
 
-/// Ends the oldest experiment where it has as many samples as are allowed.
+/// Ends the oldest experiment at the sample with which it reaches max_samples.
 void ExperimentCutter::closeFull() {
   if (windows_.empty()) return;
   Window& window = windows_.front();
@@ -75,7 +75,7 @@ void ExperimentCutter::closeFull() {
     full = std::min(full, buffer.stampAfter(window.start, max_samples_));
   if (full >= window.end) return;
   window.end = full;
-  window.note = "it was closed when it reached max_samples (" + std::to_string(max_samples_) + ")";
+  window.note = "it was ended when it reached max_samples (" + std::to_string(max_samples_) + ")";
 }
 
 void ExperimentCutter::releaseFront() {
@@ -118,8 +118,8 @@ void ExperimentCutter::flush() {
   first_window_ = kNever;
 }
 
-/// Drops what no experiment can need any more. Between experiments, samples wait for a late marker,
-/// but no more than twice max_samples of them.
+/// Drops samples that no experiment can need any more. Between experiments, up to twice max_samples
+/// are kept, because the marker of their experiment may be late.
 void ExperimentCutter::boundMemory() {
   const bool begun = !windows_.empty();
   const auto bound = [&](StampedBuffer& buffer, bool held) {

@@ -18,13 +18,13 @@ class Fnv1a {
 
   void add(std::uint64_t value) { add(&value, sizeof value); }
 
-  /// -0 counts as 0: they mean the same to any fit.
+  /// -0 counts as 0, because no fit distinguishes them.
   void add(double value) {
     value += 0.0;
     add(&value, sizeof value);
   }
 
-  /// The length keeps neighbouring fields apart.
+  /// Includes the length, so that no value can move from one field to the next unnoticed.
   void add(const std::string& text) {
     add(static_cast<std::uint64_t>(text.size()));
     add(text.data(), text.size());

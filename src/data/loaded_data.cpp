@@ -9,11 +9,11 @@
 namespace uncertainty_identification {
 namespace {
 
-/// Relative difference below which two fitted sample times are the same one, but for jitter.
+/// Two fitted sample times with a smaller relative difference count as equal; jitter explains it.
 constexpr double kSameRate = 0.02;
 
-/// Resamples at the sample time of the first experiment, 0 where there is none, if the recording
-/// has the same rate.
+/// Resamples at the sample time of the first experiment (0: there is none yet) if the recording
+/// has about the same one.
 Experiment resampleAlike(const Recording& recording, double common,
                          const ResamplingOptions& options, ResamplingReport& report) {
   Experiment experiment = resample(recording, 0, options, &report);

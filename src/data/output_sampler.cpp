@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
-/// Whether `sample_time` is a whole number of periods, within five per cent.
+/// Whether `sample_time` is a multiple of the period, within five per cent.
 bool isMultiple(double sample_time, double period) {
   if (!(period > 0)) return true;
   const double ratio = sample_time / period;

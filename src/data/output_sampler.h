@@ -8,9 +8,9 @@ namespace uncertainty_identification {
 /// The output at a grid point.
 struct OutputSample {
   double value = 0;    ///< NaN: missing
-  double offset = 0;   ///< [s] actual minus nominal instant of the sample taken (hold)
-  double age = 0;      ///< [s] of the sample held (hold)
-  double instant = 0;  ///< [s] at which the input belonging to it is read
+  double offset = 0;   ///< [s] actual minus nominal sampling instant (hold)
+  double age = 0;      ///< [s] time since the sample was taken (hold)
+  double instant = 0;  ///< [s] when to read the input that belongs to it
 };
 
 /// Reads an output signal at the points of a grid. Keeps references to its arguments.
@@ -18,9 +18,9 @@ class OutputSampler {
  public:
   OutputSampler(const CleanSignal& output, double sample_time, const ResamplingOptions& options);
 
-  /// [s] how far a sample may lie behind a grid point and still belong to it: half a period where
-  /// the output is sampled at the grid's rate or a multiple of it (the nearest grid point), else
-  /// only rounding.
+  /// [s] how much later than a grid point a sample may be and still belong to it. Half a period if
+  /// the output is sampled at the grid's rate or a multiple of it, so that a sample belongs to the
+  /// nearest grid point; otherwise only the rounding error of stamps.
   double reach(double time) const;
 
   OutputSample at(double point) const;

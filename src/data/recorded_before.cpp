@@ -9,7 +9,7 @@ namespace uncertainty_identification {
 namespace {
 
 std::uint64_t keyOf(const Experiment& experiment) {
-  constexpr std::uint64_t kSpread = 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio
+  constexpr std::uint64_t kSpread = 0x9e3779b97f4a7c15;  // 2^64 divided by the golden ratio
   const std::uint64_t data = std::stoull(dataFingerprint({experiment}), nullptr, 16);
   return data ^ (kSpread * std::hash<double>()(experiment.start_time));
 }

@@ -9,20 +9,21 @@
 
 namespace uncertainty_identification {
 
-/// Recognises experiments that come again: a looped bag brings the same stamps and samples pass
-/// after pass, and none of them must count twice. Two are the same when their start times and their
-/// fingerprints (dataFingerprint) are; ids are not looked at. The newest 10,000 are remembered.
+/// Recognises experiments that arrive repeatedly: a bag played in a loop brings the same
+/// experiments in every pass, and none must be used twice. Two experiments are the same if their
+/// start times and fingerprints (dataFingerprint) are equal; ids do not matter. The newest 10,000
+/// are remembered.
 class RecordedBefore {
  public:
-  /// Remembers the experiment. False when it is remembered already.
+  /// Remembers the experiment. False if it was remembered before.
   bool add(const Experiment& experiment);
 
-  /// The experiment was taken out on request. It is still recognised when it comes again by itself,
-  /// but may be asked for.
+  /// To be called when the experiment was removed on request. It is still recognised when it
+  /// arrives again, but readmit() will accept it.
   void takeOut(const Experiment& experiment);
 
-  /// Whether the experiment, now asked for, will be added: it is not remembered, or was taken out,
-  /// which is forgotten with it.
+  /// Whether an experiment that somebody asks for may be added: it is not remembered, or it was
+  /// taken out, which this call cancels.
   bool readmit(const Experiment& experiment);
 
   void clear();

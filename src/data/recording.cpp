@@ -13,7 +13,7 @@
 namespace uncertainty_identification {
 namespace {
 
-/// Input and output side by side on the grid, before the edges are trimmed.
+/// Input and output on the grid, before rows without a recent input are removed at both ends.
 struct Rows {
   double origin = 0;  ///< [s] of row 0
   std::vector<double> u, y, offsets, input_age, output_age, instants;
@@ -29,41 +29,40 @@ void checkOutputStamps(const Recording& recording, const CleanSignal& output, do
   if (!(sample_time > 0)) {
     refuse(recording, "the output has a single stamp (" + text(output.stamps.front()) + " s, " +
                           std::to_string(output.duplicate_stamps) +
-                          " duplicates), which gives no sample time; record at least two samples "
-                          "whose stamps rise");
+                          " duplicates), from which no sample time follows; record at least two "
+                          "samples whose stamps rise");
   }
   const double jitter = output.grid.max_departure;
   if (options.max_jitter > 0 && jitter > options.max_jitter) {
-    refuse(recording, "output stamps depart by up to " + rounded(jitter) +
+    refuse(recording, "output stamps deviate by up to " + rounded(jitter) +
                           " s from a uniform grid of " + text(output.grid.period) +
                           " s, more than max_jitter " + text(options.max_jitter) +
                           " s; stamp the samples when they are taken, or raise max_jitter");
   }
 }
 
-/// [s] how late an input sample may be due and still be in force: of signals that jitter, the
-/// phases are only known to within that.
+/// [s] how much later than an output an input sample may be and still act on it. The phase between
+/// signals that jitter is known only to within this.
 double inputSlack(const CleanSignal& input, const CleanSignal& output) {
   if (!input.on_grid || !output.on_grid) return 0;
   return input.grid.typical_departure + output.grid.typical_departure;
 }
 
-/// The first output at which the input is known.
+/// Index of the first output for which the input is known.
 double gridOrigin(const Recording& recording, const CleanSignal& input, const CleanSignal& output,
                   double slack) {
   const double known = input.instants.front() - slack;
   const auto first = std::lower_bound(output.instants.begin(), output.instants.end(), known);
   if (first == output.instants.end()) {
-    refuse(recording,
-           "the last output (" + text(output.stamps.back()) + " s) precedes the first input (" +
-               text(input.stamps.front()) +
-               " s), so that they have no instant in common; record both with one clock");
+    refuse(recording, "the last output (" + text(output.stamps.back()) +
+                          " s) precedes the first input (" + text(input.stamps.front()) +
+                          " s), so that the two do not overlap; record both with one clock");
   }
   return *first;
 }
 
-/// Number of grid points up to the last output. Refuses stamps so far apart that they cannot be
-/// meant.
+/// Number of grid points up to the last output. Refuses stamps that are so far apart that they must
+/// be wrong.
 long gridPoints(const Recording& recording, const CleanSignal& output, double origin, double reach,
                 double sample_time) {
   const double steps = std::floor((output.instants.back() + reach - origin) / sample_time);
@@ -72,7 +71,7 @@ long gridPoints(const Recording& recording, const CleanSignal& output, double or
                           std::to_string(output.zero_stamps) + " stamped 0) spread from " +
                           text(output.stamps.front()) + " s to " + text(output.stamps.back()) +
                           " s at a sample time of " + text(sample_time) +
-                          " s; fill in every header stamp, from one clock");
+                          " s; fill in the stamp of every header, all from one clock");
   }
   return static_cast<long>(steps) + 1;
 }
@@ -99,8 +98,8 @@ Rows fillRows(const CleanSignal& input, const OutputSampler& sampler, double ori
   return rows;
 }
 
-/// First and one past the last row whose input is younger than max_age; those in between must be so
-/// too.
+/// The first row whose input is younger than max_age, and one past the last. The inputs of all rows
+/// in between must be younger, too.
 std::pair<std::size_t, std::size_t> freshRows(const Recording& recording, const Rows& rows,
                                               double max_age, double sample_time) {
   std::size_t first = 0, last = rows.u.size();
@@ -114,8 +113,8 @@ std::pair<std::size_t, std::size_t> freshRows(const Recording& recording, const 
     if (!stale(k)) continue;
     refuse(recording, "the input is " + rounded(rows.input_age[k]) + " s old at " +
                           text(rows.instants[k]) + " s, more than max_age " + text(max_age) +
-                          " s; record the input without a gap, or raise max_age if the actuator "
-                          "holds it that long");
+                          " s; record the input without gaps, or raise max_age if the actuator "
+                          "keeps its value that long");
   }
   if (first == last) {
     refuse(recording, "no output has an input younger than max_age " + text(max_age) +
@@ -217,23 +216,22 @@ std::vector<std::string> ResamplingReport::warnings() const {
   const auto warn = [&](const std::string& what) { found.push_back(named(id) + ": " + what); };
   if (duplicate_stamps > 0) {
     warn(std::to_string(duplicate_stamps) +
-         " samples repeat the stamp before them, so that only one of each counts; stamp each "
-         "sample when it is "
-         "taken");
+         " samples have the same stamp as another, so that only one of them is used; stamp each "
+         "sample when it is taken");
   }
-  if (zero_stamps > 2) {  // input and output may both begin at 0
+  if (zero_stamps > 2) {  // one of the input and one of the output are plausible
     warn(std::to_string(zero_stamps) + " samples are stamped 0; fill in header.stamp");
   }
   if (max_jitter > 0.1 * sample_time) {
-    warn("output stamps depart by up to " + rounded(max_jitter) + " s from a uniform grid of " +
+    warn("output stamps deviate by up to " + rounded(max_jitter) + " s from a uniform grid of " +
          text(output_period) + " s; stamp the samples when they are taken");
   }
   if (missing_outputs > 0) {
     warn(std::to_string(missing_outputs) + " grid points have no output and count as missing");
   }
   if (max_age > 3.5 * sample_time && max_age > 1.5 * input_period) {
-    warn("a sample was held for " + rounded(max_age) +
-         " s; make sure that the actuator held it too");
+    warn("an input value was held for " + rounded(max_age) +
+         " s; make sure that the actuator kept it that long, too");
   }
   return found;
 }

@@ -22,7 +22,8 @@ std::vector<double> spacings(const std::vector<double>& stamps) {
   return spacing;
 }
 
-/// Mean of the spacings near their median: those without a lost sample, whose jitter averages out.
+/// Mean of those spacings that are near the median. No sample is lost within them, and their jitter
+/// averages out.
 double meanStep(const std::vector<double>& spacing, double middle) {
   double sum = 0;
   long count = 0;
@@ -39,7 +40,7 @@ struct Line {
   double origin = 0, period = 0;  // [s]
 };
 
-/// Least-squares line through the first `count` stamps over their slots.
+/// Least-squares line through the first `count` stamps as a function of their slots.
 Line fitLine(const std::vector<double>& stamps, const std::vector<long>& slots, std::size_t count) {
   const auto number = static_cast<double>(count);
   double mean_slot = 0, mean_stamp = 0;
@@ -57,8 +58,8 @@ Line fitLine(const std::vector<double>& stamps, const std::vector<long>& slots, 
   return {stamps.front() + mean_stamp - period * mean_slot, period};
 }
 
-/// The line of the given period at the mean phase of the first `count` stamps, in the circular
-/// sense.
+/// The line with the given period whose phase is the circular mean of the phases of the first
+/// `count` stamps.
 Line phaseLine(const std::vector<double>& stamps, double period, std::size_t count) {
   double sine = 0, cosine = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -72,15 +73,15 @@ Line phaseLine(const std::vector<double>& stamps, double period, std::size_t cou
 /// The slot on the line nearest to each of the first `count` stamps.
 void setNearestSlots(const std::vector<double>& stamps, const Line& line, std::size_t count,
                      std::vector<long>& slots) {
-  constexpr double kMost = 1e15;  // keeps absurd stamps within the range of long
+  constexpr double kMost = 1e15;  // keeps the slots of absurd stamps within the range of long
   for (std::size_t i = 0; i < count; ++i) {
     slots[i] = std::lround(std::min(kMost, (stamps[i] - line.origin) / line.period));
   }
 }
 
-/// Finds the slots of stamps whose period is known roughly: a line through the first few stamps
-/// tells the slots of twice as many, and so on, so that the line is always good enough for the
-/// stamps it is extended to.
+/// Finds the slots of stamps whose period is known roughly. A line through the first few stamps
+/// gives the slots of twice as many, a line through those the slots of twice as many again, and so
+/// on: no line is extrapolated further than it is accurate.
 std::vector<long> findSlots(const std::vector<double>& stamps, double period) {
   constexpr std::size_t kFirstBlock = 16;
   std::vector<long> slots(stamps.size(), 0);
@@ -99,8 +100,8 @@ std::vector<long> findSlots(const std::vector<double>& stamps, double period) {
   return slots;
 }
 
-/// The decimal number with the fewest digits within `halfwidth` of a positive value; the value
-/// itself if none is.
+/// The decimal number with the fewest digits that differs from a positive value by at most
+/// `halfwidth`; the value itself if there is none.
 double simplestDecimal(double value, double halfwidth) {
   const int exponent = static_cast<int>(std::floor(std::log10(value)));
   for (int digits = 1; digits <= 17; ++digits) {
@@ -113,7 +114,7 @@ double simplestDecimal(double value, double halfwidth) {
   return value;
 }
 
-/// Whether the stamps are first + slot * period to the last bit, as a program writes them.
+/// Whether every stamp equals first + slot * period to the last bit, as when a program computed it.
 bool reproduces(const std::vector<double>& stamps, const std::vector<long>& slots, double period) {
   for (std::size_t i = 0; i < stamps.size(); ++i) {
     if (stamps[i] != stamps.front() + static_cast<double>(slots[i]) * period) return false;
@@ -121,7 +122,7 @@ bool reproduces(const std::vector<double>& stamps, const std::vector<long>& slot
   return true;
 }
 
-/// Sets origin and departures for the period and slots found.
+/// Sets the origin and the departures, given the period and the slots.
 void measureDepartures(const std::vector<double>& stamps, SampleGrid& grid) {
   std::vector<double> departures(stamps.size());
   double largest = 0;
@@ -141,10 +142,10 @@ void measureDepartures(const std::vector<double>& stamps, SampleGrid& grid) {
   grid.typical_departure = median(std::move(departures));
 }
 
-/// [s] by how much the period may be off without moving a slot by more than the jitter, or by more
-/// than rounding where there is none.
+/// [s] the largest error of the period that moves no slot by more than the jitter, or, without
+/// jitter, by more than the rounding error.
 double periodUncertainty(const std::vector<double>& stamps, const SampleGrid& grid) {
-  constexpr double kRounding = 1e-14;  // of the line through the stamps, relative
+  constexpr double kRounding = 1e-14;  // relative rounding error of the line through the stamps
   const double resolution = std::abs(stamps.back()) * std::numeric_limits<double>::epsilon();
   const double jitter = std::max(grid.max_departure, resolution);
   return std::max(jitter / static_cast<double>(grid.slots.back()), kRounding * grid.period);

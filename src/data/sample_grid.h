@@ -5,8 +5,8 @@
 
 namespace uncertainty_identification {
 
-/// The uniform grid that the stamps of a periodic signal scatter around: stamp i was due at origin
-/// + slots[i] period.
+/// The uniform grid around which the stamps of a periodic signal scatter: without jitter, stamp i
+/// would be origin + slots[i] period.
 struct SampleGrid {
   double origin = 0;             ///< [s] instant of slot 0: the first stamp, or the median phase
   double period = 0;             ///< [s] between slots; 0 for fewer than two stamps
@@ -15,7 +15,7 @@ struct SampleGrid {
   double typical_departure = 0;  ///< [s] median distance
   bool one_to_one = false;       ///< each stamp has its own slot and is nearer to it than to others
 
-  /// [s] when stamp i was due.
+  /// [s] stamp i without its jitter.
   double instant(std::size_t i) const { return origin + static_cast<double>(slots[i]) * period; }
 };
 
@@ -26,8 +26,8 @@ struct SampleGrid {
 /// follow no grid (one_to_one false) keep the plain median spacing.
 SampleGrid fitSampleGrid(const std::vector<double>& stamps);
 
-/// [s] by how much two stamps may differ and still mean the same instant: 1e-6 of the sample time,
-/// and never less than what a double resolves at that stamp (2.4e-7 s for seconds since 1970).
+/// [s] the largest difference of two stamps that count as the same instant: 1e-6 of the sample
+/// time, but at least the resolution of a double at that stamp (2.4e-7 s for seconds since 1970).
 double stampTolerance(double stamp, double sample_time);
 
 }  // namespace uncertainty_identification

@@ -14,7 +14,7 @@ SignalTiming timingOf(const StampedSignal& signal) {
     const double age = signal.arrivals[i] - signal.stamps[i];
     if (!std::isfinite(age)) continue;
     timing.age = age;
-    timing.delay = std::fmin(timing.delay, age);  // of a number and NaN the number
+    timing.delay = std::fmin(timing.delay, age);  // fmin ignores a NaN
   }
   return timing;
 }

@@ -9,18 +9,18 @@
 
 namespace uncertainty_identification {
 
-/// Samples of one signal, in order of their stamps, waiting to be cut into experiments.
+/// Samples of one signal in order of their stamps, kept until they are cut into experiments.
 class StampedBuffer {
  public:
   static constexpr double kNever = -std::numeric_limits<double>::infinity();
 
-  /// Appends a sample; its stamp must not be smaller than the newest. False for a duplicate (equal
-  /// to the newest), of which one is kept, and which is counted with it.
+  /// Appends a sample; its stamp must not be smaller than the newest. False if both are equal: then
+  /// `keep` says which of the two samples is kept, and the other is counted as its duplicate.
   bool push(double stamp, double value, Duplicates keep = Duplicates::keep_first,
             const Arrival& arrival = {});
 
-  /// Newest stamp shown since the last clear() [s], also of samples that are forgotten; kNever if
-  /// none.
+  /// Newest stamp since the last clear() [s], also of samples that were forgotten since; kNever if
+  /// there is none.
   double newest() const { return newest_; }
 
   /// Oldest stamp kept [s]; kNever if there is none.

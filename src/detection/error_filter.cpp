@@ -16,11 +16,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kDiffuse = 1e8;        // prior variance of c over sigma^2
-constexpr double kUndetermined = 1e4;   // variance over sigma^2 from which a sample is no score
-constexpr double kLargestScore = 37.0;  // beyond, the normal tail is no double
+constexpr double kDiffuse = 1e8;        // prior variance of c, divided by sigma^2
+constexpr double kUndetermined = 1e4;   // above this variance / sigma^2 a sample has no score
+constexpr double kLargestScore = 37.0;  // beyond it the normal tail underflows
 
-/// The normal score of a probability integral transform, from both tails so that none is lost.
+/// The normal quantile of a probability, given with its complement: small probabilities at either
+/// end keep their precision.
 double normalScore(double below, double above) {
   const double tail = std::min(below, above);
   const double size =
@@ -61,7 +62,7 @@ void ErrorFilter::predict(const WhitenedObservation& o, Component* c) const {
   const auto z = c->mean.segment(dimension_, parameters_);
   c->direction.head(dimension_) = o.regressors;
   c->direction.tail(columns_) = o.columns;
-  double product = 0;  // (z'dPhi) xi, which both parts of the direction count
+  double product = 0;  // (z'dPhi) xi, which is contained twice in direction * mean
   if (parameters_ > 0) {
     const VectorXd of_parameters = o.regressor_derivatives * xi;
     c->direction.segment(dimension_, parameters_) = of_parameters - o.residual_derivative;
@@ -72,14 +73,15 @@ void ErrorFilter::predict(const WhitenedObservation& o, Component* c) const {
   c->variance = noise_variance_ + c->direction.dot(c->covariance * c->direction);
 }
 
-void ErrorFilter::takeIn(bool diffuse, Component* c) const {
+/// The measurement update of the Kalman filter.
+void ErrorFilter::correct(bool diffuse, Component* c) const {
   const VectorXd gain = c->covariance * c->direction / c->variance;
   c->mean += gain * c->innovation;
   if (!diffuse) {
     c->covariance -= c->variance * gain * gain.transpose();
     return;
   }
-  // Joseph's form: next to the diffuse variance the difference above would be rounding noise.
+  // Joseph's form: with a diffuse variance the difference above would consist of rounding errors.
   const MatrixXd left =
       MatrixXd::Identity(gain.size(), gain.size()) - gain * c->direction.transpose();
   c->covariance =
@@ -102,7 +104,9 @@ Score ErrorFilter::update(const WhitenedObservation& observation) {
     largest = std::max(largest, c.log_weight + density);
     c.log_weight += density;
   }
-  std::optional<double> certain;  // one component is as good as sure: exact also in far tails
+  // The score if one component has probability 1. It is exact in far tails, where `below` and
+  // `above` lose precision.
+  std::optional<double> certain;
   double below = 0, above = 0, mean = 0, second = 0, sum = 0;
   for (std::size_t i = 0; i < components_.size(); ++i) {
     Component& c = components_[i];
@@ -115,7 +119,7 @@ Score ErrorFilter::update(const WhitenedObservation& observation) {
     second += weight * (c.variance + c.innovation * c.innovation);
     if (weight > 1 - 1e-14) certain = standardised;
     sum += std::exp(c.log_weight - largest);
-    takeIn(score.diffuse, &c);
+    correct(score.diffuse, &c);
   }
   score.value = certain ? *certain : normalScore(below, above);
   score.deviation = std::sqrt(std::max(second - mean * mean, noise_variance_));

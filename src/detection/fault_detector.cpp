@@ -17,16 +17,16 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kStep = 1e-3;  // of a standard deviation, for derivatives along it
+constexpr double kStep = 1e-3;  // step of difference quotients, in standard deviations
 
-EstimationOptions nuisances(const Estimate& estimate, const FaultDetectionOptions& options) {
+EstimationOptions nuisanceOptions(const Estimate& estimate, const FaultDetectionOptions& options) {
   EstimationOptions used = estimate.configuration.estimation;
   if (options.initial_state) used.initial_state = *options.initial_state;
   if (options.discard_samples != kAutomatic) used.discard_samples = options.discard_samples;
   return used;
 }
 
-/// The basis as the estimate used it: T is that of the result, whatever the constraint.
+/// The basis of the estimate's error model, with T as in the result.
 RationalBasis basisOf(const Estimate& estimate) {
   ErrorModelOptions options = estimate.error_model.options;
   if (options.taps <= 0 || estimate.error_model.mixture.dimension() == 0) {
@@ -44,7 +44,8 @@ RationalBasis basisOf(const Estimate& estimate) {
   return RationalBasis(ErrorBasis(options));
 }
 
-/// The result's nominal model, where theta gives its polynomials; else null.
+/// The nominal model that the configuration describes if, at theta, it has the polynomials of the
+/// result; otherwise null.
 std::shared_ptr<const NominalModel> nominalModelOf(const Estimate& estimate,
                                                    const VectorXd& theta) {
   const NominalModelEstimate& go = estimate.nominal_model;
@@ -55,7 +56,7 @@ std::shared_ptr<const NominalModel> nominalModelOf(const Estimate& estimate,
   return found.size() == wanted.size() && found.isApprox(wanted, 1e-6) ? model : nullptr;
 }
 
-/// The estimate's model at other parameters of its own nominal model.
+/// The estimate's model with other parameters of the nominal model.
 StreamModel modelAt(const Estimate& estimate, const NominalModel& nominal, const VectorXd& theta) {
   if (variesParameters(estimate.error_model.options.basis))
     return streamModel(nominal, estimate.error_model.options, theta);
@@ -78,21 +79,21 @@ StreamModel modelOf(const Estimate& estimate) {
   const auto nominal = nominalModelOf(estimate, theta);
   if (basis == BasisKind::parameter_spread || nominal == nullptr) {
     throw ConfigurationError(
-        "error_model.basis: faults are told with fir, laguerre and kautz, and with sensitivity "
-        "where "
-        "the configuration names the nominal model; identify the model with one of them");
+        "error_model.basis: faults can be detected with fir, laguerre and kautz, and with "
+        "sensitivity if the configuration states the nominal model; identify with one of them");
   }
   return modelAt(estimate, *nominal, theta);
 }
 
-/// Degrees of freedom of a variance estimate with this standard error.
+/// Degrees of freedom of a chi-squared distribution with this mean and standard error.
 double degreesOf(const ParameterEstimate& variance) {
   const double relative = variance.standard_error / variance.value;
   return relative > 0 ? 2 / (relative * relative) : std::numeric_limits<double>::infinity();
 }
 
-/// The distribution of a further xi, given a mixture that was estimated from so many experiments: a
-/// component of m of them predicts a Student distribution; this is its covariance.
+/// The predictive distribution of the xi of a new experiment, given a mixture that was estimated
+/// from `experiments` experiments. A component that m of them belong to predicts a Student
+/// distribution, which is replaced by a Gaussian of the same covariance.
 Mixture predictive(Mixture mixture, int experiments) {
   for (std::size_t i = 0; i < mixture.weights.size(); ++i) {
     const double m = mixture.weights[i] * experiments, n = mixture.dimension();
@@ -112,7 +113,7 @@ void FaultDetectionOptions::validate() const {
 
 FaultDetector::FaultDetector(const Estimate& estimate, const FaultDetectionOptions& options)
     : options_(options),
-      estimation_(nuisances(estimate, options)),
+      estimation_(nuisanceOptions(estimate, options)),
       sample_time_(estimate.nominal_model.sample_time),
       offset_u_(estimate.offset_u),
       offset_y_(estimate.offset_y),
@@ -125,7 +126,7 @@ FaultDetector::FaultDetector(const Estimate& estimate, const FaultDetectionOptio
   if (!estimate.usable()) throw DataError("the model is not usable: " + estimate.message);
   if (!(noise_variance_ > 0))
     throw DataError("noise_variance: found " + std::to_string(noise_variance_) +
-                    "; faults can be told from noise only where it is positive");
+                    "; it must be positive to detect faults");
   if (models_.front().regressors.empty()) mixture_ = Mixture();
   if (options.parameter_uncertainty) {
     noise_degrees_ = degreesOf(estimate.noise_variance);
@@ -141,8 +142,8 @@ void FaultDetector::prepareParameters(const Estimate& estimate) {
   const auto model = nominalModelOf(estimate, theta);
   if (go.covariance.rows() != theta.size() || !go.covariance.allFinite() || model == nullptr) {
     warnings_.push_back(
-        "the result holds no covariance of the nominal model's parameters: they are taken as "
-        "known, and false alarms will be more frequent than configured");
+        "the result holds no covariance of the nominal model's parameters: their errors are "
+        "neglected, and false alarms will be more frequent than configured");
     return;
   }
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(go.covariance);
@@ -191,8 +192,9 @@ Score FaultDetector::score(double u, double y) {
 
 std::optional<FaultWindow> FaultDetector::add(double u, double y) {
   if (!std::isfinite(u)) {
-    throw DataError("sample " + std::to_string(samples_) +
-                    ": the input is not finite; a fault can be told only where it is known");
+    throw DataError(
+        "sample " + std::to_string(samples_) +
+        ": the input is not finite; faults can be detected only if all inputs are known");
   }
   const double before = signature_;
   const Score found = score(u, y);

@@ -14,14 +14,15 @@ namespace uncertainty_identification {
 
 /// How faults are detected.
 struct FaultDetectionOptions {
-  int window = 50;  ///< [samples] measured outputs that one decision is made from, 10 to 100000
-  double false_alarm_rate = 0.01;  ///< share of windows without a fault that raise an alarm, 1e-9
-                                   ///< to 0.5
-  /// What is known of the plant when an experiment begins; absent: as the model was identified.
+  int window = 50;  ///< [samples] number of measured outputs per decision, 10 to 100000
+  double false_alarm_rate = 0.01;  ///< share of fault-free windows that raise an alarm, 1e-9 to 0.5
+  /// What is assumed about the plant's state when an experiment begins; absent: the same as in the
+  /// identification.
   std::optional<InitialState> initial_state;
-  int discard_samples = kAutomatic;  ///< initial_state: discard; kAutomatic: as identified
-  bool parameter_uncertainty =
-      true;  ///< count with the errors of theta, mixture and noise variance
+  /// For initial_state discard; kAutomatic: as in the identification.
+  int discard_samples = kAutomatic;
+  /// Account for the estimation errors of theta, of the mixture and of the noise variance.
+  bool parameter_uncertainty = true;
 
   /// Throws ConfigurationError naming key, value and allowed range.
   void validate() const;
@@ -29,26 +30,25 @@ struct FaultDetectionOptions {
 
 /// The decision about one window.
 struct FaultWindow {
-  long first = 0, last = 0;  ///< samples since the experiment began, from 0; the window's
-  double statistic = 0;      ///< -log10 of the probability of such a window without a fault
+  long first = 0, last = 0;  ///< the window's samples, counted from 0 at the experiment's begin
+  double statistic = 0;      ///< -log10 of the probability that a fault-free window is as extreme
   double threshold = 0;      ///< -log10 of the false-alarm rate
   bool fault = false;        ///< statistic > threshold
-  WindowProbabilities probabilities;            ///< of the single tests
-  std::vector<double> component_probabilities;  ///< of the mixture, after the window
+  WindowProbabilities probabilities;            ///< p-values of the single tests
+  std::vector<double> component_probabilities;  ///< of the mixture's components, after the window
   Eigen::VectorXd error_mean;                   ///< posterior mean of xi, after the window
 };
 
-/// Tells from a stream of samples whether a plant still is one that the identified model allows.
+/// Decides from a stream of samples whether the plant still agrees with the identified model.
 ///
-/// Each sample is predicted under every component of the mixture, the error parameters xi of the
-/// running experiment being estimated recursively, and scored by its predictive distribution: the
-/// scores are independent N(0, 1) without a fault. Windows of them, one after the other, are tested
-/// (testWindow()). Samples of a window in alarm are not learned from: the estimate of xi goes back
-/// to that before the window, so that a fault is not taken for an error of the model and the alarm
-/// stays until the fault is gone.
+/// The error parameters xi of the running experiment are estimated recursively (ErrorFilter). Each
+/// sample gets a score from its predictive distribution; without a fault the scores are independent
+/// and N(0, 1). Consecutive windows of scores are tested (testWindow()). After a window with an
+/// alarm the estimate of xi returns to its value before that window. Otherwise the filter would
+/// learn the fault as an error of the model, and the alarm would end before the fault does.
 ///
-/// xi belongs to one experiment: call reset() when another begins. A fault that is there from the
-/// first sample and looks like a probable xi cannot be told from it.
+/// xi belongs to one experiment, so call reset() when another begins. A fault that is present from
+/// the first sample and has the same effect as a probable xi cannot be detected.
 class FaultDetector {
  public:
   /// Throws ConfigurationError for options out of range or an error model of basis
@@ -56,17 +56,18 @@ class FaultDetector {
   /// positive.
   explicit FaultDetector(const Estimate& estimate, const FaultDetectionOptions& options = {});
 
-  /// Begins a new experiment: of the plant's state and of xi nothing is known but the model.
+  /// Begins a new experiment: forgets the plant's state and the estimate of xi.
   void reset();
 
-  /// Takes the next sample of the grid; y NaN: not measured. A decision where a window is complete.
+  /// Processes the next sample of the uniform grid; y is NaN if it was not measured. Returns a
+  /// decision when this sample completes a window.
   /// Throws DataError for a u that is not finite.
   std::optional<FaultWindow> add(double u, double y);
 
   double sampleTime() const { return sample_time_; }  ///< [s]
   double threshold() const { return threshold_; }
 
-  /// What a user should know of the model, one sentence each.
+  /// Messages for the user about the model, one sentence each.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
@@ -77,18 +78,21 @@ class FaultDetector {
   FaultDetectionOptions options_;
   EstimationOptions estimation_;
   double sample_time_, offset_u_, offset_y_, noise_variance_, threshold_;
-  double noise_degrees_;  ///< of freedom of the noise variance
+  double noise_degrees_;  ///< degrees of freedom of the estimated noise variance
   Mixture mixture_;
-  /// At theta_hat, then in pairs at a step ahead and back along each direction of its errors.
+  /// The model at theta_hat, followed by a pair for each direction of its estimation errors: one at
+  /// a positive and one at a negative step along it. Their differences give derivatives.
   std::vector<StreamModel> models_;
   std::vector<std::string> warnings_;
 
-  std::vector<WhitenedStream> streams_;  ///< one for each of models_
+  std::vector<WhitenedStream> streams_;  ///< one per element of models_
   WhitenedObservation observation_;
-  double signature_ = 0;  ///< effect of the nominal model on the newest sample, whitened
-  std::optional<ErrorFilter> learned_, tentative_;  ///< before and within the window
+  double signature_ = 0;  ///< whitened output of the nominal model for the newest sample
+  std::optional<ErrorFilter> learned_,
+      tentative_;  ///< up to the window's begin, and including the window's samples so far
   Eigen::VectorXd scores_;
-  Eigen::MatrixXd effects_;  ///< of the nominal output, now and a sample ago, on the scores
+  Eigen::MatrixXd
+      effects_;  ///< W x 2: effect of the nominal output and its predecessor on the scores
   int filled_ = 0;
   long samples_ = 0, window_first_ = 0;
 };

@@ -11,9 +11,9 @@ namespace uncertainty_identification {
 namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
-constexpr int kFewestSamples = 10;  // of a piece, so that its grid can be found
+constexpr int kFewestSamples = 10;  // in a piece; with fewer, resample() may not find its grid
 
-/// The newest value of the signal at or before the instant; `otherwise` where there is none.
+/// The newest value of the signal at or before the instant; `otherwise` if there is none.
 double heldAt(const StampedSignal& signal, double instant, double otherwise) {
   const auto after = std::upper_bound(signal.stamps.begin(), signal.stamps.end(), instant);
   if (after == signal.stamps.begin()) return otherwise;
@@ -55,8 +55,9 @@ double LiveFaultDetector::heldInput(const Recording& piece, double instant) cons
   return heldAt(piece.input, instant, before);
 }
 
-/// Grid points between the newest sample and the piece's first one have no output. What was
-/// commanded there is known as long as the pieces follow each other.
+/// Processes the grid points between the newest sample and the first one of the piece. Their
+/// outputs were not measured; their inputs are known from both pieces. After a long gap the inputs
+/// are not known, and a new experiment begins.
 void LiveFaultDetector::bridge(const Recording& piece, double until,
                                std::vector<StampedFaultWindow>* found) {
   const double sample_time = detector_.sampleTime(), begin = *newest_;
@@ -80,7 +81,7 @@ std::vector<StampedFaultWindow> LiveFaultDetector::add(const Recording& piece) {
   if (newest_) bridge(piece, samples.start_time, &found);
   for (int k = 0; k < samples.samples(); ++k) {
     const double instant = samples.start_time + k * sample_time;
-    // A period that differs a little from the sample time makes a sample too many now and then.
+    // If the true period is slightly below the sample time, pieces can overlap by one sample.
     if (newest_ && instant < *newest_ + 0.5 * sample_time) continue;
     take(instant, samples.u[k], samples.isValid(k) ? samples.y[k] : kMissing, &found);
   }

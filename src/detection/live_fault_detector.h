@@ -11,49 +11,50 @@
 
 namespace uncertainty_identification {
 
-/// Everything that determines a fault detector on live signals.
+/// All settings of a fault detector for live signals.
 struct FaultDetectionConfiguration {
   FaultDetectionOptions detection;
   SignalOptions input{"", "actuator/command", "auto"};
   SignalOptions output{"", "sensor/measurement", "auto"};
-  std::string experiment_topic;  ///< std_msgs/Bool or ExperimentMarker that begins and ends
-                                 ///< experiments; empty = one experiment without an end
+  std::string experiment_topic;  ///< topic of std_msgs/Bool or ExperimentMarker that begins and
+                                 ///< ends experiments; empty: one experiment without an end
   ResamplingOptions resampling;
 
   /// Throws ConfigurationError naming key, value and allowed range.
   void validate() const;
 };
 
-/// A decision, and when its window was measured.
+/// A decision, and the time of its window.
 struct StampedFaultWindow {
   FaultWindow window;
-  double start = 0, end = 0;  ///< [s] instants of the window's first and last sample
+  double start = 0, end = 0;  ///< [s] sampling instants of the window's first and last sample
 };
 
-/// A fault detector on stamped signals: they come in pieces, one after the other, each is put on
-/// the grid as resample() does, and what lies between two pieces counts as not measured.
+/// A fault detector for stamped signals, which arrive in consecutive pieces. Each piece is put on a
+/// uniform grid by resample(). Grid points between two pieces count as not measured.
 class LiveFaultDetector {
  public:
-  /// Throws as FaultDetector does.
+  /// Throws the same exceptions as FaultDetector.
   LiveFaultDetector(const Estimate& estimate, const FaultDetectionConfiguration& configuration);
 
-  /// The first experiment begins with the first sample, or where there is a topic for it, with the
-  /// first marker; an active marker begins an experiment at `stamp` [s], the other ends it. Markers
-  /// act on samples that come after them.
+  /// An active marker begins an experiment at `stamp` [s], another one ends it. Markers apply to
+  /// samples that are added later. Without an experiment topic the only experiment begins with the
+  /// first sample.
   void addMarker(double stamp, bool active);
 
-  /// Takes the next piece. Throws DataError as resample() does; the piece is then left out.
+  /// Processes the next piece and returns the decisions about the windows that it completes. Throws
+  /// DataError like resample(); the piece is then left out.
   std::vector<StampedFaultWindow> add(const Recording& piece);
 
   /// The signals were interrupted: the next piece begins a new experiment.
   void interrupt();
 
-  /// [s] how long a piece should be: a fifth of a window, not less than 10 samples.
+  /// [s] how long a piece should be: a fifth of a window, but at least 10 samples.
   double pieceDuration() const { return piece_samples_ * detector_.sampleTime(); }
 
   const FaultDetector& detector() const { return detector_; }
 
-  /// Whether samples are looked at: no experiment topic, or an experiment is running.
+  /// Whether samples are tested: an experiment is running, or there is no experiment topic.
   bool active() const { return active_; }
 
  private:
@@ -71,11 +72,11 @@ class LiveFaultDetector {
   int piece_samples_;
   bool active_;
   std::deque<Marker> markers_;
-  std::optional<double> newest_;  ///< [s] instant of the newest sample
-  double newest_input_ = 0;       ///< u there
-  StampedSignal last_input_;      ///< of the piece before: samples at its end may lack an output
-  std::deque<double> instants_;   ///< [s] of the samples from instants_first_ on
-  long instants_first_ = 0;       ///< counted since the experiment began
+  std::optional<double> newest_;  ///< [s] sampling instant of the newest sample
+  double newest_input_ = 0;       ///< input of that sample
+  StampedSignal last_input_;      ///< of the piece before; it may reach beyond the last output
+  std::deque<double> instants_;   ///< [s] sampling instants of the samples from instants_first_ on
+  long instants_first_ = 0;       ///< index of the first of them in the experiment
 };
 
 }  // namespace uncertainty_identification

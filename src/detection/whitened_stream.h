@@ -10,10 +10,11 @@
 
 namespace uncertainty_identification {
 
-/// A rational filter in q^-1 that takes one sample at a time, from rest.
+/// A rational filter in q^-1 that processes one sample at a time. Its initial state is zero.
 class StreamFilter {
  public:
-  /// (n0 + n1 q^-1 + ...)/(1 + d1 q^-1 + ...); the denominator without its leading 1.
+  /// The filter (n0 + n1 q^-1 + ...)/(1 + d1 q^-1 + ...). The denominator is given without its
+  /// leading 1.
   StreamFilter(const Eigen::VectorXd& numerator, const Eigen::VectorXd& monic_denominator);
 
   double step(double in);
@@ -22,30 +23,31 @@ class StreamFilter {
   Eigen::VectorXd numerator_, denominator_, state_;
 };
 
-/// A model as filters, sample by sample.
+/// The filters that a model consists of. Denominators are monic and lack their leading 1.
 struct StreamModel {
   Polynomials polynomials;                  ///< Go and H
-  std::vector<Eigen::VectorXd> regressors;  ///< numerators, n of them
-  Eigen::VectorXd regressor_denominator;    ///< common, monic, without the leading 1
-  bool regressors_of_input = false;         ///< they filter u; else Go u
-  Eigen::VectorXd free_denominator;         ///< of what an initial state can do, monic
-  Eigen::Index free_directions = 0;         ///< and how many coefficients that has
+  std::vector<Eigen::VectorXd> regressors;  ///< n numerators
+  Eigen::VectorXd regressor_denominator;    ///< common to all regressors
+  bool regressors_of_input = false;         ///< true: they filter u; false: they filter Go u
+  Eigen::VectorXd free_denominator;         ///< of the free response to an initial state
+  Eigen::Index free_directions = 0;         ///< number of coefficients of the free response
 };
 
-/// Errors as filters behind Go.
+/// A relative error model: the basis filters act on the output of Go.
 StreamModel streamModel(const Polynomials& polynomials, const RationalBasis& basis);
 
-/// BasisKind::sensitivity: errors as sensitivities of Go at theta.
+/// An error model of BasisKind::sensitivity: the errors are the sensitivities of Go at theta.
 StreamModel streamModel(const NominalModel& nominal, const ErrorModelOptions& options,
                         const Eigen::VectorXd& theta);
 
-/// Noise whitening H^-1 of several signals, sample by sample: the recursion of NoiseWhitening.
+/// Filters several signals by H^-1, one sample at a time, with the recursion of NoiseWhitening.
 class StreamWhitening {
  public:
   StreamWhitening(const Eigen::VectorXd& c, const Eigen::VectorXd& d, NoiseStart start,
                   Eigen::Index signals);
 
-  /// Whitens the signals' next samples in place; where the output is not measured they become 0.
+  /// Replaces the next sample of each signal by its whitened value, or by 0 if the output was not
+  /// measured.
   void step(bool measured, Eigen::VectorXd* signals);
 
  private:
@@ -55,18 +57,18 @@ class StreamWhitening {
   Eigen::MatrixXd state_;  ///< order x signals
 };
 
-/// What the linear model says of a stream of samples, one at a time: the residual, regressors and
-/// columns that LinearModel::evaluate() gives for a whole experiment.
+/// Computes residual, regressors and columns of the linear model one sample at a time. The values
+/// are those that LinearModel::evaluate() gives for a whole experiment.
 class WhitenedStream {
  public:
-  /// Of `options` only the nuisance options are used (initial_state, discard_samples, noise_start,
-  /// offsets, offset_side); the offsets are values [units of u and y].
+  /// Uses the options initial_state, discard_samples, noise_start, offsets and offset_side. The
+  /// offsets are in the units of u and y.
   WhitenedStream(const StreamModel& model, const EstimationOptions& options, double offset_u,
                  double offset_y);
 
-  /// Takes the next sample; a y that is NaN was not measured. The signals, whitened: residual e,
-  /// effect of the nominal model H^-1 Go u, n regressors Phi, columns(). All 0 where y was not
-  /// measured or is discarded.
+  /// Processes the next sample; y is NaN if it was not measured. Returns the whitened signals:
+  /// residual e, output of the nominal model H^-1 Go u, n regressors Phi, and the diffuse columns.
+  /// All are 0 if y was not measured or is discarded.
   const Eigen::VectorXd& step(double u, double y);
 
   /// Whether the last sample was measured and not discarded.
@@ -74,14 +76,16 @@ class WhitenedStream {
 
   Eigen::Index regressors() const { return static_cast<Eigen::Index>(basis_.size()); }
 
-  /// Diffuse columns: of the initial state, and the experiment's own offset.
+  /// Number of diffuse columns: those of the initial state, and one for an offset of the
+  /// experiment.
   Eigen::Index columns() const { return initial_.size() + (own_offset_ ? 1 : 0); }
 
  private:
   StreamFilter plant_, own_offset_plant_;
   std::vector<StreamFilter> basis_;
   StreamFilter free_response_;
-  Eigen::VectorXd initial_;  ///< its newest samples: the effects of the initial state
+  Eigen::VectorXd
+      initial_;  ///< newest samples of the free response: the columns of the initial state
   bool regressors_of_input_, own_offset_, offset_at_input_;
   double offset_u_, offset_y_;
   int discard_ = 0;  ///< samples still to be discarded

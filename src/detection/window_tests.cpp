@@ -16,16 +16,16 @@ using Eigen::VectorXd;
 namespace math = boost::math;
 
 constexpr int kLags = 4;
-constexpr double kManyDegrees = 1e6;  // from where on F is a chi-squared distribution
-constexpr double kDependent = 1e-9;   // relative; directions that say the same
-constexpr double kLeast = 1e-300;     // a probability whose logarithm is a number
+constexpr double kManyDegrees = 1e6;  // above it F equals a chi-squared distribution
+constexpr double kDependent = 1e-9;   // relative threshold for linear dependence
+constexpr double kLeast = 1e-300;     // smallest probability whose logarithm is finite
 
 double energyProbability(double energy, double count, double degrees) {
   if (!(degrees < kManyDegrees)) return cdf(complement(math::chi_squared(count), energy));
   return cdf(complement(math::fisher_f(count, degrees), energy / count));
 }
 
-/// Of a share of the energy at least this large in `rank` of `count` dimensions.
+/// The probability that at least this share of the energy lies in `rank` of `count` dimensions.
 double shareProbability(double share, double rank, double count) {
   const double bounded = std::min(std::max(share, 0.0), 1.0);
   return cdf(complement(math::beta_distribution<>(rank / 2, (count - rank) / 2), bounded));

@@ -6,9 +6,9 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 #include "configuration/require.h"
+#include "configuration/thread_count.h"
 #include "explanation/attempt.h"
 #include "explanation/checks.h"
 #include "explanation/estimate_fit.h"
@@ -41,12 +41,6 @@ std::string orderText(const Estimate& estimate) {
          text(" delay", of.delay);
 }
 
-int threadsOf(const Configuration& configuration) {
-  const int cores = static_cast<int>(std::thread::hardware_concurrency());
-  const int asked = configuration.estimation.threads;
-  return asked == kAutomatic ? std::max(1, cores) : asked;
-}
-
 void requireKnown(const std::vector<std::string>& excluded,
                   const std::vector<Experiment>& experiments) {
   for (const std::string& name : excluded) {
@@ -61,7 +55,9 @@ void requireKnown(const std::vector<std::string>& excluded,
 class Explaining {
  public:
   Explaining(const Configuration& configuration, const ProgressCallback& progress)
-      : configuration_(configuration), progress_(progress), pool_(threadsOf(configuration)) {}
+      : configuration_(configuration),
+        progress_(progress),
+        pool_(threadCount(configuration.estimation.threads)) {}
 
   Explanation run(const std::vector<Experiment>& experiments,
                   const std::vector<Experiment>& validation);

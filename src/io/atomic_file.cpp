@@ -50,7 +50,7 @@ void synchronise(const std::string& name, const std::string& path) {
   const int error = ::fsync(file) == 0 ? 0 : errno;
   ::close(file);
   if (error != 0 && error != EINVAL)
-    fail(path, error);  // EINVAL: a file system that cannot synchronise
+    fail(path, error);  // EINVAL: the file system cannot synchronise
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include "io/bounds_json.h"
 
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "io/estimate_binding.h"
 #include "io/tree_reader.h"
@@ -10,13 +10,11 @@
 
 namespace uncertainty_identification {
 
-template <class Archive>
 void bind(Archive& archive, UncertaintyBands& bands) {
   archive("mixture", bands.mixture);
   archive("total", bands.total);
 }
 
-template <class Archive>
 void bind(Archive& archive, FrequencyBounds& bounds) {
   archive("omega", bounds.omega);
   archive("magnitude", bounds.magnitude);
@@ -26,14 +24,12 @@ void bind(Archive& archive, FrequencyBounds& bounds) {
   archive("relative_error", bounds.relative_error);
 }
 
-template <class Archive>
 void bind(Archive& archive, StepBounds& bounds) {
   archive("time", bounds.time);
   archive("nominal", bounds.nominal);
   archive("bands", bounds.bands);
 }
 
-template <class Archive>
 void bind(Archive& archive, ComplexRegion& region) {
   archive("omega", region.omega);
   archive("level", region.level);
@@ -41,14 +37,13 @@ void bind(Archive& archive, ComplexRegion& region) {
   archive("imaginary", region.imaginary);
 }
 
-template <class Archive>
 void bind(Archive& archive, UncertaintyWeight& weight) {
   archive("level", weight.level);
   archive("level_held", weight.level_held);
   archive("order", weight.order);
   archive("num", weight.num);
   archive("den", weight.den);
-  archive.section("continuous", [&weight](auto& section) {
+  archive.section("continuous", [&weight](Archive& section) {
     section("num", weight.continuous_num);
     section("den", weight.continuous_den);
   });
@@ -61,7 +56,6 @@ void bind(Archive& archive, UncertaintyWeight& weight) {
   archive("margin", weight.margin);
 }
 
-template <class Archive>
 void bind(Archive& archive, FoldModel& fold) {
   archive("delay", fold.delay);
   archive("b", fold.b);
@@ -69,7 +63,6 @@ void bind(Archive& archive, FoldModel& fold) {
   archive("offset", fold.offset);
 }
 
-template <class Archive>
 void bind(Archive& archive, PredictionCalibration& calibration) {
   archive("method", calibration.method);
   archive("levels", calibration.levels);
@@ -82,7 +75,6 @@ void bind(Archive& archive, PredictionCalibration& calibration) {
   archive("warnings", calibration.warnings);
 }
 
-template <class Archive>
 void bind(Archive& archive, Bounds& bounds) {
   archive("levels", bounds.levels);
   archive("samples", bounds.samples);
@@ -107,38 +99,21 @@ void roundNumbers(nlohmann::json* tree) {
   }
 }
 
-template <class Value>
-nlohmann::json written(const Value& value) {
-  TreeWriter writer;
-  Value copy = value;
-  bind(writer, copy);
-  return writer.tree();
-}
-
-template <class Value>
-Value read(const nlohmann::json& json) {
-  const std::map<std::string, int> no_lines;
-  TreeReader reader(json, no_lines, ReadingRule::record);
-  Value value;
-  bind(reader, value);
-  return value;
-}
-
 }  // namespace
 
 nlohmann::json toJson(const Bounds& bounds) {
-  nlohmann::json tree = written(bounds);
+  nlohmann::json tree = writtenTree(bounds);
   for (const char* key : {"frequency", "step", "regions"}) roundNumbers(&tree[key]);
-  if (bounds.weight) tree["weight"] = written(*bounds.weight);
-  if (bounds.prediction) tree["prediction"] = written(*bounds.prediction);
+  if (bounds.weight) tree["weight"] = writtenTree(*bounds.weight);
+  if (bounds.prediction) tree["prediction"] = writtenTree(*bounds.prediction);
   return tree;
 }
 
 Bounds boundsFromJson(const nlohmann::json& json) {
-  Bounds bounds = read<Bounds>(json);
-  if (json.contains("weight")) bounds.weight = read<UncertaintyWeight>(json["weight"]);
+  Bounds bounds = readRecord<Bounds>(json);
+  if (json.contains("weight")) bounds.weight = readRecord<UncertaintyWeight>(json["weight"]);
   if (json.contains("prediction"))
-    bounds.prediction = read<PredictionCalibration>(json["prediction"]);
+    bounds.prediction = readRecord<PredictionCalibration>(json["prediction"]);
   return bounds;
 }
 

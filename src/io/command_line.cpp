@@ -29,7 +29,8 @@ po::variables_map parse(const Program& program, int argc, const char* const* arg
     all.add_options()(program.arguments.c_str(), po::value<std::vector<std::string>>());
     positional.add(program.arguments.c_str(), -1);
   }
-  // Guessing would let a script's abbreviation change its meaning with the next option added.
+  // Abbreviated options are refused: an abbreviation in a script could mean something else as soon
+  // as another option is added.
   const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
   po::variables_map values;
   po::store(
@@ -59,17 +60,23 @@ int parseAndRun(const Program& program, int argc, const char* const* argv) {
 
 int runProgram(const Program& program, int argc, const char* const* argv) {
   keepFreedMemory();
+  const auto failed = [&program](int status, const std::string& message) {
+    printMessage(program.name, message);
+    return status;
+  };
   try {
     return parseAndRun(program, argc, argv);
   } catch (const DataError& error) {
-    printMessage(program.name, error.what());
-    return kDataCannotAnswer;
+    return failed(kNoAnswer, error.what());
+  } catch (const Error& error) {
+    return failed(kUsageError, error.what());
   } catch (const po::error& error) {
-    printMessage(program.name, std::string(error.what()) + "; see " + program.name + " --help");
+    return failed(kUsageError, std::string(error.what()) + "; see " + program.name + " --help");
   } catch (const std::exception& error) {
-    printMessage(program.name, error.what());
+    return failed(kNoAnswer, std::string("internal error: ") + error.what() +
+                                 "\nThis is a fault of the program. Please report it with this "
+                                 "message, the command line, the configuration and the data.");
   }
-  return kUsageError;
 }
 
 void printMessage(const std::string& program, const std::string& message) {

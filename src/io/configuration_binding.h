@@ -1,187 +1,27 @@
 #pragma once
 
-#include "io/tree_values.h"
 #include "uncertainty_identification/configuration.h"
 
-/// The keys of a configuration, each stated once: TreeReader fills the structs through these
-/// functions, TreeWriter writes them. config/reference.yaml explains the keys.
+/// The keys of a configuration, each stated once for reading and for writing.
+/// config/reference.yaml explains them.
 namespace uncertainty_identification {
 
-template <class Archive>
-void bind(Archive& archive, NominalModelOptions& options) {
-  archive("structure", options.structure);
-  archive("orders", oneOf(options.orders_auto, {{false, "given"}, {true, "auto"}}));
-  archive("focus", options.focus);
-  archive("fit", options.fit);
-  archive("max_order", options.max_order);
-  archive("max_delay", options.max_delay);
-  archive("nb", options.nb);
-  archive("na", options.na);
-  archive("nc", options.nc);
-  archive("nd", options.nd);
-  archive("delay", options.delay);
-  archive("time_constants", options.time_constants);
-  archive("resonances", options.resonances);
-  archive("zeros", options.zeros);
-  archive("dead_time", options.dead_time);
-  archive("fixed", options.fixed);
-}
+class Archive;
 
-/// The keys that define the basis and its constraint, beside those of the section they belong to.
-template <class Archive>
-void bindBasis(Archive& archive, ErrorModelOptions& options) {
-  archive("basis", options.basis);
-  if constexpr (Archive::kReads) options.constraint = defaultConstraint(options.basis);
-  archive("taps", orAutomatic(options.taps, kAutomatic));
-  archive("constraint", options.constraint);
-  archive("T", options.T);
-  archive("pole", options.pole);
-  archive("pole_real", options.pole_real);
-  archive("pole_imag", options.pole_imag);
-}
+void bind(Archive& archive, Configuration& configuration);
+void bind(Archive& archive, ResamplingOptions& options);
 
-/// A result's error model has its estimates under `parameters`, and so another key for the names.
-template <class Archive>
-void bindErrorModel(Archive& archive, const char* parameters_key, ErrorModelOptions& options) {
-  bindBasis(archive, options);
-  archive(parameters_key, options.parameters);
-  archive("sensitivity_order", options.sensitivity_order);
-  archive("components", orAutomatic(options.components, kAutomatic));
-  archive("max_taps", options.max_taps);
-  archive("max_components", options.max_components);
-}
+/// The keys that define an error basis and its constraint, which stand in the current group.
+void bindBasis(Archive& archive, ErrorModelOptions& options);
 
-template <class Archive>
-void bind(Archive& archive, ErrorModelOptions& options) {
-  bindErrorModel(archive, "parameters", options);
-}
+/// The keys of an error model, which stand in the current group. `parameters_key` is the key of the
+/// names of the parameters that the basis varies: a result has its estimates under `parameters`.
+void bindErrorModel(Archive& archive, const char* parameters_key, ErrorModelOptions& options);
 
-template <class Archive>
-void bind(Archive& archive, EstimationOptions& options) {
-  archive("algorithm", options.algorithm);
-  archive("max_iterations", options.max_iterations);
-  archive("tolerance", options.tolerance);
-  archive("restarts", options.restarts);
-  archive("threads", orAutomatic(options.threads, kAutomatic));
-  archive("seed", options.seed);
-  archive("initial_state", options.initial_state);
-  archive("discard_samples", options.discard_samples);
-  archive("noise_start", options.noise_start);
-  archive("offsets", options.offsets);
-  archive("offset_side", options.offset_side);
-}
+/// The keys of a mixture, which stand in the current group.
+void bindMixture(Archive& archive, Mixture& mixture);
 
-/// The mixture's keys, beside those of the section it belongs to.
-template <class Archive>
-void bindMixture(Archive& archive, Mixture& mixture) {
-  archive("weights", mixture.weights);
-  archive("means", mixture.means);
-  archive("covariances", mixture.covariances);
-}
-
-template <class Archive>
-void bind(Archive& archive, InitialOptions& options) {
-  archive("theta", options.theta);
-  bindMixture(archive, options.mixture);
-  archive("noise_variance", options.noise_variance);
-}
-
-template <class Archive>
-void bind(Archive& archive, ResamplingOptions& options) {
-  archive("input", options.input);
-  archive("output", options.output);
-  archive("max_age", options.max_age);
-  archive("max_jitter", options.max_jitter);
-}
-
-/// The keys of a covariate; the input and the output have no name.
-template <class Archive>
-void bind(Archive& archive, SignalOptions& options) {
-  archive("name", options.name);
-  archive("topic", options.topic);
-  archive("field", options.field);
-}
-
-template <class Archive>
-void bind(Archive& archive, ExperimentOptions& options) {
-  archive("mode", options.mode);
-  archive("topic", options.topic);
-  archive("duration", options.duration);
-  archive("gap", options.gap);
-}
-
-template <class Archive>
-void bind(Archive& archive, BoundsOptions& options) {
-  archive("levels", options.levels);
-  archive("frequencies", options.frequencies);
-  archive("grid", options.grid);
-  archive("steps", orAutomatic(options.steps, kAutomatic));
-  archive("samples", options.samples);
-  archive("weight_order", orAutomatic(options.weight_order, kAutomatic));
-  archive("weight_level", options.weight_level);
-  archive("folds", options.folds);
-}
-
-template <class Archive>
-void bind(Archive& archive, EffectOptions& options) {
-  archive("name", options.name);
-  archive("variant", options.variant);
-  archive("parameters", options.parameters);
-}
-
-template <class Archive>
-void bind(Archive& archive, ExplanationOptions& options) {
-  archive("max_causes", options.max_causes);
-  archive("acceptance", options.acceptance);
-  archive("validation_share", options.validation_share);
-  archive("exclude", options.exclude);
-  archive("after_experiments", options.after_experiments);
-}
-
-template <class Archive>
-void bind(Archive& archive, FullIdentificationOptions& options) {
-  archive("share", options.share);
-  archive("quiet", options.quiet);
-}
-
-template <class Archive>
-void bind(Archive& archive, LimitOptions& options) {
-  archive("max_experiments", options.max_experiments);
-  archive("max_samples", options.max_samples);
-  archive("min_samples", options.min_samples);
-  archive("max_missing", options.max_missing);
-  archive("max_request_size", options.max_request_size);
-  archive("max_bag_size", options.max_bag_size);
-  archive("max_saved_files", options.max_saved_files);
-}
-
-template <class Archive>
-void bind(Archive& archive, Configuration& configuration) {
-  const auto signal = [&archive](const char* key, SignalOptions& options) {
-    archive.section(key, [&options](auto& section) {
-      section("topic", options.topic);
-      section("field", options.field);
-    });
-  };
-  archive("sample_time", orAutomatic(configuration.sample_time, 0.0));
-  archive("nominal_model", configuration.nominal_model);
-  archive("error_model", configuration.error_model);
-  archive("estimation", configuration.estimation);
-  archive("initial", configuration.initial);
-  archive("effects", configuration.effects);
-  archive("explanation", configuration.explanation);
-  archive("resampling", configuration.resampling);
-  signal("input", configuration.input);
-  signal("output", configuration.output);
-  archive("covariates", configuration.covariates);
-  archive("experiment", configuration.experiment);
-  archive("full_identification", configuration.full_identification);
-  archive("bounds", configuration.bounds);
-  archive("limits", configuration.limits);
-  archive("bag_directory", configuration.bag_directory);
-  archive("report_directory", configuration.report_directory);
-  archive("report_each_result", configuration.report_each_result);
-  archive("store_directory", configuration.store_directory);
-}
+/// Topic and field of the input or the output, which unlike covariates have no name.
+void bindSignal(Archive& archive, const char* key, SignalOptions& options);
 
 }  // namespace uncertainty_identification

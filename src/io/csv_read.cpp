@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kSameRate = 1e-3;  // relative difference of sample times that count as equal
 constexpr double kNoticeable =
-    1e-3;  // jitter worth keeping, in sample times; printed stamps are rounded to less
+    1e-3;  // [sample times] smaller jitter is taken for the rounding of printed stamps
 
-/// Why the stamps cannot be used; empty if they rise.
+/// Why the stamps cannot be used; empty if they rise strictly.
 std::string stampProblem(const CsvTable& table, const std::string& path) {
   for (std::size_t i = 0; i < table.t.size(); ++i) {
     const std::string where = path + ", line " + std::to_string(table.lines[i]) + ", column t: ";
@@ -24,7 +24,7 @@ std::string stampProblem(const CsvTable& table, const std::string& path) {
     if (i == 0 || table.t[i] > table.t[i - 1]) continue;
     const std::string kind = table.t[i] == table.t[i - 1] ? "repeats" : "goes back from";
     return where + "the stamp " + text(table.t[i]) + " s " + kind + " " + text(table.t[i - 1]) +
-           " s; stamps must rise, use the column experiment to tell experiments apart";
+           " s; stamps must rise within an experiment; name experiments in the column experiment";
   }
   if (table.t.size() < 2) {
     return path + ", line " + std::to_string(table.lines.empty() ? 1 : table.lines.front()) +
@@ -33,7 +33,7 @@ std::string stampProblem(const CsvTable& table, const std::string& path) {
   return "";
 }
 
-/// Whether the rows may become samples as they are.
+/// Whether the rows can be used as samples without resampling.
 bool fitsGrid(const SampleGrid& grid, const CsvOptions& options) {
   const double wanted = options.sample_time > 0 ? options.sample_time : grid.period;
   const double jitter_limit = options.resampling.max_jitter;
@@ -44,8 +44,8 @@ bool fitsGrid(const SampleGrid& grid, const CsvOptions& options) {
          1 - rows / samples <= options.limits.max_missing;
 }
 
-/// The last finite value so far at each sample; before the first one, that one. NaN if there is
-/// none.
+/// At each sample the last finite value so far, or the first one if none has come yet. NaN if
+/// there is none at all.
 Eigen::VectorXd heldCovariate(const std::vector<double>& values, const SampleGrid& grid) {
   Eigen::VectorXd held(grid.slots.back() + 1);
   const auto first =
@@ -95,8 +95,8 @@ void addTable(const CsvTable& table, const CsvFile& file, const SampleGrid& grid
   if (left_out > 0) {
     data.warnings.push_back(
         named(table.id) + ": " + std::to_string(left_out) +
-        " rows are left out of the uniform stamps; their outputs count as missing and the input as "
-        "held, record without gaps");
+        " rows are missing between the stamps; their outputs count as missing, and the input is "
+        "taken to have kept its value; record without gaps");
   }
   data.experiments.push_back(std::move(experiment));
 }
@@ -130,7 +130,7 @@ LoadedData readCsv(const std::string& path, const CsvOptions& options) {
     } else {
       addResampled(asRecording(table, file), options.sample_time, options.resampling, data);
     }
-    table = CsvTable();  // the memory of a large file is not needed twice
+    table = CsvTable();  // frees the rows, so that a large file is not in memory twice
   }
   return data;
 }

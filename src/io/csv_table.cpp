@@ -32,7 +32,7 @@ std::string contentOf(const std::string& path) {
   if (!file) fail(path, std::strerror(errno));
   std::string content(static_cast<std::size_t>(std::max<off_t>(0, status.st_size)), '\0');
   std::size_t size = 0;
-  for (;;) {  // the size is a hint only: pipes have none
+  for (;;) {  // the size is only a hint, because a pipe has none
     if (size == content.size()) content.resize(content.size() + 65536);
     const std::size_t read = std::fread(&content[size], 1, content.size() - size, file.get());
     if (read == 0) break;
@@ -81,7 +81,8 @@ void split(const char* begin, const char* end, std::vector<Cell>& cells) {
   cells.push_back(trimmed(start, end));
 }
 
-/// Reads a number in the C locale, whatever the program's. False if the cell holds anything else.
+/// Reads a number written with a decimal point, whatever the locale of the program. False if the
+/// cell holds anything else.
 bool parseNumber(const Cell& cell, double& value) {
   static const locale_t kCLocale = ::newlocale(LC_ALL_MASK, "C", nullptr);
   if (cell.begin == cell.end) return false;
@@ -90,7 +91,7 @@ bool parseNumber(const Cell& cell, double& value) {
   return parsed == cell.end;
 }
 
-/// Which column holds what.
+/// The meaning of each column.
 struct Columns {
   static constexpr std::size_t kAbsent = std::numeric_limits<std::size_t>::max();
   std::size_t experiment = kAbsent, t = kAbsent, u = kAbsent, y = kAbsent;
@@ -111,7 +112,7 @@ Columns readHeader(const std::vector<Cell>& cells, const std::string& path, long
   for (std::size_t i = 0; i < columns.names.size(); ++i) {
     const std::string& name = columns.names[i];
     if (name.empty() || std::count(columns.names.begin(), columns.names.end(), name) > 1) {
-      fail(path, "every column needs a name of its own, but " + found);
+      fail(path, "no two columns may have the same name, but " + found);
     }
     if (name == "experiment") {
       columns.experiment = i;
@@ -160,10 +161,11 @@ class Parser {
       at = next + 1;
     }
     if (columns_.names.empty())
-      fail(file_.path, "it is empty; give a header line such as t,u,y and one line per sample");
+      fail(file_.path,
+           "the file is empty; write a header line such as t,u,y and one line per sample");
     if (file_.tables.empty()) {
       tableOf(stemOf(file_.path)).problem =
-          file_.path + ": it has a header but no rows; write one line per sample";
+          file_.path + ": the file has a header but no rows; write one line per sample";
     }
     return std::move(file_);
   }
@@ -189,7 +191,7 @@ class Parser {
       table.problem = file_.path + ", line " + std::to_string(line_) + ": found " +
                       std::to_string(cells_.size()) + " cells under " +
                       std::to_string(columns_.names.size()) +
-                      " columns; write one cell per column, missing outputs as empty ones";
+                      " columns; write one cell per column, an empty one for a missing output";
       return;
     }
     table.lines.push_back(line_);
@@ -210,7 +212,7 @@ class Parser {
     if (table.id.empty()) {
       table.problem =
           file_.path + ", line " + std::to_string(line_) +
-          ", column experiment: found nothing; write the name of the experiment in every row";
+          ", column experiment: the cell is empty; write the name of the experiment in every row";
     }
     return table;
   }
@@ -234,7 +236,7 @@ class Parser {
     if (!parseNumber(cell, value) && table.problem.empty()) {
       table.problem = file_.path + ", line " + std::to_string(line_) + ", column " +
                       columns_.names[column] + ": found '" + cell.str() + "'; write a number" +
-                      (may_be_empty ? ", or nothing where it was not measured" : "");
+                      (may_be_empty ? ", or leave the cell empty if it was not measured" : "");
     }
     return value;
   }

@@ -12,14 +12,14 @@
 namespace uncertainty_identification {
 namespace {
 
-/// 17 significant digits tell any two doubles apart.
+/// With 17 significant digits, no two doubles have the same text.
 std::string exact(double value) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.17g", value);
   return buffer;
 }
 
-/// A cell of text, quoted where it would be taken for something else.
+/// A cell of text, in quotes if it would otherwise not be read back as the same text.
 std::string quoted(const std::string& text) {
   if (text.find_first_of("\r\n") != std::string::npos) {
     throw DataError("the name '" + text +

@@ -1,5 +1,7 @@
 #include "uncertainty_identification/io/explanation_json.h"
 
+#include <nlohmann/json.hpp>
+
 #include "io/estimate_binding.h"
 #include "io/json_file.h"
 #include "io/tree_reader.h"
@@ -8,7 +10,6 @@
 
 namespace uncertainty_identification {
 
-template <class Archive>
 void bind(Archive& archive, Check& check) {
   archive("name", check.name);
   archive("statistic", check.statistic);
@@ -17,15 +18,13 @@ void bind(Archive& archive, Check& check) {
   archive("where", check.where);
 }
 
-template <class Archive>
 void bind(Archive& archive, Comparison& comparison) {
   archive("before", comparison.before);
   archive("after", comparison.after);
 }
 
-template <class Archive>
 void bind(Archive& archive, Gain& gain) {
-  archive.section("held_out_log_density_per_experiment", [&gain](auto& section) {
+  archive.section("held_out_log_density_per_experiment", [&gain](Archive& section) {
     section("value", gain.log_density);
     section("standard_error", gain.standard_error);
     section("lower_90", gain.lower_90);
@@ -39,7 +38,6 @@ void bind(Archive& archive, Gain& gain) {
   archive("bode_area", gain.bode_area);
 }
 
-template <class Archive>
 void bind(Archive& archive, CauseParameter& parameter) {
   archive("name", parameter.name);
   archive("value", parameter.value);
@@ -49,7 +47,6 @@ void bind(Archive& archive, CauseParameter& parameter) {
   archive("unit", parameter.unit);
 }
 
-template <class Archive>
 void bind(Archive& archive, Cause& cause) {
   archive("name", cause.name);
   archive("variant", cause.variant);
@@ -62,7 +59,6 @@ void bind(Archive& archive, Cause& cause) {
   archive("gain", orNull(cause.gain));
 }
 
-template <class Archive>
 void bind(Archive& archive, TriedEffect& tried) {
   archive("name", tried.name);
   archive("variant", tried.variant);
@@ -71,7 +67,6 @@ void bind(Archive& archive, TriedEffect& tried) {
   archive("standard_error", tried.standard_error);
 }
 
-template <class Archive>
 void bind(Archive& archive, ExperimentPicture& picture) {
   archive("id", picture.id);
   archive("sample_time", picture.sample_time);
@@ -83,7 +78,6 @@ void bind(Archive& archive, ExperimentPicture& picture) {
   archive("deviation_after", picture.deviation_after);
 }
 
-template <class Archive>
 void bind(Archive& archive, ResidualPicture& picture) {
   archive("autocorrelation", picture.autocorrelation);
   archive("cross_correlation", picture.cross_correlation);
@@ -100,7 +94,6 @@ void bind(Archive& archive, ResidualPicture& picture) {
   archive("of_experiment", picture.of_experiment);
 }
 
-template <class Archive>
 void bind(Archive& archive, Explanation& explanation) {
   Word format{"uncertainty_identification/explanation/1"};
   archive("format", format);
@@ -134,20 +127,14 @@ Estimate modelFrom(const nlohmann::json& json, const std::string& key) {
 }  // namespace
 
 nlohmann::json toJson(const Explanation& explanation) {
-  TreeWriter writer;
-  Explanation copy = explanation;
-  bind(writer, copy);
-  nlohmann::json tree = writer.tree();
+  nlohmann::json tree = writtenTree(explanation);
   tree["model"] = toJson(explanation.after);
   tree["model_before"] = toJson(explanation.before);
   return tree;
 }
 
 Explanation explanationFromJson(const nlohmann::json& json) {
-  const std::map<std::string, int> no_lines;
-  TreeReader reader(json, no_lines, ReadingRule::record);
-  Explanation explanation;
-  bind(reader, explanation);
+  Explanation explanation = readRecord<Explanation>(json);
   explanation.after = modelFrom(json, "model");
   explanation.before = modelFrom(json, "model_before");
   return explanation;

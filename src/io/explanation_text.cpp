@@ -49,7 +49,8 @@ std::string outcomeText(const Check& check) {
          (check.where.empty() ? "" : ", " + check.where);
 }
 
-/// What the tests say before and, where there are causes, after; those that fail before come first.
+/// Outcomes of the tests without the causes and, if there are any, with them. Tests that fail
+/// without the causes come first.
 std::string checksText(const Explanation& explanation) {
   const bool twice = !explanation.causes.empty();
   std::vector<Check> before = explanation.checks_before;
@@ -88,7 +89,7 @@ std::string gainText(const Gain& gain, std::size_t held_out) {
   };
   const Comparison& inside = gain.coverage_95;
   const std::string measured = held_out == 0
-                                   ? "the experiments fitted to"
+                                   ? "the experiments used for fitting"
                                    : countText(held_out, "experiment") + " not used for fitting";
   return "  On " + measured + ":\n" +
          textTable(
@@ -106,21 +107,22 @@ std::string causeText(const Cause& cause, std::size_t number, std::size_t held_o
                      percentText(cause.confidence) + "\n";
   if (!cause.description.empty()) text += "  " + cause.description + "\n";
   for (const std::string& name : cause.equivalent) {
-    text += "  or " + name + ": the data cannot tell\n";
+    text += "  or " + name + ", which explains the data equally well\n";
   }
   text += parametersText(cause.parameters);
-  text += cause.gain ? gainText(*cause.gain, held_out) : "  Naming it changes no prediction.\n";
+  text += cause.gain ? gainText(*cause.gain, held_out)
+                     : "  It does not change predictions, so there is no gain.\n";
   return cause.advice.empty() ? text : text + "  What to do: " + cause.advice + "\n";
 }
 
-/// The best of what was tried, where that may help the reader to a cause of their own.
+/// The effects with the best scores, which may help the reader to think of other causes.
 std::string triedText(std::vector<TriedEffect> tried, bool held_out) {
   if (tried.empty()) return "";
   std::stable_sort(tried.begin(), tried.end(),
                    [](const TriedEffect& a, const TriedEffect& b) { return a.score > b.score; });
   tried.resize(std::min(tried.size(), kTriedShown));
-  Rows rows{{"Best of what was tried", "score [nats]",
-             held_out ? "gain per experiment held out [nats]" : "gain per experiment [nats]"}};
+  Rows rows{{"Best effects that were tried", "score [nats]",
+             held_out ? "gain per held-out experiment [nats]" : "gain per experiment [nats]"}};
   for (const TriedEffect& effect : tried) {
     rows.push_back({nameText(effect.name, effect.variant), shortNumber(effect.score),
                     estimateText(effect.held_out_gain, effect.standard_error)});

@@ -6,9 +6,8 @@
 
 namespace uncertainty_identification {
 
-/// An explanation for people, to be read in ten seconds: the verdict, which tests fail and where,
-/// each cause with its parameters and what it gains, what to do about it, and warnings. Several
-/// lines, ending in a newline.
+/// An explanation as text for people: the verdict, which tests fail and where, each cause with its
+/// parameters, its gain and what to do about it, and warnings. Several lines, ending in a newline.
 std::string explanationText(const Explanation& explanation);
 
 }  // namespace uncertainty_identification

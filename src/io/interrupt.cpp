@@ -7,7 +7,8 @@ volatile std::sig_atomic_t stop_requested = 0;
 
 void requestStop(int) { stop_requested = 1; }
 
-// What the parent told this program to ignore stays ignored (nohup, background jobs).
+// Installs the handler, unless the parent process made this one ignore the signal (nohup,
+// background jobs).
 void listen(int signal, struct sigaction* before) {
   struct sigaction action {};
   action.sa_handler = requestStop;

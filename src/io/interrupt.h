@@ -4,8 +4,8 @@
 
 namespace uncertainty_identification {
 
-/// While one exists, Ctrl-C or SIGTERM asks the program to stop instead of killing it; a second one
-/// kills it. One at a time.
+/// While a guard exists, the first Ctrl-C or SIGTERM is a request to stop, which requested()
+/// reports; the second one kills the program. At most one guard may exist at a time.
 class InterruptGuard {
  public:
   InterruptGuard();

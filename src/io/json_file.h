@@ -3,29 +3,24 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "io/atomic_file.h"
-#include "io/read_file.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 
-/// Writes a JSON file, all of it or nothing. Throws FileError.
-inline void saveJson(const std::string& path, const nlohmann::json& json) {
-  // Ids come from users: what is not UTF-8 in them must not cost the result.
-  writeFileAtomically(path,
-                      json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-}
+/// Writes a JSON file, all of it or nothing; bytes that are not UTF-8 are replaced. Throws
+/// FileError.
+void saveJson(const std::string& path, const nlohmann::json& json);
+
+/// Throws FileError when the file cannot be read, ConfigurationError when it is not JSON.
+nlohmann::json loadJson(const std::string& path);
 
 /// What `parse` makes of a JSON file; the file's name starts the message of every
-/// ConfigurationError. Throws FileError when it cannot be read, ConfigurationError when it is not
-/// JSON.
+/// ConfigurationError. Throws as loadJson() does.
 template <class Parse>
 auto loadJsonAs(const std::string& path, const Parse& parse) {
-  const std::string content = readFile(path);
+  const nlohmann::json json = loadJson(path);
   try {
-    return parse(nlohmann::json::parse(content));
-  } catch (const nlohmann::json::parse_error& error) {
-    throw ConfigurationError(path + ": not JSON, or truncated: " + error.what());
+    return parse(json);
   } catch (const ConfigurationError& error) {
     throw ConfigurationError(path + ": " + error.what());
   }

@@ -2,9 +2,9 @@
 
 namespace uncertainty_identification {
 
-/// Tells the allocator to keep freed memory for the next sweep instead of handing it back to the
-/// system page by page: with long experiments that is half the time otherwise. Acts on the whole
-/// process, so programs call it, never the libraries.
+/// Makes the allocator keep freed memory instead of returning it to the system. Each pass over the
+/// data needs as much memory as the one before, and with long experiments half of the computing
+/// time would go into requesting it anew. Acts on the whole process, so only programs call it.
 void keepFreedMemory();
 
 }  // namespace uncertainty_identification

@@ -16,7 +16,7 @@ void requireWritable(const std::string& path) {
   std::error_code ignored;
   if (path.empty()) throw FileError("the name of the output file is empty");
   if (fs::is_directory(path, ignored))
-    throw FileError(path + ": is a folder; a file's name is needed");
+    throw FileError(path + ": is a folder; give the name of a file");
   const fs::path parent = fs::path(path).parent_path();
   const std::string folder = parent.empty() ? "." : parent.string();
   if (!fs::is_directory(folder, ignored)) {
@@ -33,8 +33,7 @@ void makeEmptyFolder(const std::string& path) {
   if (error) throw FileError(path + ": the folder cannot be created: " + error.message());
   const bool empty = fs::is_empty(path, error);
   if (error) throw FileError(path + ": the folder cannot be read: " + error.message());
-  if (!empty)
-    throw FileError(path + ": the folder holds something already; name a new or an empty one");
+  if (!empty) throw FileError(path + ": the folder is not empty; name a new or an empty one");
 }
 
 }  // namespace uncertainty_identification

@@ -6,10 +6,10 @@
 
 namespace uncertainty_identification {
 
-/// One line on a terminal that shows where an identification stands, and clears itself at the end.
+/// A line on a terminal that shows the progress of an identification. The destructor clears it.
 class ProgressBar {
  public:
-  /// Writes nothing when `enabled` is false, as it should be unless `out` is a terminal.
+  /// Writes nothing unless `enabled`, which should be true only if `out` is a terminal.
   ProgressBar(std::ostream& out, bool enabled) : out_(out), enabled_(enabled) {}
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;

@@ -13,7 +13,7 @@ namespace uncertainty_identification {
 std::string readFile(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
-    throw FileError(path + ": is a folder; a file is needed");
+    throw FileError(path + ": is a folder; give the name of a file");
   }
   errno = 0;
   std::ifstream file(path, std::ios::binary);

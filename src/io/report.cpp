@@ -1,6 +1,7 @@
 #include "io/report.h"
 
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "io/atomic_file.h"
 #include "uncertainty_identification/errors.h"
@@ -9,10 +10,9 @@
 namespace uncertainty_identification {
 namespace {
 
-/// JSON that may stand in a <script> element: with no "<" left, nothing in it can end the element,
-/// whatever ids and messages hold.
+/// JSON for a <script> element. It contains no "<", so that no id or message can end the element.
 std::string embeddable(const nlohmann::json& json) {
-  // Ids come from users: what is not UTF-8 in them must not cost the report.
+  // Ids come from users: one that is not UTF-8 must not prevent the report from being written.
   const std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   std::string safe;
   safe.reserve(text.size());
@@ -26,7 +26,7 @@ std::string embeddable(const nlohmann::json& json) {
   return safe;
 }
 
-/// The page with each {{name}} replaced. In one pass: what is put in is not looked at again.
+/// The page with each {{name}} replaced by its part. Parts are not searched for names themselves.
 std::string filled(const std::string& page, const std::map<std::string, std::string>& parts) {
   std::string text;
   std::size_t done = 0;
@@ -42,10 +42,10 @@ std::string filled(const std::string& page, const std::map<std::string, std::str
 
 std::string reportObstacle(const ReportFiles& files) {
   if (!files.chart.empty()) return "";
-  return "reports need Chart.js 3 or newer, and none was found when this program was built: "
+  return "reports need Chart.js 3 or newer, which was not found when this program was built; "
          "install "
-         "libjs-chart.js (Debian 12), or configure with "
-         "-DCHART_JS=/path/to/chart.min.js, and build again";
+         "libjs-chart.js (Debian 12) or configure with -DCHART_JS=/path/to/chart.min.js, and build "
+         "again";
 }
 
 std::string reportHtml(const Result& result, const Explanation* explanation,

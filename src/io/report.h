@@ -8,12 +8,12 @@
 
 namespace uncertainty_identification {
 
-/// Why no report can be written: a sentence that says what to install; empty when one can.
+/// Why no report can be written, and what to install; empty when one can be written.
 std::string reportObstacle(const ReportFiles& files = reportFiles());
 
-/// The result, and what its simulation gets wrong where that was explained (null: it was not), as
-/// one HTML page for people, with figures. It holds all it needs: it opens without a network.
-/// Throws FileError when there is a reportObstacle().
+/// The result and its explanation (null: there is none) as an HTML page with figures. The page
+/// contains everything it needs and opens without a network. Throws FileError when there is a
+/// reportObstacle().
 std::string reportHtml(const Result& result, const Explanation* explanation = nullptr,
                        const ReportFiles& files = reportFiles());
 

@@ -4,10 +4,11 @@
 
 namespace uncertainty_identification {
 
-/// What a report is made of, as it was when this library was built (cmake/report_files.cmake).
+/// The parts of a report, built into this library by cmake/report_files.cmake.
 struct ReportFiles {
-  std::string page;   ///< HTML with {{style}}, {{chart}}, {{script}} and {{result}} to be filled in
-  std::string style;  ///< CSS
+  std::string page;    ///< HTML in which {{style}}, {{chart}}, {{script}}, {{result}} and
+                       ///< {{explanation}} are replaced
+  std::string style;   ///< CSS
   std::string script;  ///< JavaScript that draws a result with Chart.js
   std::string chart;   ///< Chart.js; empty when none was found
   std::string chart_version;

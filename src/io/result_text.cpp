@@ -124,7 +124,7 @@ std::string predictionText(const PredictionCalibration& calibration) {
                     numberText(100 * calibration.guaranteed[k]) + " %",
                     numberText(calibration.radius[k]), numberText(calibration.model_radius[k])});
   }
-  std::string text = "Largest error of the simulation in a new experiment, calibrated (" +
+  std::string text = "Largest simulation error in a new experiment, calibrated (" +
                      calibration.method + ", " + std::to_string(calibration.folds.size()) +
                      " folds)\n" + textTable(rows);
   for (const std::string& warning : calibration.warnings) text += "Warning: " + warning + "\n";
@@ -135,13 +135,13 @@ std::string predictionText(const PredictionCalibration& calibration) {
 
 std::string baselineText(const Baseline& baseline) {
   const bool mem = baseline.method == BaselineMethod::mem;
-  Rows rows{{"parameter", "mean", "deviation over the experiments"}};
+  Rows rows{{"parameter", "mean", "standard deviation between experiments"}};
   for (Eigen::Index k = 0; k < baseline.mean.size(); ++k) {
     rows.push_back({baseline.fits.front().parameters[static_cast<std::size_t>(k)].name,
                     numberText(baseline.mean[k]), numberText(baseline.deviation[k])});
   }
-  std::string text =
-      std::to_string(baseline.fits.size()) + " experiments fitted one by one\n" + textTable(rows);
+  std::string text = std::to_string(baseline.fits.size()) +
+                     " experiments, each fitted separately\n" + textTable(rows);
   if (baseline.magnitude_bands.empty()) return text;
   Rows bands{{"share of experiments", "|G| at the lowest frequency", "at the highest"}};
   for (const Band& band : baseline.magnitude_bands.pointwise) {
@@ -151,8 +151,8 @@ std::string baselineText(const Baseline& baseline) {
     bands.push_back(
         {numberText(100 * band.level) + " %", limits(0), limits(band.lower.size() - 1)});
   }
-  return text + "Region of " + (mem ? "their mean plus error models" : "their plants") + "\n" +
-         textTable(bands);
+  return text + "Bands of " + (mem ? "their mean with the error models" : "the fitted plants") +
+         "\n" + textTable(bands);
 }
 
 std::string boundsText(const Bounds& bounds) {
@@ -170,14 +170,15 @@ std::string boundsText(const Bounds& bounds) {
                         numberText(magnitude.pointwise[k].upper[0]),
                     numberText(largest), numberText(bounds.frequency.omega[at])});
   }
-  std::string text = "Bounds, from " + std::to_string(bounds.samples) +
-                     " plants drawn, errors of the estimate " +
-                     (total ? "included" : "not included") + "\n" + textTable(rows);
+  std::string text = "Bounds, from " + std::to_string(bounds.samples) + " plants drawn, " +
+                     (total ? "including" : "not including") + " the errors of the estimate" +
+                     "\n" + textTable(rows);
   if (bounds.weight) {
     const UncertaintyWeight& weight = *bounds.weight;
-    text += "G = Go (1 + W Delta): W of order " + std::to_string(weight.order) + " covers " +
-            numberText(100 * weight.level_held) + " % of the plants at all frequencies, " +
-            numberText(weight.over_bounding_median) + " times the bound (median)\n";
+    text += "G = Go (1 + W Delta): W of order " + std::to_string(weight.order) + " bounds the " +
+            "relative error of " + numberText(100 * weight.level_held) +
+            " % of the plants at all frequencies; |W| is " +
+            numberText(weight.over_bounding_median) + " times the bound in the median\n";
   }
   if (bounds.prediction) text += predictionText(*bounds.prediction);
   for (const std::string& warning : bounds.warnings) text += "Warning: " + warning + "\n";

@@ -8,16 +8,16 @@
 
 namespace uncertainty_identification {
 
-/// An estimate for people: nominal model with standard errors, mixture, noise variance, how the
-/// estimation ended, rejected experiments with their reasons, warnings, candidates of automatic
-/// choices and the fit on validation data, as far as there are any. Several lines, ending in a
+/// An estimate as text for people: nominal model with standard errors, mixture, noise variance, how
+/// the estimation ended, and, if there are any, candidates of automatic choices, the fit on
+/// validation data, rejected experiments with reasons, and warnings. Several lines, ending in a
 /// newline.
 std::string resultText(const Estimate& estimate);
 
-/// The bounds in a few lines: how far plants depart from the nominal model, and the weight.
+/// The bounds in a few lines: how far the plants deviate from the nominal model, and the weight.
 std::string boundsText(const Bounds& bounds);
 
-/// A baseline in a few lines: the spread of the experiments' own fits, and its region.
+/// A baseline in a few lines: the spread of the fits of single experiments, and the bands.
 std::string baselineText(const Baseline& baseline);
 
 }  // namespace uncertainty_identification

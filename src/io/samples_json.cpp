@@ -1,6 +1,7 @@
 #include "uncertainty_identification/io/samples_json.h"
 
 #include <complex>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 namespace uncertainty_identification {

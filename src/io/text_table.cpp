@@ -7,7 +7,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kMostDecimals = 6;  // of an estimate before it is written with an exponent
+constexpr double kMostDecimals = 6;  // an estimate that needs more is written with an exponent
 
 }  // namespace
 

@@ -7,16 +7,16 @@
 
 namespace uncertainty_identification {
 
-/// Rows of cells, the first row a heading, as lines with aligned columns, each indented by two
-/// spaces.
+/// A table as text: one line for each row, with aligned columns separated by two spaces. The first
+/// row is the heading.
 std::string textTable(const std::vector<std::vector<std::string>>& rows);
 
 /// A number with six significant digits; "-" for one that is absent or not finite.
 std::string numberText(double value);
 std::string numberText(const std::optional<double>& value);
 
-/// An estimate with its standard error, "0.3102 +- 0.0041": both to the second digit of the error.
-/// The number alone where the error is not a positive number.
+/// An estimate with its standard error, "0.3102 +- 0.0041", both rounded to the second significant
+/// digit of the error. The number alone if the error is not a positive number.
 std::string estimateText(double value, double standard_error);
 
 /// "(1, 2)"; a single entry without brackets.

@@ -1,9 +1,9 @@
 #include "io/tree.h"
 
-#include <algorithm>
-#include <vector>
+#include <yaml-cpp/yaml.h>
 
-#include "io/read_file.h"
+#include <nlohmann/json.hpp>
+
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
@@ -52,7 +52,7 @@ json convert(const YAML::Node& node, const std::string& path, std::map<std::stri
 
 Tree treeFromYaml(const YAML::Node& node) {
   Tree tree;
-  tree.value = convert(node, "", tree.lines);
+  tree.value = std::make_shared<const json>(convert(node, "", tree.lines));
   return tree;
 }
 
@@ -69,20 +69,6 @@ YAML::Node yamlFromTree(const json& value) {
   }
   if (value.is_null()) return YAML::Node(YAML::NodeType::Null);
   return YAML::Node(value.is_string() ? value.get<std::string>() : value.dump());
-}
-
-YAML::Node loadYaml(const std::string& path) {
-  const std::string text = readFile(path);
-  try {
-    const YAML::Node node = YAML::Load(text);
-    if (node.IsNull()) {
-      throw ConfigurationError(path + ": the file holds no keys; write {} to take every default");
-    }
-    return node;
-  } catch (const YAML::Exception& error) {
-    throw ConfigurationError(path + ", line " + std::to_string(error.mark.line + 1) +
-                             ": not YAML: " + error.msg);
-  }
 }
 
 std::string pathOf(const std::string& parent, const std::string& key) {

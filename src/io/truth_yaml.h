@@ -3,7 +3,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "simulation/truth.h"

@@ -1,5 +1,5 @@
-// Tells from live signals whether a plant still is one that the identified model allows;
-// docs/fault_detection.md and config/fault_detection.yaml say how to configure it.
+// Detects from live signals whether the plant still agrees with the identified model. See
+// docs/fault_detection.md; config/fault_detection.yaml describes the configuration.
 
 #include <ros/ros.h>
 
@@ -12,8 +12,8 @@
 int main(int argc, char** argv) {
   namespace ui = uncertainty_identification;
   ros::init(argc, argv, "fault_detection");
-  const ros::NodeHandle node,
-      private_node("~");  // outlive the try: without a node nothing is logged
+  // Created outside the try block: ROS logs nothing without a node handle.
+  const ros::NodeHandle node, private_node("~");
   try {
     const ui::FaultDetectionServer server(
         node, private_node, ui::parseFaultDetection(ui::loadParameterTree(private_node)));

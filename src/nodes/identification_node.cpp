@@ -1,4 +1,4 @@
-// Identifies from live topics; docs and config/reference.yaml say how to configure it.
+// Identifies from live topics. config/reference.yaml describes the configuration.
 
 #include <ros/ros.h>
 
@@ -10,8 +10,8 @@
 int main(int argc, char** argv) {
   namespace ui = uncertainty_identification;
   ros::init(argc, argv, "identification");
-  const ros::NodeHandle node,
-      private_node("~");  // outlive the try: without a node nothing is logged
+  // Created outside the try block: ROS logs nothing without a node handle.
+  const ros::NodeHandle node, private_node("~");
   try {
     const ui::IdentificationServer server(node, private_node, ui::loadParameters(private_node));
     ros::spin();

@@ -1,5 +1,5 @@
-// Judges a controller against every new model and its uncertainty; docs/robust_margin.md and
-// config/robust_margin.yaml say how to configure it.
+// Computes the robust margin of a controller with every newly identified model and its uncertainty.
+// See docs/robust_margin.md; config/robust_margin.yaml describes the configuration.
 
 #include <ros/ros.h>
 
@@ -12,8 +12,8 @@
 int main(int argc, char** argv) {
   namespace ui = uncertainty_identification;
   ros::init(argc, argv, "robust_margin");
-  const ros::NodeHandle node,
-      private_node("~");  // outlive the try: without a node nothing is logged
+  // Created outside the try block: ROS logs nothing without a node handle.
+  const ros::NodeHandle node, private_node("~");
   try {
     const ui::RobustMarginServer server(node, private_node,
                                         ui::parseRobustMargin(ui::loadParameterTree(private_node)));

@@ -15,27 +15,26 @@
 #include <vector>
 
 #include "ros/service_thread.h"
-#include "ros/work_queue.h"
+#include "session/work_queue.h"
 #include "uncertainty_identification/identifier.h"
 
 namespace uncertainty_identification {
 
-/// Answers an action whose result has the codes OK and CANCELLED, and whose feedback is a Progress.
-/// Goals are worked on in a thread
-/// of its own, one at a time: a new one preempts the one that runs, and those that wait. Who
-/// cancels is answered at once; the work ends when it asks next whether to go on. A goal succeeds
-/// when its result's code is OK, is told as preempted for CANCELLED, and else as aborted; the
-/// result says more in each case.
+/// Serves an action whose result has the codes OK and CANCELLED, and whose feedback is a Progress.
+/// Goals are processed in a thread of its own, one at a time. A new goal cancels the running one
+/// and all that wait. The client of a cancelled goal is answered at once; its work ends when it
+/// next reports progress. A goal ends as succeeded if its result's code is OK, as preempted for
+/// CANCELLED, and otherwise as aborted.
 ///
-/// Written on ActionServer because SimpleActionServer::isPreemptRequested() is a race when another
-/// thread asks.
+/// Uses ActionServer, because SimpleActionServer::isPreemptRequested() has a data race when it is
+/// called from another thread.
 template <typename Action>
 class ActionThread {
  public:
   ACTION_DEFINITION(Action)
 
-  /// Carries a goal out; the callback publishes feedback and tells to leave the goal, by false.
-  /// Must not throw.
+  /// Processes a goal. It calls the given function to report progress, and stops when that returns
+  /// false. Must not throw.
   using Work = std::function<Result(const Goal&, const ProgressCallback&)>;
 
   ActionThread(const ros::NodeHandle& node, const std::string& name, Work work)
@@ -45,7 +44,7 @@ class ActionThread {
             listener_.node(), name, [this](Handle handle) { receive(std::move(handle)); },
             [this](const Handle& handle) { cancel(handle); }, false) {}
 
-  /// Cancels what runs and waits for its end.
+  /// Cancels the running goal and blocks until its work has ended.
   ~ActionThread() {
     listener_.stop();
     cancelAll();
@@ -68,7 +67,7 @@ class ActionThread {
     explicit Task(Handle of) : handle(std::move(of)) {}
     Handle handle;
     std::atomic<bool> cancelled{false};
-    std::mutex mutex;  // guards what follows, and the end of the goal
+    std::mutex mutex;  // guards `ended` and the end of the goal
     bool ended = false;
   };
 

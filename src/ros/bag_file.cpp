@@ -26,7 +26,8 @@ std::string inRootNamespace(std::string_view topic) {
                   "; copy or record it again, or try 'rosbag reindex' and 'rosbag fix'");
 }
 
-/// [ns] of a stamp as a record's header holds it: seconds, then nanoseconds.
+/// Converts a stamp to nanoseconds. Headers of records hold the seconds in the lower and the
+/// nanoseconds in the upper 32 bits.
 std::uint64_t nanoseconds(std::uint64_t stamp) {
   return (stamp & 0xffffffffU) * 1000000000U + (stamp >> 32U);
 }
@@ -55,7 +56,7 @@ BagFile::BagFile(const std::string& path) : path_(path) {
 
 std::vector<std::uint8_t> BagFile::bytesAt(std::uint64_t position, std::uint64_t count) {
   if (position > size_ || count > size_ - position)
-    throw DataError("it ends too early; was its recording or copying cut short?");
+    throw DataError("it ends too early; was its recording or copying interrupted?");
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(count));
   file_.clear();
   file_.seekg(static_cast<std::streamoff>(position));
@@ -73,13 +74,14 @@ std::vector<std::uint8_t> BagFile::recordAt(std::uint64_t position) {
   return bytesAt(position, header + 4 + lengthAt(position + header));
 }
 
-/// Position of the index.
+/// Checks the beginning of the file and returns the position of the index.
 std::uint64_t BagFile::readFileHeader() {
   const std::vector<std::uint8_t> start = bytesAt(0, std::min(size_, kMagicSize));
   if (start.empty()) throw FileError("cannot read bag '" + path_ + "': the file is empty");
   if (std::string(start.begin(), start.end()) != kMagic)
-    throw FileError("'" + path_ +
-                    "' is no ROS bag of format 2.0; bags of older formats need 'rosbag fix'");
+    throw FileError(
+        "'" + path_ +
+        "' is not a ROS bag of format 2.0; convert bags of older formats by 'rosbag fix'");
   const auto bytes = recordAt(kMagicSize);
   ByteReader reader(view(bytes));
   const BagHeader header = readRecord(reader).header;
@@ -88,8 +90,8 @@ std::uint64_t BagFile::readFileHeader() {
   const auto index = header.number<std::uint64_t>("index_pos");
   if (index == 0)
     throw FileError("bag '" + path_ +
-                    "' has no index, its recording was cut short; run 'rosbag reindex " + path_ +
-                    "' first");
+                    "' has no index because its recording was interrupted; run 'rosbag reindex " +
+                    path_ + "' first");
   return index;
 }
 
@@ -117,7 +119,7 @@ std::vector<std::uint8_t> BagFile::chunkContent(std::size_t chunk) {
   ByteReader reader(view(bytes));
   const BagRecord record = readRecord(reader);
   if (record.header.operation() != BagOperation::chunk)
-    throw DataError("its index points to what is no chunk");
+    throw DataError("its index is wrong (no chunk at byte " + std::to_string(chunks_[chunk]) + ")");
   return decompress(record.header.text("compression"), record.data,
                     record.header.number<std::uint32_t>("size"));
 }
@@ -133,7 +135,8 @@ std::vector<BagFile::Entry> BagFile::listEntries(
       const BagHeader header = readRecord(reader).header;
       if (header.operation() != BagOperation::message) continue;
       const auto connection = connections_.find(header.number<std::uint32_t>("conn"));
-      if (connection == connections_.end()) throw DataError("a message belongs to no connection");
+      if (connection == connections_.end())
+        throw DataError("a message refers to a connection that the bag does not have");
       if (wanted(connection->second))
         entries.push_back({nanoseconds(header.number<std::uint64_t>("time")),
                            static_cast<std::uint32_t>(chunk), offset, connection->first});

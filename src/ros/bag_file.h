@@ -11,37 +11,37 @@
 
 namespace uncertainty_identification {
 
-/// A recorded publication of a topic.
+/// One publisher of a topic, as the bag recorded it.
 struct BagConnection {
-  std::string topic;  ///< in the root namespace
+  std::string topic;  ///< full name, beginning with '/'
   std::string type, md5sum, definition;
-  std::string publisher;  ///< empty: not recorded
+  std::string publisher;  ///< name of the node; empty if the bag does not say
 };
 
-/// A message of a bag. The bytes are valid until the next one is handed out.
+/// A message of a bag. The bytes are valid until the next message is read.
 struct BagMessage {
   const BagConnection& connection;
   SerialisedMessage bytes;
   double time;  ///< [s] when it was recorded
 };
 
-/// An open bag of format 2.0. Written because rosbag_storage crashes or does not return on one
-/// damaged bag in ten; here every length is checked before it is used.
+/// An open bag of format 2.0. This class replaces rosbag_storage, which crashes or never returns
+/// for one damaged bag in ten. Here every length is checked before it is used.
 class BagFile {
  public:
-  /// Throws FileError when the file cannot be read, is no bag, is damaged, encrypted or has no
-  /// index.
+  /// Throws FileError when the file cannot be read, is not a bag, is damaged or encrypted, or
+  /// has no index.
   explicit BagFile(const std::string& path);
 
   const std::string& path() const { return path_; }
   const std::map<std::uint32_t, BagConnection>& connections() const { return connections_; }
 
-  /// [bytes] that all chunks unpack to, as their headers say. Throws FileError where the bag is
-  /// damaged.
+  /// The size [bytes] of all chunks after decompression, according to their headers. Throws
+  /// FileError when the bag is damaged.
   std::uint64_t unpackedSize();
 
-  /// Hands out the messages of the wanted connections in order of recording. Throws FileError where
-  /// the bag is damaged, and what `receive` throws.
+  /// Calls `receive` for each message of the wanted connections, in order of recording. Throws
+  /// FileError when the bag is damaged, and what `receive` throws.
   void read(const std::function<bool(const BagConnection&)>& wanted,
             const std::function<void(const BagMessage&)>& receive);
 
@@ -69,7 +69,7 @@ class BagFile {
   std::ifstream file_;
   std::uint64_t size_ = 0;  // [bytes]
   std::map<std::uint32_t, BagConnection> connections_;
-  std::vector<std::uint64_t> chunks_;  // positions in the file [bytes]
+  std::vector<std::uint64_t> chunks_;  // [bytes] positions in the file
 };
 
 }  // namespace uncertainty_identification

@@ -35,7 +35,7 @@ void requireTopic(const BagFile& bag, const std::string& topic, const std::strin
   throw ConfigurationError(message);
 }
 
-/// Topics that hold complete experiments.
+/// Topics whose messages are complete experiments.
 std::set<std::string> experimentTopics(const BagFile& bag) {
   std::set<std::string> topics;
   for (const auto& [id, connection] : bag.connections())
@@ -44,7 +44,7 @@ std::set<std::string> experimentTopics(const BagFile& bag) {
   return topics;
 }
 
-void requireGoingOn(const KeepGoing& keep_going) {
+void throwIfCancelled(const KeepGoing& keep_going) {
   if (keep_going && !keep_going()) throw CancelledError("reading was cancelled");
 }
 
@@ -53,11 +53,11 @@ void readTopics(BagFile& bag, const std::set<std::string>& topics, const KeepGoi
                 const Receive& receive) {
   bag.read(
       [&](const BagConnection& connection) {
-        requireGoingOn(keep_going);
+        throwIfCancelled(keep_going);
         return topics.count(connection.topic) > 0;
       },
       [&](const BagMessage& message) {
-        requireGoingOn(keep_going);
+        throwIfCancelled(keep_going);
         const BagConnection& from = message.connection;
         receive(from.topic, RawMessage{from.type, from.md5sum, from.definition, message.bytes,
                                        message.time, from.publisher});
@@ -80,7 +80,7 @@ LoadedData readSignals(BagFile& bag, const Configuration& configuration,
   LoadedData data;
   data.warnings = router.warnings();
   for (const auto& recording : router.cutter().takeFinished()) {
-    requireGoingOn(keep_going);
+    throwIfCancelled(keep_going);
     addResampled(recording, configuration.sample_time, configuration.resampling, data);
   }
   for (auto& rejected : router.cutter().takeRejected()) data.rejected.push_back(rejected);
@@ -112,8 +112,8 @@ LoadedData readFrom(BagFile& bag, const Configuration& configuration, const Keep
     return readExperiments(bag, complete, keep_going);
   if (experiment.mode == ExperimentMode::service)
     throw ConfigurationError(
-        "experiment.mode: service: a bag does not tell when the services were called; cut it by "
-        "mode topic, duration or gap");
+        "experiment.mode: service: a bag does not record when the services were called; use mode "
+        "topic, duration or gap");
   return readSignals(bag, configuration, keep_going);
 }
 

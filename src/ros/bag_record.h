@@ -18,7 +18,7 @@ enum class BagOperation : std::uint8_t {
   connection = 0x07
 };
 
-/// The fields "name=value" in the header of a record. The bytes outlive it.
+/// The fields "name=value" in the header of a record. Refers to the bytes, which must live longer.
 class BagHeader {
  public:
   explicit BagHeader(SerialisedMessage bytes) : bytes_(bytes) {}
@@ -36,7 +36,7 @@ class BagHeader {
     return value.data() == nullptr ? otherwise : value;
   }
 
-  /// Throws DataError when the field is missing or of another size.
+  /// The field as a number of type T. Throws DataError when it is missing or has another size.
   template <typename T>
   T number(std::string_view name) const {
     const auto value = text(name);
@@ -49,7 +49,7 @@ class BagHeader {
   BagOperation operation() const { return BagOperation{number<std::uint8_t>("op")}; }
 
  private:
-  /// Data of a null pointer where there is no such field.
+  /// A view whose data() is null when there is no such field.
   std::string_view find(std::string_view name) const {
     ByteReader reader(bytes_);
     while (!reader.atEnd()) {
@@ -71,7 +71,7 @@ struct BagRecord {
   SerialisedMessage data;
 };
 
-/// Reads the next record. Throws DataError when it does not fit.
+/// Reads the next record. Throws DataError when its lengths exceed the bytes that are left.
 inline BagRecord readRecord(ByteReader& reader) {
   const BagHeader header(reader.take(reader.read<std::uint32_t>()));
   return {header, reader.take(reader.read<std::uint32_t>())};

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
-/// Writes messages in order of their stamps, as they would have been recorded.
+/// Collects messages and writes them in the order of their stamps, like a recording.
 class Recorder {
  public:
   explicit Recorder(rosbag::Bag& bag) : bag_(bag) {}

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "ros/answer.h"
 #include "ros/number_list.h"
 #include "uncertainty_identification/errors.h"
 
@@ -12,7 +13,7 @@ void append(const Eigen::VectorXd& values, std::vector<double>* list) {
   list->insert(list->end(), values.data(), values.data() + values.size());
 }
 
-/// The limits of all levels, a row for each.
+/// The lower limits of all levels, one row per level.
 std::vector<double> lower(const std::vector<Band>& bands) {
   std::vector<double> list;
   for (const Band& band : bands) append(band.lower, &list);
@@ -25,6 +26,7 @@ std::vector<double> upper(const std::vector<Band>& bands) {
   return list;
 }
 
+/// The bands that include the estimation errors if they are known, otherwise those of the mixture.
 const Bands& widest(const UncertaintyBands& bands) {
   return bands.total.empty() ? bands.mixture : bands.total;
 }
@@ -55,13 +57,6 @@ void fill(const UncertaintyWeight& weight, messages::UncertaintyBounds* message)
   message->weight_margin = weight.margin;
 }
 
-messages::SampleModels::Response refusal(std::uint8_t code, const std::string& why) {
-  messages::SampleModels::Response response;
-  response.code = code;
-  response.message = why;
-  return response;
-}
-
 messages::SampleModels::Response drawnPlants(const messages::SampleModels::Request& request,
                                              const Estimate& estimate) {
   using Request = messages::SampleModels::Request;
@@ -86,7 +81,7 @@ messages::SampleModels::Response drawnPlants(const messages::SampleModels::Reque
 
 messages::UncertaintyBounds toMessage(const Bounds& bounds, const ResultContext& context) {
   messages::UncertaintyBounds message;
-  message.header.stamp = context.stamp;
+  message.header.stamp = stampOf(context);
   message.sequence = context.sequence;
   message.estimation_errors_included = !bounds.frequency.magnitude_bands.total.empty();
   message.samples = static_cast<std::uint32_t>(bounds.samples);
@@ -106,25 +101,26 @@ messages::SampleModels::Response answerSampleModels(const messages::SampleModels
                                                     const Estimate* estimate,
                                                     std::uint32_t sequence) {
   using messages::SampleModels;
-  constexpr std::uint32_t kMost = 10000;
+  using Response = SampleModels::Response;
+  constexpr std::uint32_t kMaxCount = 10000;
   if (estimate == nullptr)
-    return refusal(SampleModels::Response::NONE_YET, "there is no result yet to draw from");
-  if (request.count < 1 || request.count > kMost) {
-    return refusal(SampleModels::Response::REQUEST_ERROR,
-                   "count: found " + std::to_string(request.count) + "; allowed: 1 to " +
-                       std::to_string(kMost));
+    return answerOf<Response>(Response::NONE_YET, "there is no result yet to draw from");
+  if (request.count < 1 || request.count > kMaxCount) {
+    return answerOf<Response>(Response::REQUEST_ERROR,
+                              "count: found " + std::to_string(request.count) + "; allowed: 1 to " +
+                                  std::to_string(kMaxCount));
   }
   if (request.uncertainty > SampleModels::Request::TOTAL) {
-    return refusal(SampleModels::Response::REQUEST_ERROR,
-                   "uncertainty: found " + std::to_string(request.uncertainty) +
-                       "; allowed: MIXTURE (0) or TOTAL (1)");
+    return answerOf<Response>(Response::REQUEST_ERROR, "uncertainty: found " +
+                                                           std::to_string(request.uncertainty) +
+                                                           "; allowed: MIXTURE (0) or TOTAL (1)");
   }
   try {
     auto response = drawnPlants(request, *estimate);
     response.sequence = sequence;
     return response;
   } catch (const DataError& error) {
-    return refusal(SampleModels::Response::DATA_ERROR, error.what());
+    return answerOf<Response>(Response::DATA_ERROR, error.what());
   }
 }
 

@@ -6,10 +6,11 @@
 
 namespace uncertainty_identification {
 
-/// Bounds of a result as a message: those that count the estimate's errors where they are known.
+/// The bounds of a result as a message. If the estimation errors are known, these are the bounds
+/// that include them.
 messages::UncertaintyBounds toMessage(const Bounds& bounds, const ResultContext& context);
 
-/// Answers a request for plants drawn from `estimate` (null: there is none yet).
+/// Answers a request for plants drawn from `estimate`; null means that there is no result yet.
 messages::SampleModels::Response answerSampleModels(const messages::SampleModels::Request& request,
                                                     const Estimate* estimate,
                                                     std::uint32_t sequence);

@@ -54,7 +54,7 @@ void BoundsPublisher::publish(const Request& request) {
       last_sequence_ = request.context.sequence;
     }
     done_({*request.estimate, bounds, {}});
-  } catch (const std::exception& error) {  // whatever it is, the node goes on
+  } catch (const std::exception& error) {  // costs only the bounds; the node keeps running
     ROS_WARN_STREAM("result " << request.context.sequence << " has no bounds: " << error.what());
   }
 }

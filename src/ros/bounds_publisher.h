@@ -14,26 +14,27 @@
 
 namespace uncertainty_identification {
 
-/// Computes the bounds of results in a thread of its own, so that they delay nothing, and publishes
-/// them, latched: ~uncertainty_bounds, with the result's sequence number. Of results that come
-/// quicker than bounds can be computed only the newest gets some. May be used from any thread.
-/// `done` is told the result with its bounds, in that thread.
+/// Computes the bounds of results in a thread of its own and publishes them on the latched topic
+/// ~uncertainty_bounds, with the sequence number of the result. If results arrive faster than
+/// bounds can be computed, bounds are computed only for the newest result. All functions may be
+/// called from any thread.
 class BoundsPublisher {
  public:
   using Done = std::function<void(const Result&)>;
 
+  /// `done` is called in the publisher's thread with each result and its bounds.
   BoundsPublisher(ros::NodeHandle private_node, Done done);
 
-  /// Waits for the bounds being computed.
+  /// Blocks until the computation that is running has ended.
   ~BoundsPublisher();
 
   BoundsPublisher(const BoundsPublisher&) = delete;
   BoundsPublisher& operator=(const BoundsPublisher&) = delete;
 
-  /// Computes nothing where the estimate's configuration asks for no frequencies.
+  /// Asks for the bounds of a result. Does nothing if its configuration has bounds.frequencies 0.
   void add(std::shared_ptr<const Estimate> estimate, const ResultContext& context);
 
-  /// The bounds of result `sequence`, if they are the last ones computed.
+  /// The bounds of the result with this sequence number, if they are the last ones computed.
   std::optional<Bounds> boundsOf(std::uint32_t sequence) const;
 
  private:
@@ -47,13 +48,13 @@ class BoundsPublisher {
 
   const Done done_;
   ros::Publisher publisher_;
-  mutable std::mutex mutex_;  // guards what follows
+  mutable std::mutex mutex_;  // guards the members below
   std::condition_variable changed_;
   std::optional<Request> newest_;
   std::optional<Bounds> last_;
   std::uint32_t last_sequence_ = 0;
   bool stopping_ = false;
-  std::thread thread_;  // last, so that it finds all of the above
+  std::thread thread_;  // declared last: it starts when all other members exist
 };
 
 }  // namespace uncertainty_identification

@@ -9,7 +9,7 @@
 
 namespace uncertainty_identification {
 
-/// Walks through serialised bytes; throws DataError instead of leaving them.
+/// Reads serialised bytes from front to back. Throws DataError instead of reading beyond their end.
 class ByteReader {
  public:
   explicit ByteReader(SerialisedMessage bytes) : bytes_(bytes) {}
@@ -17,11 +17,11 @@ class ByteReader {
   bool atEnd() const { return position_ == bytes_.size; }
   std::size_t position() const { return position_; }
 
-  /// The next bytes, which are passed over.
+  /// Returns the next `count` bytes and moves behind them.
   SerialisedMessage take(std::uint64_t count) {
     if (count > bytes_.size - position_)
-      throw DataError(std::to_string(bytes_.size) +
-                      " bytes are fewer than the lengths in them say");
+      throw DataError("there are only " + std::to_string(bytes_.size) +
+                      " bytes, fewer than the lengths in them need");
     const SerialisedMessage taken{bytes_.data + position_, static_cast<std::size_t>(count)};
     position_ += taken.size;
     return taken;

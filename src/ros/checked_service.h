@@ -12,20 +12,21 @@
 
 namespace uncertainty_identification {
 
-/// Throws DataError when the bytes are fewer than the definition and the lengths in them say, or
-/// more than `most`: roscpp makes room for what an array's length says before it looks.
+/// Checks a serialised request before it is deserialised: roscpp allocates as many elements as an
+/// array's length says, even if the bytes do not contain them. Throws DataError when there are
+/// fewer bytes than the definition and the lengths in them need, or more than `max_bytes`.
 template <typename Message>
-void requireSound(SerialisedMessage bytes, std::size_t most) {
+void requireSound(SerialisedMessage bytes, std::size_t max_bytes) {
   namespace traits = ros::message_traits;
   static const MessageDefinition kDefinition(traits::datatype<Message>(),
                                              traits::definition<Message>());
-  if (bytes.size > most)
+  if (bytes.size > max_bytes)
     throw DataError("the request has " + std::to_string(bytes.size) + " bytes; at most " +
-                    std::to_string(most) + " are read (limits.max_request_size)");
+                    std::to_string(max_bytes) + " are read (limits.max_request_size)");
   requireComplete(kDefinition, bytes);
 }
 
-/// Looks through a request before it is read; answers a broken one with `code` and the reason.
+/// Checks each request by requireSound() and answers a broken one with `code` and the reason.
 template <typename Service>
 class CheckedServiceHelper
     : public ros::ServiceCallbackHelperT<
@@ -35,14 +36,15 @@ class CheckedServiceHelper
   using Response = typename Service::Response;
   using Base = ros::ServiceCallbackHelperT<ros::ServiceSpec<Request, Response>>;
 
-  CheckedServiceHelper(const typename Base::Callback& answer, std::uint8_t code, std::size_t most)
-      : Base(answer), code_(code), most_(most) {}
+  CheckedServiceHelper(const typename Base::Callback& answer, std::uint8_t code,
+                       std::size_t max_bytes)
+      : Base(answer), code_(code), max_bytes_(max_bytes) {}
 
   bool call(ros::ServiceCallbackHelperCallParams& parameters) override {
     const ros::SerializedMessage& request = parameters.request;
     const auto header = static_cast<std::size_t>(request.message_start - request.buf.get());
     try {
-      requireSound<Request>({request.message_start, request.num_bytes - header}, most_);
+      requireSound<Request>({request.message_start, request.num_bytes - header}, max_bytes_);
       return Base::call(parameters);
     } catch (const std::exception& error) {
       Response response;
@@ -55,20 +57,20 @@ class CheckedServiceHelper
 
  private:
   std::uint8_t code_;
-  std::size_t most_;  // [bytes] of a request
+  std::size_t max_bytes_;
 };
 
-/// Advertises a service whose request has arrays; `code` answers requests that are broken
-/// or have more than `most` bytes.
+/// Advertises a service whose requests contain arrays. Requests that are broken or have more than
+/// `max_bytes` bytes are answered with `code`.
 template <typename Service>
 ros::ServiceServer advertiseChecked(
     ros::NodeHandle& node, const std::string& name,
     const boost::function<bool(typename Service::Request&, typename Service::Response&)>& answer,
-    std::uint8_t code, std::size_t most) {
+    std::uint8_t code, std::size_t max_bytes) {
   ros::AdvertiseServiceOptions options;
   options.initBySpecType<ros::ServiceSpec<typename Service::Request, typename Service::Response>>(
       name, answer);
-  options.helper = boost::make_shared<CheckedServiceHelper<Service>>(answer, code, most);
+  options.helper = boost::make_shared<CheckedServiceHelper<Service>>(answer, code, max_bytes);
   return node.advertiseService(options);
 }
 

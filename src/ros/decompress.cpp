@@ -10,11 +10,11 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr std::uint32_t kLargest =
-    1U << 30;  // [bytes] chunks are of the order of 1 MB; a guard against hostile sizes
+// [bytes] Chunks have about 1 MB; a larger size than this must be an error or an attack.
+constexpr std::uint32_t kLargest = 1U << 30;
 
-char* mutableText(
-    SerialisedMessage data) {  // both libraries take, but do not change, a plain char*
+/// Both libraries take a char*, although they do not change the data.
+char* mutableText(SerialisedMessage data) {
   return const_cast<char*>(reinterpret_cast<const char*>(data.data));
 }
 

@@ -8,8 +8,9 @@
 
 namespace uncertainty_identification {
 
-/// The content of a chunk of a bag, compressed as "none", "bz2" or "lz4", `size` bytes long. Throws
-/// DataError when the data are damaged, or of another compression or size.
+/// Decompresses a chunk of a bag. `compression` is "none", "bz2" or "lz4", `size` the number of
+/// bytes of the result. Throws DataError when the data are damaged or `compression` or `size` is
+/// wrong.
 std::vector<std::uint8_t> decompress(std::string_view compression, SerialisedMessage data,
                                      std::uint32_t size);
 

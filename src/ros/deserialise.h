@@ -10,8 +10,8 @@
 
 namespace uncertainty_identification {
 
-/// The message as its compiled type. Throws ConfigurationError when it is of another type or
-/// version, DataError when it is broken.
+/// Converts a serialised message to its compiled type. Throws ConfigurationError when the message
+/// is of another type or of another version of the type, DataError when it is broken.
 template <typename Message>
 Message deserialise(const RawMessage& raw) {
   namespace traits = ros::message_traits;
@@ -20,7 +20,8 @@ Message deserialise(const RawMessage& raw) {
     throw ConfigurationError("a message of type " + raw.type + " was found where " + expected +
                              " as this version defines it is expected");
   }
-  // roscpp allocates what an array's length says before it looks whether the message is that long
+  // Checked first because roscpp allocates as many elements as an array's length says, even if the
+  // message does not contain them.
   static const MessageDefinition kDefinition(expected, traits::definition<Message>());
   requireComplete(kDefinition, raw.bytes);
   ros::serialization::IStream stream(const_cast<std::uint8_t*>(raw.bytes.data),

@@ -12,11 +12,13 @@
 #include "io/atomic_file.h"
 #include "ros/message_conversions.h"
 #include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/ros/bag_reader.h"
 
 namespace uncertainty_identification {
 namespace {
 
-/// A file in memory: rosbag::Bag ends the process when the disk is full, even inside a catch.
+/// A file in memory. Bags are written to memory first, because rosbag::Bag terminates the process
+/// when the disk is full, even if its exceptions are caught.
 class MemoryFile {
  public:
   MemoryFile() : file_(::memfd_create("experiments.bag", MFD_CLOEXEC)) {
@@ -60,6 +62,13 @@ void writeExperimentBag(const std::string& path, const std::vector<const Experim
     throw FileError("cannot write bag '" + path + "': " + error.what());
   }
   writeAtomically(path, [&](const std::string& temporary) { memory.copyTo(temporary); });
+}
+
+ExperimentFiles experimentBags() {
+  return {[](const std::string& path, const std::vector<const Experiment*>& experiments) {
+            writeExperimentBag(path, experiments);
+          },
+          readExperimentBag, unpackedSize};
 }
 
 }  // namespace uncertainty_identification

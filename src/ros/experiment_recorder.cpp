@@ -1,5 +1,6 @@
 #include "ros/experiment_recorder.h"
 
+#include <set>
 #include <utility>
 
 #include "ros/deserialise.h"
@@ -9,11 +10,9 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr std::uint32_t kQueueLength =
-    100000;  // messages; a burst is kept while the thread is busy
-constexpr std::chrono::milliseconds kSilence(
-    1000);                                 // after which nothing late is expected any more
-constexpr std::size_t kMaxReported = 100;  // different problems
+// Messages that ROS keeps while the thread is busy; more than a burst of the fastest topics.
+constexpr std::uint32_t kQueueLength = 100000;
+constexpr double kPolicyPeriod = 0.25;  // [s] between two checks whether an experiment is due
 
 std::string experimentTopic(const Configuration& configuration,
                             const ros::NodeHandle& private_node) {
@@ -27,13 +26,10 @@ ExperimentRecorder::ExperimentRecorder(const ros::NodeHandle& node,
                                        const ros::NodeHandle& private_node,
                                        const Configuration& configuration, Listener listener,
                                        Patience patience)
-    : node_(node),
-      configuration_(configuration),
-      listener_(std::move(listener)),
-      patience_(patience) {
-  reset();
+    : node_(node), configuration_(configuration), policy_(std::move(listener), patience) {
   std::set<std::string> topics;
   try {
+    reset();
     if (router_) {
       for (const auto& use : router_->uses()) topics.insert(use.topic);
     } else {
@@ -43,19 +39,18 @@ ExperimentRecorder::ExperimentRecorder(const ros::NodeHandle& node,
     throw ConfigurationError(std::string("a topic of the configuration: ") + error.what());
   }
   for (const auto& topic : topics) subscribe(topic);
-  timer_ = node_.createWallTimer(ros::WallDuration(0.25), [this](const ros::WallTimerEvent&) {
-    releaseAfterSilence();
-    renewSubscriptions();
-  });
+  timer_ =
+      node_.createWallTimer(ros::WallDuration(kPolicyPeriod), [this](const ros::WallTimerEvent&) {
+        if (router_) policy_.releaseLate(router_->cutter(), Clock::now());
+        renewSubscriptions();
+      });
 }
 
 void ExperimentRecorder::reset() {
-  reported_.clear();
   if (configuration_.experiment.mode != ExperimentMode::message)
     router_ = std::make_unique<TopicRouter>(
         configuration_, [this](const std::string& topic) { return node_.resolveName(topic); });
-  last_arrival_ = last_release_ = std::chrono::steady_clock::now();
-  if (std::exchange(running_, false)) listener_.running(false);
+  policy_.reset(Clock::now());
 }
 
 void ExperimentRecorder::subscribe(const std::string& topic) {
@@ -66,15 +61,18 @@ void ExperimentRecorder::subscribe(const std::string& topic) {
   topics_[topic].subscriber = node_.subscribe(options);
 }
 
-// To roscpp a subscription is of the type of its first publisher for ever, and refuses all others
-// in silence: where a topic has lost its publishers it is subscribed to anew.
+// A roscpp subscription takes the message type of its first publisher and then silently ignores
+// publishers of other types. A topic that has lost all its publishers is therefore subscribed to
+// again, so that a publisher of another type is heard.
 void ExperimentRecorder::renewSubscriptions() {
-  const auto now = std::chrono::steady_clock::now();
+  const auto now = Clock::now();
   for (auto& [name, topic] : topics_) {
     const bool published = topic.subscriber.getNumPublishers() > 0;
-    topic.connected = topic.connected || published;
-    if (!topic.connected || published || now - topic.arrivals.newest() < kSilence) continue;
-    topic.connected = false;
+    topic.had_publisher = topic.had_publisher || published;
+    if (!topic.had_publisher || published ||
+        now - topic.arrivals.newest() < RecorderPolicy::kSilence)
+      continue;
+    topic.had_publisher = false;
     topic.subscriber.shutdown();
     subscribe(name);
   }
@@ -90,16 +88,16 @@ std::vector<TopicActivity> ExperimentRecorder::activity() {
   } else {
     activity.push_back({topics_.begin()->first, "experiment.topic", TopicRole::marker});
   }
-  const auto now = std::chrono::steady_clock::now();
+  const auto now = Clock::now();
   for (auto& [name, topic] : topics_) {
-    TopicActivity told;
-    topic.arrivals.tell(now, told);
+    TopicActivity arrived;
+    topic.arrivals.fillIn(arrived, now);
     for (auto& each : activity) {
       if (each.topic != name) continue;
-      each.messages = told.messages;
-      each.rate = told.rate;
-      each.age = told.age;
-      each.interval = told.interval;
+      each.messages = arrived.messages;
+      each.rate = arrived.rate;
+      each.age = arrived.age;
+      each.interval = arrived.interval;
     }
   }
   return activity;
@@ -110,9 +108,10 @@ void ExperimentRecorder::receive(const std::string& topic, const Event& event) {
   buffer_.resize(message.size());
   ros::serialization::OStream stream(buffer_.data(), static_cast<std::uint32_t>(buffer_.size()));
   message.write(stream);
-  last_arrival_ = std::chrono::steady_clock::now();
-  topics_[topic].arrivals.count(last_arrival_);
-  topics_[topic].connected = true;
+  const auto now = Clock::now();
+  policy_.arrived(now);
+  topics_[topic].arrivals.count(now);
+  topics_[topic].had_publisher = true;
   try {
     record(topic, {message.getDataType(),
                    message.getMD5Sum(),
@@ -121,74 +120,48 @@ void ExperimentRecorder::receive(const std::string& topic, const Event& event) {
                    event.getReceiptTime().toSec(),
                    event.getPublisherName()});
   } catch (const Error& error) {
-    report(error.what());
+    policy_.report(error.what());
   }
 }
 
 void ExperimentRecorder::record(const std::string& topic, const RawMessage& message) {
   if (!router_) {
-    listener_.finished(
-        fromMessage(deserialise<messages::Experiment>(message), configuration_.limits));
+    policy_.passOn(fromMessage(deserialise<messages::Experiment>(message), configuration_.limits));
     return;
   }
   router_->add(topic, message);
-  for (const auto& problem : router_->takeProblems()) report(problem);
+  for (const auto& problem : router_->takeProblems()) policy_.report(problem);
   reportStamps();
-  handOn();
+  passOn();
 }
 
 bool ExperimentRecorder::start() {
   const bool done = router_ && router_->cutter().begin(ros::Time::now().toSec());
-  handOn();
+  passOn();
   return done;
 }
 
 bool ExperimentRecorder::finish() {
   const bool done = router_ && router_->cutter().finish(ros::Time::now().toSec());
-  handOn();
+  passOn();
   return done;
 }
 
 bool ExperimentRecorder::discard() {
   const bool done = router_ && router_->cutter().discard();
-  handOn();
+  passOn();
   return done;
 }
 
-// An experiment waits until both signals have passed its end; when the topics fall silent, they
-// never will.
-void ExperimentRecorder::releaseAfterSilence() {
-  const auto now = std::chrono::steady_clock::now();
-  const bool waiting = router_ && router_->cutter().waiting();
-  const auto since = patience_ == Patience::a_second ? last_release_ : last_arrival_;
-  if (!waiting) last_release_ = now;
-  if (!waiting || now - since < kSilence) return;
-  last_release_ = now;
-  router_->cutter().releaseClosed();
-  handOn();
-}
-
-void ExperimentRecorder::handOn() {
-  if (!router_) return;
-  ExperimentCutter& cutter = router_->cutter();
-  for (auto& recording : cutter.takeFinished()) {
-    last_release_ = std::chrono::steady_clock::now();
-    listener_.finished(std::move(recording));
-  }
-  for (auto& rejected : cutter.takeRejected()) listener_.finished(std::move(rejected));
-  if (std::exchange(running_, cutter.running()) != running_) listener_.running(running_);
-}
-
-void ExperimentRecorder::report(const std::string& problem) {
-  if (reported_.size() < kMaxReported && reported_.insert(problem).second)
-    listener_.problem(problem);
+void ExperimentRecorder::passOn() {
+  if (router_) policy_.passOn(router_->cutter(), Clock::now());
 }
 
 void ExperimentRecorder::reportStamps() {
   for (const auto& topic : router_->stampedOnReceipt())
-    report("topic '" + topic +
-           "' has no header, so that its samples are stamped on receipt; a replay can shift "
-           "them by a sample: only reading the bag offline is exact");
+    policy_.report("topic '" + topic +
+                   "' has no header, so its samples are stamped on receipt; a replay can shift "
+                   "them by a sample: only reading the bag offline is exact");
 }
 
 }  // namespace uncertainty_identification

@@ -4,88 +4,72 @@
 #include <ros/wall_timer.h>
 #include <topic_tools/shape_shifter.h>
 
-#include <chrono>
-#include <functional>
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "ros/identification_worker.h"
 #include "ros/topic_router.h"
+#include "session/recorder_policy.h"
 #include "uncertainty_identification/configuration.h"
 
 namespace uncertainty_identification {
 
-/// Listens to the configured topics, whatever their types, and cuts what arrives into experiments.
-/// All its functions and callbacks run in the thread that spins; they only record. Nothing that
-/// arrives stops the node: what cannot be used is left out and reported.
+/// Listens to the configured topics, whatever their message types, and cuts what arrives into
+/// experiments. All functions and callbacks run in the thread that spins, and only record. A
+/// message that cannot be used is left out and reported; it never stops the node.
 class ExperimentRecorder {
  public:
-  struct Listener {
-    std::function<void(FinishedExperiment)> finished;
-    std::function<void(const std::string&)> problem;  ///< what a user should hear; each text once
-    std::function<void(bool)> running;  ///< whether an experiment runs, when that changes
-  };
+  using Listener = RecorderPolicy::Listener;
+  using Patience = RecorderPolicy::Patience;
 
-  /// What an experiment waits for after its end.
-  enum class Patience {
-    until_silence,  ///< both signals, unless all topics are silent for a second
-    a_second  ///< both signals, but no longer: a command that changes rarely is not waited for
-  };
-
-  /// Relative topics resolve in the namespace of `node`, in mode message the default topic is
-  /// ~experiment. Throws ConfigurationError when a topic's name is not valid.
+  /// Relative topic names resolve in the namespace of `node`; in experiment.mode message the
+  /// default topic is ~experiment. Throws ConfigurationError when the name of a topic is not valid.
   ExperimentRecorder(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                      const Configuration& configuration, Listener listener,
                      Patience patience = Patience::until_silence);
 
-  /// Modes topic and service, at the present time. False if that cannot be done: one runs already,
-  /// or none.
+  /// Begins, ends or drops an experiment at the present time, in the modes topic and service. The
+  /// result is false when that is not possible: start() needs that no experiment is running,
+  /// finish() and discard() need one.
   bool start();
   bool finish();
   bool discard();
 
   /// Whether an experiment is being recorded.
-  bool running() const { return running_; }
+  bool running() const { return policy_.running(); }
 
-  /// What has arrived on the topics, one entry for each purpose; rates are since the last call.
+  /// What has arrived on the topics: one entry for each purpose that a topic is read for. Rates are
+  /// those since the last call.
   std::vector<TopicActivity> activity();
 
-  /// Forgets everything recorded so far, as after a start of the node.
+  /// Forgets everything recorded so far, as when the node starts.
   void reset();
 
  private:
   using Event = ros::MessageEvent<const topic_tools::ShapeShifter>;
+  using Clock = RecorderPolicy::Clock;
 
   struct Topic {
     ros::Subscriber subscriber;
     ArrivalCounter arrivals;
-    bool connected = false;  // was, since it was subscribed to
+    bool had_publisher = false;  // since it was subscribed to
   };
 
   void subscribe(const std::string& topic);
   void receive(const std::string& topic, const Event& event);
   void record(const std::string& topic, const RawMessage& message);
-  void releaseAfterSilence();
+  void passOn();
   void renewSubscriptions();
-  void handOn();
-  void report(const std::string& problem);
   void reportStamps();
 
   ros::NodeHandle node_;
   Configuration configuration_;
-  Listener listener_;
-  Patience patience_;
-  std::unique_ptr<TopicRouter> router_;  // none in mode message
+  RecorderPolicy policy_;
+  std::unique_ptr<TopicRouter> router_;  // null in experiment.mode message
   std::map<std::string, Topic> topics_;
   ros::WallTimer timer_;
-  std::chrono::steady_clock::time_point last_arrival_;
-  std::chrono::steady_clock::time_point last_release_;  // or when nothing waited last
-  std::vector<std::uint8_t> buffer_;
-  std::set<std::string> reported_;
-  bool running_ = false;
+  std::vector<std::uint8_t> buffer_;  // of the message being read
 };
 
 }  // namespace uncertainty_identification

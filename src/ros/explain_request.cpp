@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "ros/answer.h"
 #include "ros/explanation_message.h"
 #include "ros/request.h"
 
@@ -15,7 +16,7 @@ namespace {
 using Goal = messages::ExplainExperimentsGoal;
 using Response = messages::ExplainExperimentsResult;
 
-/// Throws CancelledError, and DataError where there is no usable model to explain anything with.
+/// Throws CancelledError, and DataError when there are no experiments.
 Explanation explained(LoadedData data, const Configuration& configuration,
                       const ProgressCallback& progress) {
   if (data.experiments.empty() && data.rejected.empty()) {

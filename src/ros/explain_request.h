@@ -10,16 +10,17 @@
 
 namespace uncertainty_identification {
 
-/// The answer to a goal, and the explanation that it holds.
+/// The answer to a goal, and the explanation that the answer contains.
 struct ExplainAnswer {
   messages::ExplainExperimentsResult result;
-  std::optional<Explanation> explanation;  ///< where the code is OK
+  std::optional<Explanation> explanation;  ///< present if the code is OK
 };
 
-/// Explains the bags of a goal, or what `kept` gives where it names none, and tells errors by code
-/// and message instead of throwing. `own` is the node's configuration: its bag_directory counts,
-/// and all of it where the goal has none. `progress` is called while bags are read too; false from
-/// it cancels. The result's explanation carries `sequence` where it is of `kept`.
+/// Explains the bags that a goal names, or the experiments that `kept` returns if it names none.
+/// Errors become the answer's code and message; nothing is thrown. `own` is the node's
+/// configuration: it is used when the goal has no configuration, and bags are always read from its
+/// bag_directory. `progress` is called while bags are read as well; when it returns false, the work
+/// is cancelled. An explanation of `kept` has the number `sequence`, another one 0.
 ExplainAnswer answerExplain(const messages::ExplainExperimentsGoal& goal, const Configuration& own,
                             const std::function<std::vector<Experiment>()>& kept,
                             std::uint32_t sequence, const ProgressCallback& progress);

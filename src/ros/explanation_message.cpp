@@ -1,6 +1,7 @@
 #include "ros/explanation_message.h"
 
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "uncertainty_identification/io/explanation_json.h"
@@ -116,7 +117,7 @@ messages::Explanation toMessage(const Explanation& explanation, const ros::Time&
   message.held_out = explanation.held_out;
   message.warnings = explanation.warnings;
   message.seconds = explanation.seconds;
-  // Ids come from users: what is not UTF-8 in them must not cost the message.
+  // Ids come from users and may not be valid UTF-8; invalid bytes are replaced instead of throwing.
   message.explanation_json =
       toJson(explanation).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   return message;

@@ -77,12 +77,12 @@ void ExplanationServer::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-void ExplanationServer::experimentCame() {
+void ExplanationServer::experimentAdded() {
   const std::lock_guard<std::mutex> lock(mutex_);
   ++unexplained_;
 }
 
-void ExplanationServer::resultCame() {
+void ExplanationServer::resultPublished() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     ++results_;
@@ -123,7 +123,8 @@ void ExplanationServer::publish(const Response& response, Explanation explanatio
   publisher_.publish(response.explanation);
 }
 
-/// Waits for another one than the last seen; false when the node ends.
+/// Waits until there are other results than `*results` counts, and updates it. Returns false when
+/// the server stops.
 bool ExplanationServer::waitForResult(std::uint64_t* results) {
   std::unique_lock<std::mutex> lock(mutex_);
   changed_.wait(lock, [&] { return stopping_ || results_ != *results; });
@@ -138,13 +139,13 @@ bool ExplanationServer::isDue(int after_experiments) {
   return true;
 }
 
-/// Explains of its own accord, for as long as the node lives.
+/// The thread of the automatic explanations.
 void ExplanationServer::run() {
   for (std::uint64_t results = 0; waitForResult(&results);) {
     if (!isDue(source_.configuration().explanation.after_experiments)) continue;
     const Response answer = explain({}, [](const Progress&) { return true; });
     if (answer.code != Response::OK && answer.code != Response::CANCELLED)
-      ROS_WARN_STREAM("no explanation: " << answer.message);
+      ROS_WARN_STREAM("the experiments could not be explained: " << answer.message);
   }
 }
 

@@ -20,21 +20,22 @@
 
 namespace uncertainty_identification {
 
-/// What the last explanation says of the simulation. OK: nothing is wrong, or nothing was explained
-/// yet (null); WARN: something is, with the causes' names.
+/// Diagnostics of the last explanation. OK: nothing is wrong, or nothing was explained yet (null).
+/// WARN: the simulation is wrong; the message names the causes.
 void diagnoseExplanation(const Explanation* explanation,
                          diagnostic_updater::DiagnosticStatusWrapper& status);
 
-/// The part of a node that explains: the action ~explain_experiments, the service ~explain, and an
-/// explanation of its own accord after each so many experiments, each in a thread of its own.
-/// Explanations of the node's experiments are published, latched: ~explanation.
+/// The part of a node that explains. It serves the action ~explain_experiments and the service
+/// ~explain, and explains automatically after a number of new experiments
+/// (explanation.after_experiments). Each of these has a thread of its own. Explanations of the
+/// node's own experiments are published on the latched topic ~explanation.
 class ExplanationServer {
  public:
-  /// What the node has at the moment; called from any thread.
+  /// Functions that return the node's present state. They are called from any thread.
   struct Source {
     std::function<Configuration()> configuration;
     std::function<std::vector<Experiment>()> experiments;
-    std::function<std::uint32_t()> sequence;  ///< of the last result
+    std::function<std::uint32_t()> sequence;  ///< number of the last result
   };
 
   ExplanationServer(const ros::NodeHandle& private_node, Source source);
@@ -44,22 +45,23 @@ class ExplanationServer {
   ExplanationServer(const ExplanationServer&) = delete;
   ExplanationServer& operator=(const ExplanationServer&) = delete;
 
-  /// Answers requests from now on.
+  /// Begins to answer requests.
   void start();
 
-  /// Cancels what runs and waits for its end; the source is not called any more.
+  /// Cancels the running explanations and blocks until they have ended. Afterwards the source is
+  /// not called any more.
   void stop();
 
-  /// Tell that the node has one more experiment, and that it has a result of its experiments: then
-  /// the explanation of its own accord may be due. May be called from any thread, and call nothing
-  /// of the source in it.
-  void experimentCame();
-  void resultCame();
+  /// To be called when the node has received an experiment, and when it has published a result. An
+  /// automatic explanation starts with a result, when enough experiments are new. Both may be
+  /// called from any thread; they return at once and do not call the source.
+  void experimentAdded();
+  void resultPublished();
 
-  /// Forgets the last explanation; one of the node's experiments that runs is cancelled.
+  /// Forgets the last explanation, and cancels a running explanation of the node's experiments.
   void reset();
 
-  /// The last one of the node's experiments; null before it, and after reset().
+  /// The last explanation of the node's experiments; null before the first one and after reset().
   std::shared_ptr<const Explanation> last() const;
 
  private:
@@ -76,15 +78,15 @@ class ExplanationServer {
   ros::Publisher publisher_;
   std::atomic<bool> stopping_{false};
   std::atomic<unsigned> resets_{0};
-  mutable std::mutex mutex_;  // guards what follows
+  mutable std::mutex mutex_;  // guards the members down to last_
   std::condition_variable changed_;
-  std::uint64_t results_ = 0;  // that came
-  int unexplained_ = 0;        // experiments since the last explanation of the node's own accord
+  std::uint64_t results_ = 0;  // number of results published
+  int unexplained_ = 0;        // number of experiments since the last automatic explanation
   std::shared_ptr<const Explanation> last_;
   ServiceThread service_thread_;
   ros::ServiceServer service_;
   std::unique_ptr<ActionThread<messages::ExplainExperimentsAction>> action_;
-  std::thread thread_;  // last, so that it finds all of the above
+  std::thread thread_;  // declared last: it starts when all other members exist
 };
 
 }  // namespace uncertainty_identification

@@ -2,6 +2,7 @@
 
 #include <std_msgs/Bool.h>
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "ros/deserialise.h"
@@ -12,8 +13,9 @@
 namespace uncertainty_identification {
 namespace {
 
-/// How the recorder cuts the signals into pieces for the detector.
-Configuration recording(const FaultDetectionConfiguration& configuration, double duration) {
+/// The configuration of a recorder that cuts the signals into pieces of this duration [s].
+Configuration recorderConfiguration(const FaultDetectionConfiguration& configuration,
+                                    double duration) {
   Configuration of_recorder;
   of_recorder.input = configuration.input;
   of_recorder.output = configuration.output;
@@ -107,7 +109,7 @@ void FaultDetectionServer::adopt(const messages::IdentificationResult& result) {
 void FaultDetectionServer::record() {
   recorder_sample_time_ = detector_->detector().sampleTime();
   recorder_ = std::make_unique<ExperimentRecorder>(
-      node_, private_node_, recording(configuration_, detector_->pieceDuration()),
+      node_, private_node_, recorderConfiguration(configuration_, detector_->pieceDuration()),
       ExperimentRecorder::Listener{[this](const FinishedExperiment& piece) { take(piece); },
                                    [this](const std::string& problem) { report(problem); },
                                    [](bool) {}},

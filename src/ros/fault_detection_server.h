@@ -14,10 +14,10 @@
 
 namespace uncertainty_identification {
 
-/// The node: takes results of an identification (topic identification/result) and the live signals,
-/// publishes ~status (FaultStatus) for each window, ~fault (std_msgs/Bool, latched) and
-/// diagnostics. A new result replaces the one before; detection then begins anew. All callbacks run
-/// in the thread that spins.
+/// The node that detects faults. It uses the newest result of an identification (topic
+/// identification/result) and the live signals, and publishes ~status (FaultStatus) for each
+/// window, ~fault (std_msgs/Bool, latched) and diagnostics. When a new result arrives, detection
+/// starts again with the new model. All callbacks run in the thread that spins.
 class FaultDetectionServer {
  public:
   /// Throws ConfigurationError when the configuration is not valid.
@@ -46,15 +46,15 @@ class FaultDetectionServer {
   diagnostic_updater::Updater diagnostics_;
   ros::WallTimer diagnostics_timer_;
   ros::Subscriber result_, markers_;
-  std::unique_ptr<LiveFaultDetector> detector_;  ///< none before the first result
+  std::unique_ptr<LiveFaultDetector> detector_;  ///< null before the first result
   std::unique_ptr<ExperimentRecorder> recorder_;
-  double recorder_sample_time_ = 0;  ///< [s] that the recorder's pieces were cut for
-  std::uint32_t sequence_ = 0;       ///< of the result in use
+  double recorder_sample_time_ = 0;  ///< [s] sample time for which the recorder was created
+  std::uint32_t sequence_ = 0;       ///< number of the result in use
   std::optional<Marker> last_marker_;
   std::optional<FaultWindow> last_window_;
-  long windows_ = 0, alarms_ = 0;  ///< with the result in use
+  long windows_ = 0, alarms_ = 0;  ///< counted since the result in use arrived
   long marker_count_ = 0;
-  std::string problem_;  ///< the newest
+  std::string problem_;  ///< the newest problem; empty if there is none
 };
 
 }  // namespace uncertainty_identification

@@ -12,14 +12,14 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr std::size_t kListed = 15;  // fields that a message lists
+constexpr std::size_t kListed = 15;  // number of fields that an error message lists
 
 struct Component {
   std::string name;
   std::optional<std::uint32_t> index;
 };
 
-// "effort[0]" -> {"effort", 0}; nothing where the text is not of that form.
+// "effort[0]" -> {"effort", 0}; no value if the text does not have that form.
 std::optional<Component> parseComponent(const std::string& text) {
   const auto bracket = text.find('[');
   Component component{text.substr(0, bracket), {}};
@@ -57,7 +57,8 @@ std::string snakeCase(const std::string& name) {
 
 std::string lastPart(const std::string& name) { return name.substr(name.find_last_of('/') + 1); }
 
-// Paths that end as the wanted one first, then by the edits between them.
+// Lists the fields. Those whose path ends in the wanted path come first, the others follow in order
+// of their edit distance to it.
 std::string listFields(const MessageDefinition& definition, const std::string& wanted) {
   auto fields = definition.numericFields(false);
   if (fields.empty()) return "it has no numeric field";
@@ -76,7 +77,8 @@ std::string listFields(const MessageDefinition& definition, const std::string& w
   return list;
 }
 
-// Follows the components from the root; nothing where they do not lead to a number.
+// Follows the components from `first` on, starting at the root. No value if they do not lead to a
+// number.
 std::optional<FieldPath> follow(const MessageDefinition& definition,
                                 const std::vector<Component>& components, std::size_t first) {
   FieldPath path;
@@ -106,9 +108,10 @@ FieldPath resolveAutomatic(const MessageDefinition& definition, const std::strin
     const auto path = follow(definition, *parsePath(fields.front()), 0);
     if (path && fields.front().find('[') == std::string::npos) return *path;
   }
-  throw ConfigurationError("topic '" + topic + "' of type " + definition.root().name +
-                           ": field: auto needs exactly one numeric field that is no array, but " +
-                           listFields(definition, "") + "; name one of them under 'field'");
+  throw ConfigurationError(
+      "topic '" + topic + "' of type " + definition.root().name +
+      ": field: auto needs exactly one numeric field that is not an array, but " +
+      listFields(definition, "") + "; name one of them under 'field'");
 }
 
 }  // namespace

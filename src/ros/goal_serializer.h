@@ -4,12 +4,12 @@
 
 #include <cstdint>
 
-// Included by messages.h alone, which declares the goals.
+// To be included only by messages.h, which declares the goals.
 namespace ros::serialization {
 
-/// roscpp makes room for as many strings as a message says it holds before it looks whether it is
-/// that long; goals arrive on a topic that anybody may publish on. For goals that are names of bags
-/// and a configuration; throws StreamOverrunException.
+/// Reads goals that consist of names of bags and a configuration, and checks the sizes first.
+/// roscpp itself allocates as many strings as a message claims to hold, and anybody can publish on
+/// the topic of the goals. Throws StreamOverrunException.
 template <typename Goal>
 struct GoalSerializer {
   static void read(IStream& stream, Goal& goal) {

@@ -3,9 +3,10 @@
 #include <utility>
 
 #include "ros/checked_service.h"
+#include "ros/experiment_bag.h"
 #include "ros/identify_request.h"
-#include "ros/mebibytes.h"
 #include "ros/message_conversions.h"
+#include "session/mebibytes.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
@@ -23,7 +24,8 @@ void warn(const std::string& message) { ROS_WARN_STREAM(message); }
 std::unique_ptr<StoreWriter> openStore(const Configuration& parameters,
                                        const std::function<void()>& changed) {
   if (parameters.store_directory.empty()) return nullptr;
-  return std::make_unique<StoreWriter>(parameters.store_directory, parameters.limits, changed);
+  return std::make_unique<StoreWriter>(parameters.store_directory, experimentBags(),
+                                       parameters.limits, changed);
 }
 
 }  // namespace
@@ -52,7 +54,7 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                        [this](const StoredConfiguration& configuration) {
                          if (store_) store_->keep(configuration);
                        }),
-      saved_(parameters.store_directory, parameters.limits, worker_),
+      saved_(parameters.store_directory, experimentBags(), parameters.limits, worker_),
       recorder_(node, private_node, configuration_,
                 {[this](FinishedExperiment experiment) { worker_.add(std::move(experiment)); },
                  [this](const std::string& problem) {

@@ -12,35 +12,37 @@
 #include "ros/bounds_publisher.h"
 #include "ros/experiment_recorder.h"
 #include "ros/explanation_server.h"
-#include "ros/identification_worker.h"
 #include "ros/messages.h"
 #include "ros/node_diagnostics.h"
-#include "ros/reconfiguration.h"
 #include "ros/report_writer.h"
 #include "ros/result_publisher.h"
-#include "ros/saved_experiments.h"
 #include "ros/service_thread.h"
 #include "ros/status_publisher.h"
-#include "ros/store_writer.h"
+#include "session/identification_worker.h"
+#include "session/reconfiguration.h"
+#include "session/saved_experiments.h"
+#include "session/store_writer.h"
 #include "uncertainty_identification/configuration.h"
 
 namespace uncertainty_identification {
 
-/// The node: topics to experiments (ExperimentRecorder), experiments to results
-/// (IdentificationWorker), results to topics (ResultPublisher, BoundsPublisher, StatusPublisher),
-/// both to the disk (StoreWriter), explanations (ExplanationServer), and services.
-/// Topics and ~start_experiment, ~finish_experiment, ~discard_experiment, ~reset are served by the
-/// thread that spins; ~identify and ~configure by one thread, the action ~identify_bags by two, the
-/// other services by another, so that no request keeps a sample from being recorded, or a quick one
-/// from being answered.
+/// The identification node. ExperimentRecorder makes experiments of the messages on topics,
+/// IdentificationWorker makes results of the experiments, StoreWriter keeps both on the disk, and
+/// ResultPublisher, BoundsPublisher and StatusPublisher publish the results. ExplanationServer
+/// explains them. This class connects these parts and serves the services.
+///
+/// The thread that spins serves the topics and ~start_experiment, ~finish_experiment,
+/// ~discard_experiment and ~reset. One more thread serves ~identify and ~configure, two serve the
+/// action ~identify_bags, and one serves the other services. So no request delays the recording of
+/// samples, and a slow request does not delay a quick one.
 class IdentificationServer {
  public:
-  /// Goes on from what the store holds, where there is one. Throws ConfigurationError when the
-  /// configuration is not valid, or the store cannot be opened.
+  /// Continues with the experiments and the result in the store if store_directory is configured.
+  /// Throws ConfigurationError when the configuration is not valid or the store cannot be opened.
   IdentificationServer(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                        const Configuration& parameters);
 
-  /// Cancels what is running.
+  /// Cancels all running work and blocks until it has ended.
   ~IdentificationServer();
 
  private:
@@ -67,9 +69,9 @@ class IdentificationServer {
   ReportWriter reports_;
   BoundsPublisher bounds_;
   StatusPublisher status_;
-  std::unique_ptr<StoreWriter> store_;  // null: nothing is stored
-  StoredState stored_;                  // what it held; empty once the worker has it
-  const Configuration configuration_;   // at the start
+  std::unique_ptr<StoreWriter> store_;  // null if store_directory is not configured
+  StoredState stored_;                  // what the store held; empty after restore()
+  const Configuration configuration_;   // with which the node started
   IdentificationWorker worker_;
   Reconfiguration reconfiguration_;
   SavedExperiments saved_;

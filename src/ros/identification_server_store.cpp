@@ -1,9 +1,13 @@
+#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "ros/answer.h"
 #include "ros/identification_server.h"
+#include "ros/keeping_requests.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
 
-/// What the server keeps over its end, and the services about it.
+/// What the server stores so that it survives a restart, and the services that save, load, reject
+/// and reconfigure.
 namespace uncertainty_identification {
 
 IdentificationWorker::Listener IdentificationServer::workerListener() {
@@ -11,11 +15,11 @@ IdentificationWorker::Listener IdentificationServer::workerListener() {
   listener.result = [this](const WorkerResult& result) {
     const ResultContext context = results_.publish(result);
     bounds_.add(result.estimate, context);
-    explanations_.resultCame();
+    explanations_.resultPublished();
     if (store_) store_->keep(StoredResult{result.estimate, context, result.configuration});
   };
   listener.kept = [this](const KeptExperiment& experiment) {
-    explanations_.experimentCame();
+    explanations_.experimentAdded();
     if (store_) store_->keep(experiment);
   };
   listener.rejected = [this](const RejectedExperiment& rejected) {
@@ -26,7 +30,7 @@ IdentificationWorker::Listener IdentificationServer::workerListener() {
   return listener;
 }
 
-/// An experiment counts as stored once it is on the disk.
+/// The worker's status, with the experiments that are on the disk as the stored ones.
 WorkerStatus IdentificationServer::workerStatus() const {
   WorkerStatus status = worker_.status();
   if (!store_) return status;
@@ -61,7 +65,8 @@ void IdentificationServer::advertiseKeeping() {
   using messages::Save;
   const boost::function<bool(Configure::Request&, Configure::Response&)> configure =
       [this](Configure::Request& request, Configure::Response& response) {
-        response = reconfiguration_.answer(request, [this] { return !stopping_ && ros::ok(); });
+        response =
+            answerConfigure(request, reconfiguration_, [this] { return !stopping_ && ros::ok(); });
         response.sequence = results_.sequence();
         return true;
       };
@@ -72,12 +77,12 @@ void IdentificationServer::advertiseKeeping() {
       };
   const boost::function<bool(Save::Request&, Save::Response&)> save =
       [this](Save::Request& request, Save::Response& response) {
-        response = saved_.save(request, results_.last());
+        response = answerSave(request, saved_, results_.last());
         return true;
       };
   const boost::function<bool(Load::Request&, Load::Response&)> load =
       [this](Load::Request& request, Load::Response& response) {
-        response = saved_.load(request);
+        response = answerLoad(request, saved_);
         return true;
       };
   services_.push_back(identify_thread_.node().advertiseService("configure", configure));
@@ -89,24 +94,21 @@ void IdentificationServer::advertiseKeeping() {
 messages::RejectExperiment::Response IdentificationServer::rejectExperiment(
     const messages::RejectExperiment::Request& request) {
   constexpr std::size_t kLongest = 1000;
-  messages::RejectExperiment::Response response;
-  if (request.reason.size() > kLongest) {
-    response.code = messages::RejectExperiment::Response::REFUSED;
-    response.message = "reason: found " + std::to_string(request.reason.size()) +
-                       " characters; allowed: up to " + std::to_string(kLongest);
-    return response;
-  }
+  using Response = messages::RejectExperiment::Response;
+  if (request.reason.size() > kLongest)
+    return answerOf<Response>(Response::REFUSED,
+                              "reason: found " + std::to_string(request.reason.size()) +
+                                  " characters; allowed: up to " + std::to_string(kLongest));
   const std::string reason = request.reason.empty() ? "rejected on request" : request.reason;
   const auto number = worker_.reject(request.id, reason);
-  if (!number) {
-    response.code = messages::RejectExperiment::Response::NOT_FOUND;
-    response.message = "no experiment '" + request.id.substr(0, kLongest) +
-                       "' is identified from; ~list_experiments names those that are";
-    return response;
-  }
+  if (!number)
+    return answerOf<Response>(
+        Response::NOT_FOUND,
+        "there is no experiment '" + request.id.substr(0, kLongest) +
+            "' to reject; ~list_experiments names the experiments that are identified from");
   if (store_) store_->reject(*number, {request.id, reason});
-  response.message = "experiment '" + request.id + "' is left out from now on";
-  return response;
+  return answerOf<Response>(Response::OK,
+                            "experiment '" + request.id + "' is left out from now on");
 }
 
 }  // namespace uncertainty_identification

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "ros/answer.h"
 #include "ros/message_conversions.h"
 #include "ros/request.h"
 #include "uncertainty_identification/errors.h"
@@ -53,7 +54,7 @@ Response identify(const Request& request, const Configuration& own,
   const Configuration configuration = requestedConfiguration(request.configuration, own);
   LoadedData data = dataOf(request, configuration, own.bag_directory, progress);
   ResultContext context;
-  context.stamp = ros::Time::now();
+  context.stamp = ros::Time::now().toNSec();
   context.window = windowOf(data.experiments);
   const Estimate estimate = estimateFrom(std::move(data), configuration, progress);
   Response response;

@@ -6,10 +6,10 @@
 
 namespace uncertainty_identification {
 
-/// Answers an Identify request: reads its experiments and bags, identifies, and tells errors by
-/// code and message instead of throwing. `own` is the node's configuration: its bag_directory
-/// counts, and all of it where the request has none. `progress` is called while bags are read too,
-/// in the phase "reading bags"; false from it cancels.
+/// Identifies from the experiments and bags of a request. Errors become the answer's code and
+/// message; nothing is thrown. `own` is the node's configuration: it is used when the request has
+/// no configuration, and bags are always read from its bag_directory. `progress` is called while
+/// bags are read as well (phase "reading bags"); when it returns false, the work is cancelled.
 messages::Identify::Response answerIdentify(const messages::Identify::Request& request,
                                             const Configuration& own,
                                             const ProgressCallback& progress);

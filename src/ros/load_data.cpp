@@ -22,7 +22,7 @@ std::vector<fs::path> filesOf(const std::string& path) {
   if (!fs::is_directory(path, error)) {
     if (!fs::exists(path, error)) throw FileError("'" + path + "' does not exist");
     if (!isDataFile(path))
-      throw FileError("'" + path + "' is neither a .bag nor a .csv file nor a folder of such");
+      throw FileError("'" + path + "' is not a .bag file, a .csv file or a folder");
     return {path};
   }
   std::vector<fs::path> files;
@@ -41,8 +41,8 @@ LoadedData readFile(const fs::path& file, const Configuration& configuration,
   return readCsv(file, {configuration.sample_time, configuration.resampling, configuration.limits});
 }
 
-/// Puts the file's name before ids that several files use.
-void nameApart(std::vector<std::pair<fs::path, LoadedData>>& parts) {
+/// Puts the name of the file before ids that several files use.
+void makeIdsDistinct(std::vector<std::pair<fs::path, LoadedData>>& parts) {
   std::map<std::string, int> files_with;
   for (const auto& [file, data] : parts) {
     std::set<std::string> ids;
@@ -70,7 +70,7 @@ LoadedData loadData(const std::vector<std::string>& paths, const Configuration& 
   for (const auto& path : paths)
     for (const auto& file : filesOf(path))
       parts.emplace_back(file, readFile(file, configuration, keep_going));
-  nameApart(parts);
+  makeIdsDistinct(parts);
   LoadedData data;
   for (auto& part : parts) append(std::move(part.second), data);
   requireExperiments(data);

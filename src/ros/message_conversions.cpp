@@ -1,5 +1,7 @@
 #include "ros/message_conversions.h"
 
+#include <nlohmann/json.hpp>
+
 #include "ros/number_list.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
@@ -91,11 +93,13 @@ ros::Time toStamp(double seconds, const std::string& what) {
   return ros::Time(seconds);
 }
 
+ros::Time stampOf(const ResultContext& context) { return ros::Time().fromNSec(context.stamp); }
+
 messages::NominalModel toNominalModelMessage(const Estimate& estimate,
                                              const ResultContext& context) {
   const auto& model = estimate.nominal_model;
   messages::NominalModel message;
-  message.header.stamp = context.stamp;
+  message.header.stamp = stampOf(context);
   message.sequence = context.sequence;
   message.structure = model.structure;
   message.sample_time = model.sample_time;
@@ -116,7 +120,7 @@ messages::NominalModel toNominalModelMessage(const Estimate& estimate,
 messages::ErrorModel toErrorModelMessage(const Estimate& estimate, const ResultContext& context) {
   const auto& model = estimate.error_model;
   messages::ErrorModel message;
-  message.header.stamp = context.stamp;
+  message.header.stamp = stampOf(context);
   message.sequence = context.sequence;
   message.sample_time = estimate.nominal_model.sample_time;
   message.basis = toMessage(model.options.basis);
@@ -140,7 +144,7 @@ messages::ErrorModel toErrorModelMessage(const Estimate& estimate, const ResultC
 
 messages::IdentificationResult toMessage(const Estimate& estimate, const ResultContext& context) {
   messages::IdentificationResult message;
-  message.header.stamp = context.stamp;
+  message.header.stamp = stampOf(context);
   message.sequence = context.sequence;
   message.preliminary = context.preliminary;
   message.termination = toMessage(estimate.termination);

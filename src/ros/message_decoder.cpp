@@ -52,8 +52,8 @@ double readNumber(ByteReader& reader, FieldType type) {
 
 void skipField(ByteReader& reader, const MessageDefinition& definition, const MessageField& field);
 
-// Skips `count` elements. Elements of varying size hold at least one length of four bytes each, so
-// that a count beyond the message ends at its end.
+// Skips `count` elements. Each element of varying size has at least four bytes (a length), so a
+// count that exceeds the message fails at the message's end and cannot loop for long.
 void skipElements(ByteReader& reader, const MessageDefinition& definition,
                   const MessageField& field, std::uint32_t count) {
   if (const auto size = definition.elementSize(field)) return reader.skip(*size * count);

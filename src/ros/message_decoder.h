@@ -10,34 +10,35 @@
 
 namespace uncertainty_identification {
 
-/// A serialised ROS message: bytes owned by someone else, little endian as on the wire.
+/// A view of a serialised ROS message, little endian as on the wire. The bytes are owned by the
+/// caller.
 struct SerialisedMessage {
   const std::uint8_t* data = nullptr;
   std::size_t size = 0;  ///< [bytes]
 };
 
-/// Walks through the whole message. Throws DataError when it is shorter than the definition and the
-/// lengths in it say.
+/// Checks a message from front to back. Throws DataError when it has fewer bytes than its
+/// definition and the array lengths in it need.
 void requireComplete(const MessageDefinition& definition, SerialisedMessage message);
 
-/// Reads one number out of serialised messages of one type. Built once per connection; reading
-/// allocates nothing and never leaves the buffer, whatever it holds.
+/// Reads one number from serialised messages of one type. Reading does not allocate memory, and
+/// never reads beyond the end of a message, whatever bytes it contains.
 class MessageDecoder {
  public:
-  /// `path` names a numeric field, "twist.twist.linear.x", "effort[0]" (all builtin types but
-  /// string are numeric; time and duration are read in seconds), or is "auto": the only numeric
-  /// field outside a std_msgs/Header. A first component that is no field but the last part of the
-  /// topic's name or the type's name is passed over, so that "joint_states.effort[0]" reads
-  /// "effort[0]" of the topic /joint_states. Throws ConfigurationError that lists the numeric
-  /// fields, nearest first, when there is no such field.
+  /// `path` names a numeric field, such as "twist.twist.linear.x" or "effort[0]". All builtin types
+  /// but string are numeric; time and duration are read in seconds. The path "auto" means the only
+  /// numeric field outside a std_msgs/Header. The path may begin with the last part of the topic's
+  /// or the type's name if there is no field of that name: "joint_states.effort[0]" reads
+  /// "effort[0]" on the topic /joint_states. Throws ConfigurationError when there is no such field;
+  /// the message lists the numeric fields, the most similar names first.
   MessageDecoder(std::shared_ptr<const MessageDefinition> definition, const std::string& path,
                  const std::string& topic);
 
-  /// The value, true as 1. Throws DataError when the message is shorter than its definition says or
-  /// has no element of that index.
+  /// The value of the field; 1 for true. Throws DataError when the message is shorter than its
+  /// definition needs or has no array element of that index.
   double value(SerialisedMessage message) const;
 
-  /// Whether messages carry a stamp of their own: they begin with a std_msgs/Header.
+  /// Whether messages have a stamp because they begin with a std_msgs/Header.
   bool hasStamp() const { return definition_->hasHeader(); }
 
   /// Stamp of the leading header [s]. Requires hasStamp(). Throws DataError as above.
@@ -46,7 +47,7 @@ class MessageDecoder {
   /// Sequence number of the leading header. Requires hasStamp(). Throws DataError as above.
   std::uint32_t sequence(SerialisedMessage message) const;
 
-  /// The path as resolved, "effort[0]".
+  /// The resolved path, e.g. "effort[0]".
   const std::string& path() const { return path_.text; }
 
  private:

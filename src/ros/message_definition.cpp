@@ -9,10 +9,12 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr int kMaxDepth = 50;  // far above any message in use; a guard against hostile text
-constexpr std::size_t kMaxVisited = 10000;  // fields, nested ones included, when listing
-constexpr std::uint64_t kMaxSize =
-    1ULL << 32;  // [bytes] a serialised message states its size in 32 bits
+// Nesting and number of fields far above those of any real message, as a protection against
+// malicious definitions.
+constexpr int kMaxDepth = 50;
+constexpr std::size_t kMaxVisited = 10000;  // fields that are listed at most, including nested ones
+// [bytes] ROS states the size of a serialised message in 32 bits.
+constexpr std::uint64_t kMaxSize = 1ULL << 32;
 const char kHeader[] = "std_msgs/Header";
 
 FieldType fieldType(const std::string& name) {
@@ -108,7 +110,7 @@ void MessageDefinition::parseBlocks(const std::string& text) {
       name_follows = true;
     } else if (name_follows && !line.empty()) {
       if (line.compare(0, 5, "MSG: ") != 0)
-        throw DataError("'" + line + "' stands where 'MSG: package/Type' is expected");
+        throw DataError("'" + line + "' was found where 'MSG: package/Type' is expected");
       types_.push_back({trimmed(line.substr(5)), {}, {}});
       name_follows = false;
     } else {
@@ -145,13 +147,13 @@ std::size_t MessageDefinition::findType(const std::string& name, const std::stri
   const std::string full_name = name == "Header"                      ? kHeader
                                 : name.find('/') == std::string::npos ? package + "/" + name
                                                                       : name;
-  // the root is never contained in itself, so that the search begins behind it
+  // The search begins behind the root, because a type cannot contain itself.
   for (std::size_t i = 1; i < types_.size(); ++i)
     if (types_[i].name == full_name) return i;
   throw DataError("type '" + full_name + "' is used but not defined");
 }
 
-// Sizes by depth-first search; state: 0 not visited, 1 being measured, 2 measured.
+// Computes the sizes by depth-first search. state: 0 not visited, 1 in progress, 2 done.
 void MessageDefinition::measure(std::size_t index, std::vector<int>& state, int depth) {
   if (state[index] == 2) return;
   if (state[index] == 1 || depth > kMaxDepth)

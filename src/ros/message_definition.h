@@ -35,44 +35,45 @@ std::optional<std::uint64_t> builtinSize(FieldType type);
 struct MessageField {
   std::string name;
   FieldType type = FieldType::message;
-  std::string type_name;    ///< as written; of messages with the package
-  std::size_t message = 0;  ///< type message: index of its MessageType
+  std::string type_name;    ///< as in the definition; for messages with the package's name
+  std::size_t message = 0;  ///< for type message: index of its MessageType
   ArrayKind array = ArrayKind::none;
-  std::uint32_t length = 0;  ///< array fixed: number of elements
+  std::uint32_t length = 0;  ///< for array fixed: number of elements
 
   bool numeric() const { return type != FieldType::string && type != FieldType::message; }
 };
 
-/// One message type: its fields in the order of serialisation, constants left out.
+/// One message type: its fields in the order of serialisation, without constants.
 struct MessageType {
   std::string name;  ///< package/Type
   std::vector<MessageField> fields;
-  std::optional<std::uint64_t>
-      serialised_size;  ///< [bytes] where all messages of the type have the same
+  /// [bytes]; no value if it differs between messages of the type.
+  std::optional<std::uint64_t> serialised_size;
 };
 
-/// A message definition as bags and connections carry it: the text of the type, then that of each
-/// type it contains below a line of equals signs and "MSG: package/Type".
+/// A message definition as it is stored in bags and sent by publishers: the text of the type,
+/// followed by the text of each contained type. Each of these begins with a line of equals signs
+/// and a line "MSG: package/Type".
 class MessageDefinition {
  public:
-  /// Parses the text. Throws DataError, naming the type and the line, where it is not a message
-  /// definition, is recursive, or names a type that it does not contain.
+  /// Parses the text. Throws DataError, naming the type and the line, when it is not a message
+  /// definition, is recursive, or uses a type that it does not define.
   MessageDefinition(const std::string& type_name, const std::string& text);
 
   const MessageType& root() const { return types_.front(); }
   const MessageType& contained(const MessageField& field) const { return types_[field.message]; }
 
-  /// Serialised size [bytes] of one element of the field, where all have the same.
+  /// Serialised size [bytes] of one element of the field; no value if it differs between elements.
   std::optional<std::uint64_t> elementSize(const MessageField& field) const;
 
-  /// Serialised size [bytes] of the whole field, where all have the same.
+  /// Serialised size [bytes] of the whole field; no value if it differs between messages.
   std::optional<std::uint64_t> serialisedSize(const MessageField& field) const;
 
   /// Whether the message begins with a std_msgs/Header.
   bool hasHeader() const;
 
-  /// Paths of the numeric fields, "pose.position.x", arrays with index 0, "effort[0]". Those of a
-  /// std_msgs/Header only on demand.
+  /// Paths of the numeric fields, such as "pose.position.x". Arrays are listed with the index 0,
+  /// such as "effort[0]". Fields of a std_msgs/Header are listed only if `with_headers` is true.
   std::vector<std::string> numericFields(bool with_headers) const;
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
 
-// Everything that the generated headers include comes first, so that only they see the macro below.
+// All headers that the generated headers include come first, so that the macro below affects only
+// the generated headers.
 #include <actionlib_msgs/GoalID.h>
 #include <actionlib_msgs/GoalStatus.h>
 #include <ros/message_operations.h>
@@ -13,9 +14,10 @@
 #include <string>
 #include <vector>
 
-// The generated code lives in the namespace uncertainty_identification, where the core has its own
-// Experiment and NominalModel. A translation unit that uses both includes the messages through this
-// header and finds them in uncertainty_identification::messages.
+// The generated code is in the namespace uncertainty_identification, in which the core has its own
+// Experiment and NominalModel. All code therefore includes the messages through this header, which
+// renames their namespace to uncertainty_identification_messages and makes them available as
+// uncertainty_identification::messages.
 #define uncertainty_identification uncertainty_identification_messages
 #include <uncertainty_identification/Cause.h>
 #include <uncertainty_identification/CauseParameter.h>

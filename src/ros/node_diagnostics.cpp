@@ -10,9 +10,10 @@ namespace {
 using Level = diagnostic_msgs::DiagnosticStatus;
 using Status = diagnostic_updater::DiagnosticStatusWrapper;
 
+// A topic is silent if nothing has arrived for this time, and for so many mean intervals.
 constexpr double kShortestSilence = 2;  // [s]
-constexpr double kMissedIntervals = 3;  // after which a topic counts as silent
-constexpr int kLongQueue = 10;          // experiments that wait
+constexpr double kMissedIntervals = 3;
+constexpr int kLongQueue = 10;  // number of waiting experiments that is worth a warning
 
 bool isSilent(const TopicActivity& topic) {
   return topic.role != TopicRole::marker && topic.messages > 0 &&
@@ -77,7 +78,7 @@ void diagnoseIdentification(const WorkerStatus& worker, Status& status) {
   }
   if (worker.queue > kLongQueue)
     status.mergeSummaryf(Level::WARN,
-                         "%d experiments wait; they come faster than they can be "
+                         "%d experiments wait; they arrive faster than they can be "
                          "identified from",
                          worker.queue);
   status.add("termination", toString(worker.termination));
@@ -99,7 +100,7 @@ void diagnoseTiming(const WorkerStatus& worker, Status& status) {
     if (timing.lost > 0)
       status.mergeSummaryf(Level::WARN,
                            "%ld messages of the %s were lost; check the network, and the load and "
-                           "queue of who publishes",
+                           "the queue length of the publisher",
                            timing.lost, name.c_str());
     status.addf(name + " age of the newest sample [s]", "%.3g", timing.age);
     status.addf(name + " delay [s]", "%.3g", timing.delay);

@@ -8,28 +8,30 @@
 #include <vector>
 
 #include "ros/experiment_recorder.h"
-#include "ros/identification_worker.h"
+#include "session/identification_worker.h"
 
 namespace uncertainty_identification {
 
-/// Whether what is recorded arrives. STALE: input or output have never been heard; ERROR: the
-/// same, or a silent output, while an experiment runs; WARN: any signal is silent, a covariate has
-/// never been heard, or messages were left out. A topic is silent after three of its mean
-/// intervals, and never before two seconds.
+/// Diagnostics of the recorded signals. STALE: nothing has ever arrived on the input or the output.
+/// ERROR: the same, or the output is silent, while an experiment is running. WARN: a signal is
+/// silent, nothing has ever arrived for a covariate, or messages were left out. A topic is silent
+/// if nothing has arrived for three of its mean intervals, and for at least two seconds.
 void diagnoseSignals(const std::vector<TopicActivity>& topics, bool experiment_runs,
                      diagnostic_updater::DiagnosticStatusWrapper& status);
 
-/// How the last identification went. STALE: there was none yet; ERROR: it gave no usable result;
-/// WARN: its result did not converge, or more than ten experiments wait.
+/// Diagnostics of the last identification. STALE: there was none yet. ERROR: it gave no usable
+/// result. WARN: it did not converge, or more than ten experiments are waiting.
 void diagnoseIdentification(const WorkerStatus& worker,
                             diagnostic_updater::DiagnosticStatusWrapper& status);
 
-/// How the samples of the newest experiment came. STALE: there is none; WARN: messages were lost.
+/// Diagnostics of the timing of the newest experiment. STALE: there is none yet. WARN: messages
+/// were lost.
 void diagnoseTiming(const WorkerStatus& worker,
                     diagnostic_updater::DiagnosticStatusWrapper& status);
 
 /// Publishes /diagnostics from the thread that spins, every ~diagnostic_period seconds of wall
-/// time: a clock that stands still or goes back keeps none away.
+/// time. Wall time is used so that diagnostics continue when the simulated clock stops or goes
+/// back.
 class NodeDiagnostics {
  public:
   struct Sources {
@@ -41,7 +43,7 @@ class NodeDiagnostics {
   NodeDiagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                   Sources sources);
 
-  /// A further part of the node that tells how it is.
+  /// Adds the diagnostics of a further part of the node.
   void add(const std::string& name, const diagnostic_updater::TaskFunction& diagnose) {
     updater_.add(name, diagnose);
   }

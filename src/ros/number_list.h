@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-/// Vectors and matrices as the arrays of messages.
+/// Converts vectors and matrices to arrays of messages.
 namespace uncertainty_identification {
 
 inline std::vector<double> toList(const Eigen::VectorXd& vector) {

@@ -16,8 +16,8 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-// Read by libraries from the same namespace: diagnostic_updater, and actionlib for the node's
-// actions.
+// Keys in the same namespace that belong to libraries: diagnostic_updater, and actionlib for the
+// node's actions.
 constexpr std::array<const char*, 4> kForeignKeys = {
     "diagnostic_period", "identify_bags", "explain_experiments", "actionlib_server_pub_queue_size"};
 

@@ -10,21 +10,21 @@
 
 namespace uncertainty_identification {
 
-/// ROS parameters as the tree that a configuration file gives. Throws ConfigurationError, naming
-/// the key `path`, for binary values and dates, which no key takes.
+/// Converts ROS parameters to the tree that a configuration file gives. `path` is the key of
+/// `value`. Throws ConfigurationError, naming the key, for binary values and dates, which no key
+/// accepts.
 YAML::Node toYaml(XmlRpc::XmlRpcValue value, const std::string& path = "");
 
-/// The parameters of a node as a tree, without the keys that ROS libraries own; no keys where it
-/// has none. Throws ConfigurationError as toYaml() does.
+/// The parameters of a node as a tree, without the keys that ROS libraries own. The tree is empty
+/// if the node has no parameters. Throws ConfigurationError like toYaml().
 YAML::Node loadParameterTree(const ros::NodeHandle& node);
 
-/// The configuration that a node's parameters give, without the keys that ROS libraries own:
-/// diagnostic_period, and those of actionlib. Throws ConfigurationError as parseConfiguration()
-/// does.
+/// The configuration given by a node's parameters. Keys that ROS libraries own (diagnostic_period
+/// and those of actionlib) are left out. Throws ConfigurationError like parseConfiguration().
 Configuration parseParameters(const XmlRpc::XmlRpcValue& parameters);
 
-/// The same from the parameter server. Throws ConfigurationError as well when the namespace holds
-/// no parameters.
+/// Reads the configuration from the parameter server. Throws ConfigurationError also when the
+/// namespace holds no parameters.
 Configuration loadParameters(const ros::NodeHandle& node);
 
 }  // namespace uncertainty_identification

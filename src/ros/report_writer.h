@@ -8,13 +8,14 @@
 
 namespace uncertainty_identification {
 
-/// Writes reports of results into one folder, whoever asks: a name in a request never leads out.
+/// Writes reports of results into one folder. Names in requests cannot lead out of it.
 class ReportWriter {
  public:
-  /// `directory` empty: requests are refused.
+  /// If `directory` is empty, all requests are refused.
   explicit ReportWriter(std::string directory) : directory_(std::move(directory)) {}
 
-  /// Answers a request; `result` null: there is none yet; `explanation` null: the report has none.
+  /// Writes a report and answers the request. `result` is null if there is none yet; `explanation`
+  /// is null if the report shall contain none.
   messages::WriteReport::Response answer(const messages::WriteReport::Request& request,
                                          const Result* result,
                                          const Explanation* explanation) const;

@@ -11,7 +11,8 @@ ResultPublisher::ResultPublisher(ros::NodeHandle node)
 
 ResultContext ResultPublisher::publish(const WorkerResult& result) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const ResultContext context{ros::Time::now(), count_ + 1, result.preliminary, result.window};
+  const ResultContext context{ros::Time::now().toNSec(), count_ + 1, result.preliminary,
+                              result.window};
   publishLocked(result.estimate, context);
   return context;
 }

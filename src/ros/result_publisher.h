@@ -7,40 +7,43 @@
 #include <optional>
 #include <utility>
 
-#include "ros/identification_worker.h"
 #include "ros/message_conversions.h"
 #include "ros/messages.h"
+#include "session/identification_worker.h"
 
 namespace uncertainty_identification {
 
-/// Publishes results, latched: ~result, and its parts ~nominal_model and ~error_model with the same
-/// sequence number. May be used from any thread.
+/// Publishes results on the latched topics ~result, ~nominal_model and ~error_model; the latter two
+/// are parts of the first and have its sequence number. All functions may be called from any
+/// thread.
 class ResultPublisher {
  public:
   explicit ResultPublisher(ros::NodeHandle private_node);
 
-  /// The context that the result was published with.
+  /// Publishes a new result and returns the context that it was published with.
   ResultContext publish(const WorkerResult& result);
 
-  /// Publishes a result of the time before as it was; the next one gets the number after it.
+  /// Publishes a stored result of an earlier run with its stamp and number. The next result gets
+  /// the number after it.
   void publishAgain(std::shared_ptr<const Estimate> estimate, const ResultContext& context);
 
-  /// What was published last; nothing before the first result, or after forget().
+  /// The message published last; no value before the first result and after forget().
   std::optional<messages::IdentificationResult> last() const;
 
-  /// The estimate that last() was made from, null where that is nothing, and its number.
+  /// The estimate from which last() was made and its number; null and 0 if there is no last().
   std::pair<std::shared_ptr<const Estimate>, std::uint32_t> lastEstimate() const;
 
-  /// Number of the last result, 0 where last() is nothing.
+  /// The number of the last result; 0 if there is no last().
   std::uint32_t sequence() const;
 
+  /// Forgets the last result. Numbers go on rising.
   void forget();
 
  private:
   void publishLocked(std::shared_ptr<const Estimate> estimate, const ResultContext& context);
 
   ros::Publisher result_, nominal_model_, error_model_;
-  mutable std::mutex mutex_;  // guards what follows
+  mutable std::mutex mutex_;  // guards the members below
   std::uint32_t count_ = 0;
   std::optional<messages::IdentificationResult> last_;
   std::shared_ptr<const Estimate> last_estimate_;

@@ -1,5 +1,6 @@
 #include "ros/robust_margin_server.h"
 
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "uncertainty_identification/errors.h"
@@ -78,12 +79,12 @@ RobustMarginServer::RobustMarginServer(const ros::NodeHandle& node,
       });
 }
 
-/// Bounds follow their result: the two belong together where their numbers agree.
+/// Computes the margin once result and bounds of the same sequence number have arrived.
 void RobustMarginServer::update() {
   if (!result_ || !bounds_ || result_->sequence != bounds_->sequence) return;
   problem_.clear();
   try {
-    judge();
+    computeMargin();
   } catch (const Error& error) {
     problem_ = "result " + std::to_string(result_->sequence) + " has no margin: " + error.what();
     ROS_WARN_STREAM(problem_);
@@ -91,7 +92,7 @@ void RobustMarginServer::update() {
   diagnostics_.force_update();
 }
 
-void RobustMarginServer::judge() {
+void RobustMarginServer::computeMargin() {
   if (bounds_->weight_num.empty()) {
     std::string why = "the bounds hold no weight W(z)";
     for (const auto& warning : bounds_->warnings) why += "; " + warning;

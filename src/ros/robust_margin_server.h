@@ -11,9 +11,10 @@
 
 namespace uncertainty_identification {
 
-/// The node: of each identification result and its bounds (topics identification/result and
-/// identification/uncertainty_bounds, joined by their number) publishes the configured controller's
-/// robust margin, ~margin (RobustMargin, latched), with diagnostics.
+/// The node that computes robust margins. For each identification result and its bounds (topics
+/// identification/result and identification/uncertainty_bounds, matched by their sequence number)
+/// it computes the margin of the configured controller, and publishes it on the latched topic
+/// ~margin (RobustMargin) and in the diagnostics.
 class RobustMarginServer {
  public:
   /// Throws ConfigurationError when the options are not valid.
@@ -22,7 +23,7 @@ class RobustMarginServer {
 
  private:
   void update();
-  void judge();
+  void computeMargin();
   void publish(const RobustMargin& margin);
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
@@ -32,8 +33,8 @@ class RobustMarginServer {
   diagnostic_updater::Updater diagnostics_;
   ros::WallTimer diagnostics_timer_;
   ros::Subscriber result_subscriber_, bounds_subscriber_;
-  messages::IdentificationResult::ConstPtr result_;  ///< the newest
-  messages::UncertaintyBounds::ConstPtr bounds_;     ///< the newest
+  messages::IdentificationResult::ConstPtr result_;  ///< the newest one, or null
+  messages::UncertaintyBounds::ConstPtr bounds_;     ///< the newest ones, or null
   std::optional<messages::RobustMargin> last_;
   std::string problem_;  ///< why the newest pair has no margin
 };

@@ -6,8 +6,8 @@
 
 namespace uncertainty_identification {
 
-/// A callback queue with a thread of its own: what is advertised through node() is answered there
-/// and blocks nothing else.
+/// A callback queue with a thread of its own. Services that are advertised through node() are
+/// answered in this thread, so a slow answer delays no other callbacks.
 class ServiceThread {
  public:
   explicit ServiceThread(const ros::NodeHandle& node) : node_(node), spinner_(1, &queue_) {
@@ -18,7 +18,7 @@ class ServiceThread {
 
   void start() { spinner_.start(); }
 
-  /// Waits for the answer that is being given, if any.
+  /// Blocks until a running callback has ended.
   void stop() { spinner_.stop(); }
 
  private:

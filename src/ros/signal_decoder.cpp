@@ -27,7 +27,7 @@ StampedValue SignalDecoder::decode(const RawMessage& message) {
   const Clock clock = decoder.hasStamp() ? Clock::header : Clock::receipt;
   if (clock_ != Clock::unknown && clock != clock_) {
     throw DataError("topic '" + topic_ + "' changed to type " + message.type +
-                    ", whose stamps come from another clock; keep one type per topic");
+                    ", whose stamps come from another clock; use one type per topic");
   }
   if (clock == Clock::receipt) requireReceipt(message);
   StampedValue sample{message.receipt, decoder.value(message.bytes)};

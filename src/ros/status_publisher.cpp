@@ -7,7 +7,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr std::size_t kMaxProblems = 5;  // that a status tells
+constexpr std::size_t kMaxProblems = 5;  // in one status
 
 std::uint8_t stateOf(const WorkerStatus& worker, const RecorderStatus& recorder) {
   using Status = messages::IdentificationStatus;

@@ -7,31 +7,33 @@
 #include <string>
 #include <vector>
 
-#include "ros/identification_worker.h"
 #include "ros/messages.h"
+#include "session/identification_worker.h"
 
 namespace uncertainty_identification {
 
-/// What the status says beside what the worker tells.
+/// What the status contains in addition to the state of the worker.
 struct RecorderStatus {
-  bool running = false;               ///< an experiment is being recorded
-  std::vector<std::string> problems;  ///< what was found about the topics
+  bool running = false;               ///< whether an experiment is being recorded
+  std::vector<std::string> problems;  ///< messages for the user about the topics
 };
 
-/// The status in one message. Its state is the first of: identifying, collecting, error, idle.
+/// The status as a message. Of the states that apply, it has the first of: identifying, collecting,
+/// error, idle.
 messages::IdentificationStatus toMessage(const WorkerStatus& worker,
                                          const RecorderStatus& recorder);
 
-/// Publishes ~status, latched, whenever something changed. May be used from any thread.
+/// Publishes the latched topic ~status. All functions may be called from any thread.
 class StatusPublisher {
  public:
-  /// `worker` and `sequence` give the present state when a status is put together.
+  /// `worker` returns the present state of the worker, `sequence` the number of the last result.
+  /// Both are called for each status that is published.
   StatusPublisher(ros::NodeHandle private_node, std::function<WorkerStatus()> worker,
                   std::function<std::uint32_t()> sequence);
 
   void publish();
 
-  /// Publishes nothing more, and waits for what is being published.
+  /// Blocks until a running publish() has ended; afterwards nothing is published any more.
   void close();
 
   void setRunning(bool running);
@@ -45,7 +47,7 @@ class StatusPublisher {
   std::function<WorkerStatus()> worker_;
   std::function<std::uint32_t()> sequence_;
   bool closed_ = false;
-  std::mutex mutex_;  // guards closed_ and recorder_, and the order of what is published
+  std::mutex mutex_;  // guards closed_ and recorder_, and keeps messages in order
   RecorderStatus recorder_;
 };
 

@@ -6,50 +6,51 @@
 
 #include "data/experiment_cutter.h"
 #include "ros/signal_decoder.h"
-#include "ros/topic_activity.h"
+#include "session/topic_activity.h"
 #include "uncertainty_identification/configuration.h"
 
 namespace uncertainty_identification {
 
-/// How a topic's name in the configuration becomes a full one.
+/// Converts the name of a topic in the configuration to the full name.
 using TopicResolver = std::function<std::string(const std::string&)>;
 
-/// Brings messages of the configured topics to the cutter: the bag reader and the live recorder
-/// differ only in where messages come from. A topic may carry several signals, e.g. effort and
-/// velocity of the same joint.
+/// Decodes the messages of the configured topics and passes their values to the cutter. The bag
+/// reader and the live recorder both use it and differ only in the origin of the messages. A topic
+/// can carry several signals, for example effort and velocity of the same joint.
 class TopicRouter {
  public:
-  /// Throws ConfigurationError for experiment.mode message, where nothing is to be cut.
+  /// Throws ConfigurationError for experiment.mode message, in which nothing is cut.
   TopicRouter(const Configuration& configuration, const TopicResolver& resolve);
 
   TopicRouter(const TopicRouter&) = delete;  // the routes refer to the cutter
   TopicRouter& operator=(const TopicRouter&) = delete;
 
-  /// What a topic is read for, in words, e.g. "input.topic".
+  /// One purpose of a topic; `key` names it for users, e.g. "input".
   struct Use {
     std::string topic, key;
     TopicRole role;
-    long left_out;  ///< messages, so far
+    long left_out;  ///< number of messages left out so far
   };
 
-  /// The topics to listen to; one that serves several purposes is listed for each.
+  /// The topics to listen to. A topic with several purposes has one entry for each.
   std::vector<Use> uses() const;
 
-  /// Decodes the message for every signal of the topic. A message that is broken is left out and
-  /// told by warnings(). Throws ConfigurationError when its type has no such field, or a marker is
-  /// neither std_msgs/Bool nor ExperimentMarker.
+  /// Decodes the message for every signal of the topic. A broken message is left out and counted in
+  /// warnings(). Throws ConfigurationError when the type has no such field, or when a marker is
+  /// neither a std_msgs/Bool nor an ExperimentMarker.
   void add(const std::string& topic, const RawMessage& message);
 
   ExperimentCutter& cutter() { return cutter_; }
   const ExperimentCutter& cutter() const { return cutter_; }
 
-  /// Topics whose stamps are times of receipt, in order.
+  /// Topics whose samples are stamped with the time of receipt.
   std::vector<std::string> stampedOnReceipt() const;
 
-  /// Why messages of a topic were left out, once for each signal, since the last call.
+  /// Returns why messages were left out since the last call. Each signal is reported only once.
   std::vector<std::string> takeProblems();
 
-  /// How many messages were left out on which topic, and why the first was. One sentence each.
+  /// One sentence for each signal with messages that were left out: how many, and why the first
+  /// one.
   std::vector<std::string> warnings() const;
 
  private:
@@ -57,7 +58,7 @@ class TopicRouter {
     std::string key, topic;
     TopicRole role;
     long left_out = 0;
-    std::string reason;  // of the first
+    std::string reason;  // why the first one was left out
   };
   struct Route {
     SignalDecoder decoder;
@@ -72,7 +73,7 @@ class TopicRouter {
 
   ExperimentCutter cutter_;
   std::vector<Route> routes_;
-  std::string marker_topic_;  // empty: experiments are not cut by a topic
+  std::string marker_topic_;  // empty if experiments are not cut by a topic
   Count marker_count_;
   std::vector<std::string> problems_;
 };

@@ -61,7 +61,7 @@ int run(const po::variables_map& arguments) {
   const ui::Explanation explanation = explain(arguments, interrupt);
   if (interrupt.requested() || explanation.termination == ui::Termination::cancelled) {
     ui::printMessage(kName, "cancelled; nothing was written");
-    return ui::kDataCannotAnswer;
+    return ui::kNoAnswer;
   }
   if (!explanation.before.usable()) {
     throw ui::DataError("no usable model was found, nothing was written: " +
@@ -83,7 +83,8 @@ int main(int argc, char** argv) {
 takes it into the model and measures what that gains on experiments not used for fitting. DATA is a
 .bag, a .csv with the columns experiment,t,u,y or t,u,y, or a folder of such files; further columns
 are covariates, in which a cause may be found.
-Exit status: 0 done; 1 the data cannot support an answer, or cancelled; 2 usage or configuration.)";
+Exit status: 0 done; 1 the data cannot support an answer, cancelled, or an internal error; 2 wrong
+usage or configuration, or a file that cannot be read or written.)";
   program.options.add_options()  //
       ("config", po::value<std::string>()->required()->value_name("FILE"),
        "configuration (YAML); config/reference.yaml explains every key")  //

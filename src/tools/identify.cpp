@@ -107,7 +107,7 @@ int run(const po::variables_map& arguments) {
   const ui::Estimate& estimate = result.estimate;
   if (interrupt.requested() || estimate.termination == ui::Termination::cancelled) {
     ui::printMessage(kName, "cancelled; nothing was written");
-    return ui::kDataCannotAnswer;
+    return ui::kNoAnswer;
   }
   if (!estimate.usable()) {
     throw ui::DataError("no usable model was found, nothing was written: " + estimate.message);
@@ -129,7 +129,8 @@ int main(int argc, char** argv) {
       R"(Estimates the nominal model, the noise model and the distribution of the model's error from
 experiments, and writes them to a JSON file. DATA is a .bag, a .csv with the columns experiment,t,u,y
 or t,u,y, or a folder of such files; further columns are covariates.
-Exit status: 0 done; 1 the data cannot support an answer, or cancelled; 2 usage or configuration.)";
+Exit status: 0 done; 1 the data cannot support an answer, cancelled, or an internal error; 2 wrong
+usage or configuration, or a file that cannot be read or written.)";
   program.options.add_options()  //
       ("config", po::value<std::string>()->required()->value_name("FILE"),
        "configuration (YAML); config/reference.yaml explains every key")  //

@@ -36,7 +36,7 @@ int run(const po::variables_map& arguments) {
   const std::string obstacle = ui::reportObstacle();
   if (!obstacle.empty()) {
     ui::printMessage(kName, obstacle);
-    return ui::kDataCannotAnswer;
+    return ui::kNoAnswer;
   }
   const std::string output = arguments["output"].as<std::string>();
   ui::requireWritable(output);
@@ -56,7 +56,8 @@ int main(int argc, char** argv) {
   program.purpose =
       R"(Writes what identify found, and explain where its file is given too, as one HTML page with figures,
 which opens in any browser and needs no network.
-Exit status: 0 done; 1 built without Chart.js; 2 usage or a file that cannot be read.)";
+Exit status: 0 done; 1 built without Chart.js, or an internal error; 2 wrong usage, or a file that
+cannot be read or written.)";
   program.options.add_options()  //
       ("output", po::value<std::string>()->required()->value_name("FILE"),
        "where the report goes (HTML)");

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "bounds/frequency_grid.h"
@@ -51,8 +52,9 @@ int main(int argc, char** argv) {
   program.usage = "--model result.json --count N --output samples.json";
   program.purpose =
       R"(Draws plants from the distribution that a result stands for, for Monte Carlo studies and for tools
-that take an array of models. Exit status: 0 done; 1 the result does not tell; 2 usage or
-configuration.)";
+that take an array of models.
+Exit status: 0 done; 1 the result does not determine the distribution, or an internal error; 2 wrong
+usage, or a file that cannot be read or written.)";
   program.options.add_options()  //
       ("model", po::value<std::string>()->required()->value_name("FILE"),
        "result.json of identify")                                                   //

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -57,7 +58,8 @@ int main(int argc, char** argv) {
   program.purpose =
       R"(Simulates experiments on a known system, such as the paper's (config/example1_truth.yaml). The same
 truth and seed give the same experiments, and an experiment does not depend on how many there are.
-Exit status: 0 done; 2 usage or configuration.)";
+Exit status: 0 done; 1 an internal error; 2 wrong usage or configuration, or a file that cannot be
+read or written.)";
   program.options.add_options()  //
       ("config", po::value<std::string>()->required()->value_name("FILE"),
        "the truth (YAML); config/truth_reference.yaml explains every key")  //

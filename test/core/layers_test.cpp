@@ -51,6 +51,7 @@ struct Include {
   std::string file;      ///< relative to its root
   std::string included;  ///< as written between <> or ""
   bool generated;        ///< <package/...> in angle brackets: a generated message
+  bool quoted;           ///< written between ""
 };
 
 std::vector<Include> includesBelow(const fs::path& root) {
@@ -63,8 +64,8 @@ std::vector<Include> includesBelow(const fs::path& root) {
       std::smatch match;
       if (!std::regex_search(line, match, directive)) continue;
       const bool ours = match[2].str().rfind(kPackage + "/", 0) == 0;
-      found.push_back(
-          {fs::relative(entry.path(), root).string(), match[2], ours && match[1] == "<"});
+      found.push_back({fs::relative(entry.path(), root).string(), match[2], ours && match[1] == "<",
+                       match[1] == "\""});
     }
   }
   return found;

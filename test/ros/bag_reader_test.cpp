@@ -238,7 +238,7 @@ TEST_F(BagReaderTest, UnreadableFilesAreNamed) {
   writeFile("");
   EXPECT_NE(message().find("empty"), std::string::npos) << message();
   writeFile("t,u,y\n0,1,2\n");
-  EXPECT_NE(message().find("is no ROS bag"), std::string::npos) << message();
+  EXPECT_NE(message().find("is not a ROS bag"), std::string::npos) << message();
   EXPECT_NE(messageOf<FileError>([&] { readBag(folder_.path(), {}); }).find("directory"),
             std::string::npos);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "support/example_explanation.h"
 #include "uncertainty_identification/io/explanation_json.h"

@@ -57,7 +57,7 @@ class FaultDetectionTest : public testing::Test {
 
   void publishResult(std::uint32_t sequence) {
     ResultContext context;
-    context.stamp = ros::Time::now();
+    context.stamp = ros::Time::now().toNSec();
     context.sequence = sequence;
     result_.publish(toMessage(test::estimateOf(test::example1Truth()), context));
   }

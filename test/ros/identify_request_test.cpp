@@ -94,7 +94,7 @@ TEST_F(IdentifyRequestTest, EachFailureHasItsCode) {
   request.bags = {"no.bag"};
   const auto response = answer(request);
   EXPECT_EQ(response.code, Response::FILE_ERROR);
-  EXPECT_NE(response.message.find("is no ROS bag"), std::string::npos) << response.message;
+  EXPECT_NE(response.message.find("is not a ROS bag"), std::string::npos) << response.message;
 }
 
 /// A bag of two megabytes that takes next to no room.

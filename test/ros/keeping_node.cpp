@@ -8,7 +8,7 @@
 
 #include "ros/experiment_bag.h"
 #include "ros/message_conversions.h"
-#include "ros/stored_result.h"
+#include "session/stored_result.h"
 #include "support/example1.h"
 #include "support/node_client.h"
 #include "support/node_process.h"

@@ -60,7 +60,7 @@ class MarginTest : public testing::Test {
 
   void publishResult(std::uint32_t sequence) {
     ResultContext context;
-    context.stamp = ros::Time::now();
+    context.stamp = ros::Time::now().toNSec();
     context.sequence = sequence;
     result_.publish(toMessage(plant(), context));
   }

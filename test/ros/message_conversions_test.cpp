@@ -99,7 +99,7 @@ TEST(MessageConversions, StartOutsideWhatStampsExpressIsRefused) {
 }
 
 TEST(MessageConversions, ModelsCarryEveryNumberRowMajor) {
-  const ResultContext context{ros::Time(5, 0), 9, true, {2, "a", "b", 1, 3.5}};
+  const ResultContext context{ros::Time(5, 0).toNSec(), 9, true, {2, "a", "b", 1, 3.5}};
   const auto message = toMessage(makeEstimate(), context);
   EXPECT_EQ(message.header.stamp, ros::Time(5, 0));
   EXPECT_EQ(message.sequence, 9U);
@@ -142,7 +142,7 @@ TEST(MessageConversions, ErrorsOfParametersNameThem) {
   options.basis = BasisKind::sensitivity;
   options.sensitivity_order = 2;
   options.parameters = {"b1", "a1"};
-  const ResultContext context{ros::Time(5, 0), 9, true, {2, "a", "b", 1, 3.5}};
+  const ResultContext context{ros::Time(5, 0).toNSec(), 9, true, {2, "a", "b", 1, 3.5}};
   const auto message = toErrorModelMessage(estimate, context);
   EXPECT_EQ(message.basis, messages::ErrorModel::SENSITIVITY);
   EXPECT_EQ(message.sensitivity_order, 2);

@@ -128,16 +128,16 @@ TEST(ArrivalCounter, GivesRatesSinceTheLastCallAndSmoothedIntervals) {
   ArrivalCounter counter;
   auto now = ArrivalCounter::Clock::now();
   TopicActivity activity;
-  counter.tell(now, activity);
+  counter.fillIn(activity, now);
   EXPECT_EQ(activity.messages, 0);
   EXPECT_TRUE(std::isinf(activity.age));
   for (int k = 0; k < 100; ++k) counter.count(now += milliseconds(10));
-  counter.tell(now += milliseconds(1000), activity);
+  counter.fillIn(activity, now += milliseconds(1000));
   EXPECT_EQ(activity.messages, 100);
   EXPECT_NEAR(activity.rate, 50, 1e-6);
   EXPECT_NEAR(activity.age, 1, 1e-9);
   EXPECT_NEAR(activity.interval, 0.01, 1e-9);
-  counter.tell(now += milliseconds(1000), activity);
+  counter.fillIn(activity, now += milliseconds(1000));
   EXPECT_EQ(activity.rate, 0);
 }
 

@@ -23,7 +23,7 @@ struct Experiment {
   std::map<std::string, Eigen::VectorXd> signals;  ///< covariates measured at each sample, N each
   Eigen::VectorXd
       stamp_offset;  ///< N actual minus nominal sampling instants of y [s]; empty = none known
-  ExperimentTiming timing;  ///< how its samples came; nothing identifies from it
+  ExperimentTiming timing;  ///< delays and losses of its samples; not used in the identification
 
   /// Number of samples N, measured or not.
   int samples() const { return static_cast<int>(u.size()); }

@@ -10,7 +10,7 @@
 
 namespace uncertainty_identification {
 
-/// What a file gave: a bad experiment is listed and loses none of the others.
+/// The experiments that a file holds. Bad ones are listed, and the others are kept.
 struct LoadedData {
   std::vector<Experiment> experiments;
   std::vector<RejectedExperiment> rejected;
@@ -18,13 +18,13 @@ struct LoadedData {
 };
 
 /// Resamples a recording and adds it to `data`: to the experiments, or to the rejected ones with
-/// the reason. With sample_time 0, a recording of the same rate as the first experiment (within two
-/// per cent, which jitter leaves open) gets its sample time, another one keeps its own. `first` is
-/// the sample time [s] of the first experiment where that is not in `data`; 0: it is.
+/// the reason. With sample_time 0, a recording whose sample time is that of the first experiment
+/// within two per cent, the accuracy under jitter, gets that one; any other keeps its own. `first`
+/// is the sample time [s] of the first experiment if that is not in `data`; 0: it is.
 void addResampled(const Recording& recording, double sample_time, const ResamplingOptions& options,
                   LoadedData& data, double first = 0);
 
-/// Adds everything of `more` to `data`, in order.
+/// Appends the contents of `more` to those of `data`.
 void append(LoadedData more, LoadedData& data);
 
 }  // namespace uncertainty_identification

@@ -17,20 +17,20 @@ struct StampedSignal {
   long lost = 0;                      ///< messages missing between them, by sequence numbers
 };
 
-/// Which of several samples with one stamp counts: of the output the first; of what is held (input,
-/// covariates) the last, because it is in force from then on.
+/// Which of several samples with the same stamp is used: for the output the first, for signals that
+/// are held (input, covariates) the last, because its value is the one that lasts.
 enum class Duplicates { keep_first, keep_last };
 
-/// The raw material of one experiment: what lies between two cuts, before resampling.
+/// The signals of one experiment as they were received, before resampling.
 struct Recording {
   std::string id;
   /// [s] the cuts: outputs with start <= stamp < end count; all of them if end <= start
   double start = 0, end = 0;
-  /// the input may begin before the start: what was in force when it began
+  /// the input may begin before `start`, with the value that acted when the experiment began
   StampedSignal input, output;
   std::map<std::string, StampedSignal> covariates;
-  int duplicate_stamps = 0;  ///< samples left out already: stamped as the one before
-  std::string note;          ///< how it ended, if not by its own end
+  int duplicate_stamps = 0;  ///< samples already left out because another has the same stamp
+  std::string note;          ///< why it ended before its proper end; empty: it did not
 };
 
 /// What resampling found about the stamps of one recording.
@@ -42,10 +42,10 @@ struct ResamplingReport {
   double max_jitter = 0;     ///< [s] largest departure of output stamps from a uniform grid
   double max_age = 0;        ///< [s] oldest sample that was held
   int missing_outputs = 0;   ///< grid points without an output within max_age
-  int duplicate_stamps = 0;  ///< samples left out: stamped as the one before
+  int duplicate_stamps = 0;  ///< samples left out because another has the same stamp
   int zero_stamps = 0;       ///< samples stamped 0
 
-  /// What a user should hear about: duplicates, zero stamps, jitter above a tenth of the sample
+  /// What a user should know: duplicates, zero stamps, jitter above a tenth of the sample
   /// time, missing outputs, an input held for more than three sample times. One sentence each;
   /// empty when all is well.
   std::vector<std::string> warnings() const;

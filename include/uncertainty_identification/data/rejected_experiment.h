@@ -4,7 +4,7 @@
 
 namespace uncertainty_identification {
 
-/// An experiment that was left out, while the others went on.
+/// An experiment that was left out, while the others are used.
 struct RejectedExperiment {
   std::string id;
   std::string reason;  ///< what was found and what to record instead

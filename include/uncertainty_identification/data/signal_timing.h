@@ -9,18 +9,18 @@ namespace uncertainty_identification {
 
 struct StampedSignal;
 
-/// How a sample came: when, and how many before it did not.
+/// When a sample arrived, and how many were lost before it.
 struct Arrival {
   double time = std::numeric_limits<double>::quiet_NaN();  ///< [s] NaN: not known
-  long lost = 0;  ///< messages missing between the one before and this one
+  long lost = 0;  ///< messages missing between the previous one and this one
 };
 
-/// What stamps, arrivals and sequence numbers tell about the samples of a signal in one experiment.
-/// NaN where it is not known.
+/// Age, delay, jitter and losses of the samples of a signal in one experiment, from stamps,
+/// arrivals and sequence numbers. NaN if not known.
 struct SignalTiming {
   double age = std::numeric_limits<double>::quiet_NaN();  ///< [s] of the newest sample on arrival
-  /// [s] smallest arrival minus stamp: the quickest transport and what the clock that stamps is
-  /// behind the one that receives
+  /// [s] smallest difference of arrival and stamp: the time of the quickest transport, plus the
+  /// difference of the receiving and the stamping clock
   double delay = std::numeric_limits<double>::quiet_NaN();
   /// [s] largest departure of a stamp from a uniform grid; NaN where they follow none
   double jitter = std::numeric_limits<double>::quiet_NaN();
@@ -34,16 +34,15 @@ SignalTiming timingOf(const StampedSignal& signal);
 struct ExperimentTiming {
   SignalTiming input, output;
 
-  /// [s] by how much the output's stamps are ahead of the input's, were both transported equally
-  /// quickly at best: the difference of the lower envelopes of arrival minus stamp. A difference of
-  /// the transports cannot be told from one of the clocks, and the samples themselves tell
-  /// neither: to them it is dead time of the plant.
+  /// [s] by how much the clock of the output's stamps is ahead of that of the input's, if the
+  /// quickest transport takes equally long for both: the difference of their delays. A difference
+  /// of the transports cannot be distinguished from one of the clocks; in the samples, both look
+  /// like dead time of the plant.
   double clockOffset() const { return input.delay - output.delay; }
 };
 
-/// Counts what is missing in the sequence numbers of messages, which each publisher counts for
-/// itself. A number that does not rise tells nothing: a publisher that was started again, or one
-/// that does not number.
+/// Counts messages that are missing, by the sequence numbers of each publisher. A number that does
+/// not rise is ignored: the publisher was restarted, or does not number its messages.
 class SequenceCounter {
  public:
   /// How many messages of the publisher are missing before this one.

@@ -101,7 +101,7 @@ struct ResidualTests {
 
 /// The step of one iteration, in the coordinates that the method uses.
 struct StepSummary {
-  double norm = 0;           ///< Euclidean norm; 0 if no step increased the log-likelihood
+  double norm = 0;  ///< Euclidean norm; 0 if no step was found or L-BFGS evaluates its start
   double gradient_norm = 0;  ///< of the log-likelihood, at the point before the step
   bool accepted = false;     ///< false: the step was rejected and the point did not change
   double seconds = 0;        ///< [s] wall time

@@ -2,7 +2,7 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "uncertainty_identification/configuration.h"

@@ -9,7 +9,7 @@
 
 namespace uncertainty_identification {
 
-/// How stamped rows become experiments.
+/// How rows with stamps become experiments.
 struct CsvOptions {
   double sample_time = 0;  ///< [s]; 0: that of each experiment's stamps
   ResamplingOptions resampling;
@@ -24,8 +24,9 @@ struct CsvOptions {
 /// change; other cells must be numbers.
 ///
 /// Stamps must rise within each experiment. Those that lie one to one on a uniform grid
-/// (sample_grid.h) become its samples as they are: rows left out count as missing, with the input
-/// held, and jitter above a thousandth of the sample time is kept in Experiment::stamp_offset.
+/// (sample_grid.h) become its samples unchanged. Between them, a row that is absent counts as a
+/// missing output, and the input keeps its value; jitter above a thousandth of the sample time is
+/// stored in Experiment::stamp_offset.
 /// Other stamps, gaps above limits.max_missing and rates other than a given sample_time are
 /// resampled (recording.h).
 ///

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -11,8 +11,8 @@
 namespace uncertainty_identification {
 
 /// The estimate as result.json holds it ("format": "uncertainty_identification/result/1"). Numbers
-/// that are not finite are null; all others keep every bit. "bounds" is an empty object: who has
-/// some puts them there.
+/// that are not finite are null; all others keep every bit. "bounds" is an empty object, because an
+/// estimate has none.
 nlohmann::json toJson(const Estimate& estimate);
 
 /// The estimate that toJson() wrote; null is NaN. Throws ConfigurationError, naming the field, for
@@ -26,14 +26,14 @@ struct Result {
   std::optional<Baseline> baseline = std::nullopt;  ///< identify --method pem or mem
 };
 
-/// What result.json holds, as JSON.
+/// The content of result.json as JSON.
 nlohmann::json toJson(const Result& result);
 
-/// Writes result.json, all of it or nothing. Throws FileError.
+/// Writes result.json, which appears complete or not at all. Throws FileError.
 void saveResult(const std::string& path, const Result& result);
 
-/// Reads result.json. Throws FileError when it cannot be read, ConfigurationError when it holds no
-/// such result.
+/// Reads result.json. Throws FileError when it cannot be read, ConfigurationError when it is not
+/// such a result.
 Result loadResult(const std::string& path);
 
 }  // namespace uncertainty_identification

@@ -9,11 +9,11 @@
 
 namespace uncertainty_identification {
 
-/// Reads all experiments of the paths, in order: a .bag (bag_reader.h), a .csv (csv.h), or a
-/// folder: the .csv and .bag files directly in it, sorted by name. An id that several files use
-/// gets the file's name in front, "run2/experiment_000". Throws FileError for a path that is none
-/// of these or a folder without such files, DataError when no experiment is left (the message gives
-/// the reasons), and what the readers throw.
+/// Reads the experiments of all paths, in order. A path is a .bag file (bag_reader.h), a .csv file
+/// (csv.h), or a folder, which stands for the .csv and .bag files directly in it, sorted by name.
+/// If several files use the same id, the name of the file is put before it: "run2/experiment_000".
+/// Throws FileError when a path is none of these or a folder has no such files, DataError when
+/// there is no usable experiment (the message gives the reasons), and what the readers throw.
 LoadedData loadData(const std::vector<std::string>& paths, const Configuration& configuration,
                     const KeepGoing& keep_going = {});
 

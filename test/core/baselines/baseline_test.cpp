@@ -6,8 +6,11 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <complex>
+#include <nlohmann/json.hpp>
 
-#include "io/baseline_json.h"
+#include "io/baseline_binding.h"
+#include "io/tree_reader.h"
+#include "io/tree_writer.h"
 #include "io/truth_yaml.h"
 #include "simulation/simulate.h"
 #include "support/core_setup.h"
@@ -172,15 +175,16 @@ TEST(BaselineJson, RoundTripKeepsEveryBit) {
   experiments.resize(25);
   const Baseline baseline =
       identifyBaseline(BaselineMethod::mem, configuration(), experiments).baseline;
-  const nlohmann::json tree = toJson(baseline);
+  const nlohmann::json tree = writtenTree(baseline);
   EXPECT_EQ(tree["method"], "mem");
   EXPECT_EQ(tree["experiments"].size(), 25u);
   EXPECT_EQ(tree["error_models"][0]["b"].size(), 10u);
-  EXPECT_EQ(toJson(baselineFromJson(nlohmann::json::parse(tree.dump()))), tree);
+  EXPECT_EQ(writtenTree(readRecord<Baseline>(nlohmann::json::parse(tree.dump()))), tree);
   nlohmann::json truncated = tree;
   truncated.erase("deviation");
-  EXPECT_NE(messageOf<ConfigurationError>([&] { baselineFromJson(truncated); }).find("deviation"),
-            std::string::npos);
+  EXPECT_NE(
+      messageOf<ConfigurationError>([&] { readRecord<Baseline>(truncated); }).find("deviation"),
+      std::string::npos);
 }
 
 }  // namespace

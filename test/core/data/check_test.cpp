@@ -133,7 +133,7 @@ TEST(Check, DuplicateIds) {
   const CheckReport report = check({good("same"), good("other"), good("same")});
   EXPECT_EQ(report.usable, (std::vector<int>{0, 1}));
   ASSERT_EQ(report.rejected.size(), 1u);
-  EXPECT_NE(report.rejected[0].reason.find("a second experiment has the same id"),
+  EXPECT_NE(report.rejected[0].reason.find("an earlier experiment has the same id"),
             std::string::npos);
 }
 

@@ -29,7 +29,7 @@ TEST(Resample, DuplicateStampsAreLeftOutAndCounted) {
   EXPECT_EQ(experiment.y(5), 5);
   EXPECT_EQ(report.duplicate_stamps, 2);
   ASSERT_EQ(report.warnings().size(), 1u);
-  EXPECT_TRUE(mentions(report.warnings()[0], "'run': 2 samples repeat"));
+  EXPECT_TRUE(mentions(report.warnings()[0], "'run': 2 samples have the same stamp"));
 }
 
 TEST(Resample, OfInputsWithOneStampTheLastIsInForce) {
@@ -86,7 +86,7 @@ TEST(Resample, JitterAboveTheLimitIsRefused) {
   ResamplingOptions options;
   options.max_jitter = 0.1;
   const std::string message = messageOf(recordingOf(ramp(0, 1, 30, 0), output), 1, options);
-  EXPECT_TRUE(mentions(message, "depart by up to 0.2 s")) << message;
+  EXPECT_TRUE(mentions(message, "deviate by up to 0.2 s")) << message;
   options.max_jitter = 0.3;
   EXPECT_EQ(messageOf(recordingOf(ramp(0, 1, 30, 0), output), 1, options), "");
 }

@@ -468,7 +468,7 @@ TEST(Identifier, ReportsAComponentAtItsFloor) {
   ASSERT_EQ(estimate.error_model.mixture.components(), 2);
   EXPECT_NEAR(estimate.error_model.mixture.means[1][0], 8, 0.2);
   EXPECT_GT(estimate.error_model.mixture.covariances[1](0, 0), 1e-6);
-  EXPECT_TRUE(anyMentions(estimate.warnings, "component 2 stands at its lower limit"));
+  EXPECT_TRUE(anyMentions(estimate.warnings, "component 2 is at its lower limit"));
 }
 
 TEST(Identifier, ReportsWhatTheDataCannotTellApart) {

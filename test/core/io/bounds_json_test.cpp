@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "support/core_setup.h"
 #include "support/plain_estimate.h"
 #include "uncertainty_identification/errors.h"

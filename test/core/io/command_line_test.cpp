@@ -48,7 +48,13 @@ TEST(CommandLine, ExceptionsBecomeStatusAndMessage) {
   EXPECT_EQ(errors.text(), "tool: what\ntool: why\n");
   EXPECT_EQ(statusOfThrowing<ConfigurationError>(), 2);
   EXPECT_EQ(statusOfThrowing<FileError>(), 2);
-  EXPECT_EQ(statusOfThrowing<std::logic_error>(), 2);
+}
+
+TEST(CommandLine, AnUnexpectedExceptionIsAnInternalErrorAndNotOneOfUsage) {
+  const CapturedErrors errors;
+  EXPECT_EQ(statusOfThrowing<std::invalid_argument>(), 1);
+  EXPECT_EQ(errors.text().rfind("tool: internal error: what\n", 0), 0u) << errors.text();
+  EXPECT_NE(errors.text().find("Please report it"), std::string::npos);
 }
 
 }  // namespace

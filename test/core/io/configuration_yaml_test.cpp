@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
 #include "configuration/edit_distance.h"
 #include "io/tree.h"
+#include "io/untrusted_yaml.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
@@ -229,6 +231,7 @@ TEST(ConfigurationYaml, FilesAreNamedInMessages) {
       contains(message("unknown_key.yaml"), "unknown_key.yaml: nominal_model.structur (line 3)"));
   EXPECT_TRUE(contains(message("not_yaml.yaml"), "not_yaml.yaml, line 2: not YAML"));
   EXPECT_TRUE(contains(message("empty.yaml"), "empty.yaml: the file holds no keys"));
+  EXPECT_TRUE(contains(message("holds_itself.yaml"), "holds_itself.yaml, line 2: aliases"));
   EXPECT_THROW(loadConfiguration("/nowhere.yaml"), FileError);
   EXPECT_THROW(loadConfiguration(TEST_DATA), FileError);
 }
@@ -236,7 +239,7 @@ TEST(ConfigurationYaml, FilesAreNamedInMessages) {
 TEST(ConfigurationYaml, ReferenceStatesEveryKeyAndItsDefault) {
   const std::string path = std::string(PROJECT_FOLDER) + "/config/reference.yaml";
   const Tree reference = treeFromYaml(loadYaml(path));
-  EXPECT_EQ(paths(reference.value), paths(toJson(Configuration{})));
+  EXPECT_EQ(paths(*reference.value), paths(toJson(Configuration{})));
   EXPECT_EQ(toJson(loadConfiguration(path)), toJson(Configuration{}));
 }
 

@@ -161,7 +161,7 @@ TEST_F(Csv, ABadExperimentLosesNoOther) {
   for (const RejectedExperiment& rejected : data.rejected) rejected_ids.push_back(rejected.id);
   EXPECT_EQ(read_ids, (std::vector<std::string>{"a", "b", "c"}));
   EXPECT_EQ(rejected_ids, (std::vector<std::string>{"bad", "", "back", "twice", "one"}));
-  EXPECT_TRUE(mentions(data.rejected[1].reason, "line 6, column experiment: found nothing"));
+  EXPECT_TRUE(mentions(data.rejected[1].reason, "line 6, column experiment: the cell is empty"));
   EXPECT_TRUE(
       mentions(data.rejected[2].reason, "line 11, column t: the stamp 0.5 s goes back from 1 s"));
   EXPECT_TRUE(mentions(data.rejected[3].reason, "line 13, column t: the stamp 0 s repeats 0 s"));
@@ -174,14 +174,14 @@ TEST_F(Csv, NonFiniteStampsAreRejected) {
 }
 
 TEST_F(Csv, FilesThatAreNoTableAreErrors) {
-  EXPECT_TRUE(mentions(fileError(""), "'" + path_ + "': it is empty"));
-  EXPECT_TRUE(mentions(fileError("# only\n\n"), "it is empty"));
+  EXPECT_TRUE(mentions(fileError(""), "'" + path_ + "': the file is empty"));
+  EXPECT_TRUE(mentions(fileError("# only\n\n"), "the file is empty"));
   EXPECT_TRUE(mentions(fileError("t,u\n0,1\n"), "line 1 is 't,u', without y"));
   EXPECT_TRUE(mentions(fileError("0,1,2\n1,2,3\n"), "line 1 is '0,1,2', without t"));
-  EXPECT_TRUE(mentions(fileError("t,u,y,y\n"), "every column needs a name of its own"));
-  EXPECT_TRUE(mentions(fileError("t,u,y,\n"), "every column needs a name of its own"));
-  EXPECT_TRUE(mentions(rejection("t,u,y\n"), "it has a header but no rows"));
-  EXPECT_TRUE(mentions(rejection("experiment,t,u,y\n\n"), "it has a header but no rows"));
+  EXPECT_TRUE(mentions(fileError("t,u,y,y\n"), "no two columns may have the same name"));
+  EXPECT_TRUE(mentions(fileError("t,u,y,\n"), "no two columns may have the same name"));
+  EXPECT_TRUE(mentions(rejection("t,u,y\n"), "the file has a header but no rows"));
+  EXPECT_TRUE(mentions(rejection("experiment,t,u,y\n\n"), "the file has a header but no rows"));
 }
 
 TEST_F(Csv, UnreadableFilesNameTheReason) {
@@ -207,7 +207,7 @@ TEST_F(Csv, GapsBecomeMissingSamples) {
   EXPECT_EQ(experiment.signals.at("temp"),
             (Eigen::VectorXd(8) << 5, 5, 6, 6, 6, 6, 7, 7).finished());
   ASSERT_EQ(data.warnings.size(), 1u);
-  EXPECT_TRUE(mentions(data.warnings[0], "'motor.run': 3 rows are left out"));
+  EXPECT_TRUE(mentions(data.warnings[0], "'motor.run': 3 rows are missing"));
 }
 
 TEST_F(Csv, GapsBeyondTheLimitsAreResampled) {

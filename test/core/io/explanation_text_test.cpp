@@ -32,7 +32,7 @@ TEST(ExplanationText, ShowsCausesWithParametersAndGain) {
   const std::string text = explanationText(exampleExplanation());
   expectPart(text, "\nCause 1: act_deadzone, actuator, probability 98 %\n");
   expectPart(text, "  inputs smaller than the width have no effect\n");
-  expectPart(text, "  or act_backlash: the data cannot tell\n");
+  expectPart(text, "  or act_backlash, which explains the data equally well\n");
   expectPart(text, "  width [V]  0.3100 +- 0.0040  90 %: 0.303 to 0.317\n");
   expectPart(text, "  ratio      1                 90 %: -\n");
   expectPart(text, "  On 2 experiments not used for fitting:\n");
@@ -46,14 +46,14 @@ TEST(ExplanationText, ShowsCausesWithParametersAndGain) {
 TEST(ExplanationText, SaysWhatHasNoGain) {
   const std::string text = explanationText(exampleExplanation());
   const std::string second = text.substr(text.find("Cause 2: exp_feedback"));
-  expectPart(second, "Naming it changes no prediction.\n");
+  expectPart(second, "It does not change predictions, so there is no gain.\n");
   EXPECT_EQ(second.find("not used for fitting"), std::string::npos);
 }
 
 TEST(ExplanationText, ShowsWhatWasTriedBestFirst) {
   expectPart(explanationText(exampleExplanation()),
-             "  act_deadzone            412.5         12.25 +- 0.33\n"
-             "  plant_temp (temp)       -3            -\n");
+             "  act_deadzone                  412.5         12.25 +- 0.33\n"
+             "  plant_temp (temp)             -3            -\n");
 }
 
 TEST(ExplanationText, WhereNothingIsWrongThereIsLittleToRead) {
@@ -74,7 +74,7 @@ TEST(ExplanationText, WithoutACauseThereIsNothingToCompareWith) {
   unknown.causes.clear();
   const std::string text = explanationText(unknown);
   expectPart(text, "  whiteness              FAILS, p < 1e-16, 0.5 to 2 rad/s\n");
-  expectPart(text, "Best of what was tried");
+  expectPart(text, "Best effects that were tried");
   EXPECT_EQ(text.find("with them"), std::string::npos);
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/tree_writer.h"
 #include "support/error_message.h"
 #include "uncertainty_identification/errors.h"
 
@@ -17,14 +18,14 @@ std::string complaint(const std::string& yaml) {
 }
 
 TEST(RobustMarginYaml, TheShippedFileStatesTheDefaultsOfAllButTheController) {
-  json found = toJson(loadRobustMargin(kFile)), expected = toJson(RobustMarginOptions{});
+  json found = writtenTree(loadRobustMargin(kFile)), expected = writtenTree(RobustMarginOptions{});
   EXPECT_EQ(found["controller"], json({{"num", {0.1}}, {"den", {1.0, -1.0}}}));
   found.erase("controller");
   expected.erase("controller");
   EXPECT_EQ(found, expected);
   const YAML::Node file = YAML::LoadFile(kFile);
-  for (const auto& [key, value] : toJson(RobustMarginOptions{}).items())
-    EXPECT_TRUE(file[key]) << key << " is not explained";
+  const json all = writtenTree(RobustMarginOptions{});
+  for (const auto& [key, value] : all.items()) EXPECT_TRUE(file[key]) << key << " is not explained";
 }
 
 TEST(RobustMarginYaml, ValuesArrive) {

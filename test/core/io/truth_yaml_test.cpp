@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 #include <string>
 
 #include "io/read_file.h"
 #include "io/tree.h"
+#include "io/untrusted_yaml.h"
 #include "simulation/simulate.h"
 #include "uncertainty_identification/errors.h"
 
@@ -37,7 +39,7 @@ std::string keys(const json& tree, const std::string& parent = "") {
 
 TEST(TruthYaml, ReferenceStatesEveryKeyAndItsDefault) {
   const std::string path = kConfig + "truth_reference.yaml";
-  EXPECT_EQ(keys(treeFromYaml(loadYaml(path)).value), keys(toJson(Truth{})));
+  EXPECT_EQ(keys(*treeFromYaml(loadYaml(path)).value), keys(toJson(Truth{})));
   EXPECT_EQ(toJson(loadTruth(path)), toJson(Truth{}));
 }
 

@@ -34,6 +34,7 @@ TEST(UntrustedYaml, RefusesWhatWouldOverflowTheStack) {
 
 TEST(UntrustedYaml, RefusesAliases) {
   EXPECT_NE(refusal("{a: &a [1, 2], b: [*a, *a]}").find("aliases"), std::string::npos);
+  EXPECT_NE(refusal("&a [*a, *a]").find("line 1: aliases"), std::string::npos);
 }
 
 TEST(UntrustedYaml, RefusesLongTexts) {
@@ -41,7 +42,7 @@ TEST(UntrustedYaml, RefusesLongTexts) {
 }
 
 TEST(UntrustedYaml, SaysThatATextIsNoYaml) {
-  EXPECT_NE(refusal("{unclosed").find("is no YAML"), std::string::npos);
+  EXPECT_NE(refusal("{unclosed").find("configuration, line 1: not YAML"), std::string::npos);
   EXPECT_NE(refusal(std::string("\0\xff\xfe", 3) + "[").size(), 0U);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -162,7 +163,7 @@ TEST_F(Tools, BaselinesFitEachExperiment) {
   for (const std::string method : {"mem", "pem"}) {
     const ProcessResult run = identify({"--method", method, data(30, 1)});
     ASSERT_EQ(run.status, 0) << run.errors;
-    EXPECT_TRUE(contains(run.output, "30 experiments fitted one by one")) << run.output;
+    EXPECT_TRUE(contains(run.output, "30 experiments, each fitted separately")) << run.output;
     const Result result = loadResult(result_);
     ASSERT_TRUE(result.baseline.has_value());
     EXPECT_EQ(nameOf(result.baseline->method), method);
@@ -316,7 +317,7 @@ TEST_F(Tools, OutputsThatCannotBeWritten) {
   expectFailure(simulateExample(nowhere + ".csv"), 2, "simulate", "nowhere/file.csv");
   expectFailure(simulateExample(nowhere + ".bag"), 2, "simulate", "nowhere/file.bag");
   expectFailure(simulateExample(good + "/below"), 2, "simulate", "cannot be created");
-  expectFailure(simulateExample(folder_.path()), 2, "simulate", "holds something already");
+  expectFailure(simulateExample(folder_.path()), 2, "simulate", "the folder is not empty");
   expectFailure(simulateExample(folder_ / "new.csv", {"--answer", nowhere}), 2, "simulate",
                 "there is no folder");
   EXPECT_FALSE(fs::exists(folder_ / "new.csv"));
