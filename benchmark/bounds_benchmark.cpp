@@ -1,4 +1,5 @@
-// How long the bounds of Example 1 take, one thread: 500 frequencies, 4 levels, M = 100.
+// Measures how long it takes to compute the bounds of Example 1: 500 frequencies, 4 levels, M =
+// 100, one thread.
 #include <benchmark/benchmark.h>
 
 #include "bounds/frequency_grid.h"

@@ -5,9 +5,9 @@
 
 #include "support/monte_carlo.h"
 
-/// Whether the standard errors are what they claim: the share of Monte Carlo runs of Example 1
-/// whose 95 % intervals hold the truth. Argument: number of runs (1000). Exits with 1 where a share
-/// of those from the observed information leaves [92.5 %, 97 %] or a run did not converge.
+/// Checks the calibration of the standard errors: the share of Monte Carlo runs of Example 1 whose
+/// 95 % intervals contain the truth. Argument: number of runs (1000). Exits with 1 if a share for
+/// the observed information is outside [92.5 %, 97 %] or a run did not converge.
 namespace uncertainty_identification::test {
 namespace {
 

@@ -1,8 +1,9 @@
-// Whether bounds hold what they name: the share of fresh true systems inside bands of nominally 50,
-// 90, 95 and 99 %, and of fresh experiments inside calibrated prediction intervals. docs/bounds.md
-// explains the table. Arguments: identifications (200) and fresh systems (200) of each case. Exits
-// with 1 where a band that counts the estimate's errors leaves its level, in a case whose model is
-// true, by more than 2 points and two standard errors, or prediction intervals their guarantee.
+// Checks the coverage of the bounds: the share of new true systems inside bands of nominally 50,
+// 90, 95 and 99 %, and of new experiments inside calibrated prediction intervals. docs/bounds.md
+// explains the table. Arguments: number of identifications (200) and of new systems (200) for each
+// case. Exits with 1 if a band that includes estimation errors misses its level by more than 2
+// percentage points and two standard errors in a case whose model is true, or if prediction
+// intervals miss their guarantee.
 #include <cstdio>
 #include <cstdlib>
 #include <random>
@@ -18,9 +19,9 @@ using Eigen::ArrayXXd;
 using Eigen::VectorXd;
 
 constexpr int kFrequencies = 40;
-constexpr int kPredicted = 20;  // fresh experiments of each identification
+constexpr int kPredicted = 20;  // new experiments for each identification
 
-/// A truth, drawn anew for each run where it is not to be a mixture.
+/// A truth. If its distribution is not a mixture, each run draws new systems.
 struct Case {
   std::string name;
   Truth truth;
@@ -29,7 +30,7 @@ struct Case {
   bool heavy_tailed = false;
 };
 
-/// Student's t with 2 degrees of freedom in place of a mixture.
+/// Student's t with 2 degrees of freedom instead of a mixture.
 double heavyTail(std::uint64_t seed, int r) {
   std::mt19937_64 random(seed * 1000003 + static_cast<std::uint64_t>(r));
   return 0.3 * std::student_t_distribution<double>(2)(random);
@@ -51,7 +52,7 @@ std::vector<Experiment> simulateCase(const Case& of, std::uint64_t seed, int cou
   return experiments;
 }
 
-/// `count` systems from the `first` on.
+/// `count` systems, beginning with number `first`.
 ArrayXXd freshMagnitudes(const Case& of, int first, int count, const VectorXd& omega) {
   if (!of.heavy_tailed) return trueMagnitudes(of.truth, count, omega, first);
   ArrayXXd all(count, omega.size());
@@ -60,9 +61,9 @@ ArrayXXd freshMagnitudes(const Case& of, int first, int count, const VectorXd& o
   return all;
 }
 
-/// Standard error of a mean share. Where systems agree, as at low frequency, an identification
-/// holds all or none: then a few of them may all agree by chance, and the binomial error at `level`
-/// counts.
+/// Standard error of a mean share. Where the systems hardly differ, as at low frequency, an
+/// identification covers all of them or none. A few identifications may then agree by chance, so
+/// the error is at least the binomial one at `level`.
 double errorOf(const Spread& shares, double level) {
   bool all_or_none = true;
   for (double share : shares.values) all_or_none = all_or_none && (share == 0 || share == 1);
@@ -70,9 +71,9 @@ double errorOf(const Spread& shares, double level) {
   return all_or_none ? std::sqrt(level * (1 - level) / count) : shares.errorOfMean();
 }
 
-/// One kind of band at one level, over all identifications.
+/// Results for one kind of band at one level, over all identifications.
 struct Tally {
-  std::vector<Spread> inside;  ///< of each frequency
+  std::vector<Spread> inside;  ///< at each frequency
   Spread simultaneous;
 
   void add(const Band& pointwise, const Band& all, const ArrayXXd& fresh, const VectorXd& omega) {
@@ -84,7 +85,7 @@ struct Tally {
   }
 };
 
-/// The tallies of one kind of band, a level each.
+/// Results for one kind of band, one entry per level.
 struct Kind {
   std::string name;
   std::vector<Tally> levels;
@@ -99,7 +100,7 @@ struct Kind {
 struct CaseResult {
   Kind total{"mixture and estimate's errors", {}}, mixture{"mixture alone", {}},
       pooled{"pooled prediction-error fit", {}};
-  std::vector<Spread> predicted;  ///< of each level
+  std::vector<Spread> predicted;  ///< at each level
   std::vector<double> guaranteed;
 };
 
@@ -111,7 +112,7 @@ void addBounds(const Case& of, const std::vector<Experiment>& experiments, const
   result->total.add(bounds.magnitude_bands.total, fresh, omega);
   result->mixture.add(bounds.magnitude_bands.mixture, fresh, omega);
 
-  Configuration plain = of.configuration;  // what toolboxes give: one model and its covariance
+  Configuration plain = of.configuration;  // the usual method: one model and its covariance
   plain.error_model = ErrorModelOptions();
   plain.error_model.taps = 0;
   plain.error_model.components = 1;
@@ -163,7 +164,7 @@ void judge(const Case& of, const CaseResult& result, Checks* checks) {
                    1.001);
     if (!of.model_is_true) continue;
     const Tally& tally = result.total.levels[k];
-    // the frequency that strays farthest, measured by its own tolerance
+    // The frequency with the largest deviation relative to its tolerance.
     const Spread* worst = &tally.simultaneous;
     const auto strays = [&](const Spread& spread) {
       return std::abs(spread.mean() - levels[k]) / (0.02 + 2 * errorOf(spread, levels[k]));

@@ -10,10 +10,11 @@
 #include "support/monte_carlo.h"
 #include "uncertainty_identification/identifier.h"
 
-/// False alarms and detection delays on the paper's Example 1, of the detector and of two that
-/// ignore the model's uncertainty. Arguments: identifications (40), windows for each (10000). Exits
-/// with 1 where a rate leaves the factor 1.3, a fault of the first three is missed, or ignoring the
-/// uncertainty costs less than ten times the false alarms.
+/// False alarms and detection delays on the paper's Example 1 for the fault detector and for two
+/// that ignore the model's uncertainty. Arguments: number of identifications (40), windows for each
+/// (10000). Exits with 1 if a false-alarm rate is off by more than a factor of 1.3, if one of the
+/// first three faults is missed, or if ignoring the uncertainty gives less than ten times as many
+/// false alarms.
 namespace uncertainty_identification::test {
 namespace {
 
@@ -40,7 +41,8 @@ const std::vector<NamedFault> kFaults = {
     {"sensor bias of 0.2", {FaultKind::bias, 0.2, kOnset}, false},
     {"sensor bias of 0.1", {FaultKind::bias, 0.1, kOnset}, false}};
 
-/// Samples from the onset to the decision of the first alarm, of each experiment with one.
+/// Samples from the onset of the fault to the decision with the first alarm, for each experiment
+/// that has one.
 struct Detections {
   int experiments = 0;
   std::vector<double> delays;
@@ -58,10 +60,10 @@ struct Detections {
   }
 };
 
-/// What one detector did over all identifications.
+/// The results of one detector over all identifications.
 struct Record {
   std::string name;
-  std::vector<double> rates_1, rates_5;  ///< of each identification
+  std::vector<double> rates_1, rates_5;  ///< for each identification
   std::vector<Detections> detections{kFaults.size()};
 
   static double mean(const std::vector<double>& all) {
@@ -76,13 +78,13 @@ struct Record {
   }
 };
 
-/// The nominal model alone: what it leaves of y counts as noise of variance sigma^2.
+/// The nominal model alone: its residual is treated as noise with variance sigma^2.
 Estimate nominalAlone(Estimate estimate) {
   estimate.error_model = ErrorModelEstimate();
   return estimate;
 }
 
-/// Energies of the nominal model's residual y - Go u over windows of an experiment.
+/// Energies of the residual y - Go u over the windows of an experiment.
 std::vector<double> residualEnergies(const NominalModelEstimate& go, const Experiment& experiment) {
   ErrorModelOptions no_errors;
   no_errors.taps = 0;
@@ -98,8 +100,9 @@ std::vector<double> residualEnergies(const NominalModelEstimate& go, const Exper
   return energies;
 }
 
-/// A detector with these energies whose thresholds are set by fault-free windows of the truth, as
-/// nobody who has identified only could: its false alarms are right by construction.
+/// A detector that uses these energies. Its thresholds are computed from fault-free windows of the
+/// true system, which are not available in practice, so its false-alarm rate is right by
+/// construction.
 void measureResidual(const NominalModelEstimate& go, std::uint64_t seed, int windows,
                      Record* record) {
   const FaultyPlant plant(example1Truth(1, kWindow * kWindowsPerExperiment), seed);

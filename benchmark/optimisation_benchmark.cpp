@@ -10,9 +10,10 @@
 #include "support/golden.h"
 #include "support/monte_carlo.h"
 
-/// Full maximum-likelihood optimisations of Example 1 from the paper's start: against the literal
-/// Algorithm 1, over sizes, threads and options; processor time but for threads. Prints tables;
-/// exits with 1 where a bound that docs/benchmarks.md states is missed.
+/// Complete maximum-likelihood optimisations of Example 1 from the paper's start: compared with the
+/// literal Algorithm 1, and for several sizes, numbers of threads and options. Times are processor
+/// time, except for threads. Prints tables; exits with 1 if a bound stated in docs/benchmarks.md is
+/// missed.
 namespace uncertainty_identification::test {
 namespace {
 
@@ -35,8 +36,9 @@ double cpuSeconds() {
 struct TimedRun {
   Optimum optimum;
   int passes = 0;
-  double seconds = 0;  ///< [s] of wall time, the shortest of the repetitions
-  double cpu = 0;  ///< [s] of the calling thread's processor time, the same; others disturb it less
+  double seconds = 0;  ///< [s] wall time, the shortest of the repetitions
+  double cpu =
+      0;  ///< [s] processor time of the calling thread, likewise; depends less on other load
 };
 
 TimedRun timedRun(const CoreSetup& setup, const Configuration& configuration, int repetitions) {
@@ -60,8 +62,7 @@ TimedRun timedRun(const CoreSetup& setup, const Configuration& configuration, in
   return timed;
 }
 
-/// Processor time [s] that the literal algorithm takes until it is as high as `target`, within
-/// 1e-5.
+/// Processor time [s] of the literal algorithm until its log-likelihood is within 1e-5 of `target`.
 double literalSeconds(const Golden& golden, double target) {
   const ModelParameters start = paperStart();
   const literal::LiteralAlgorithm algorithm(
@@ -129,7 +130,7 @@ void threads() {
   const std::vector<Experiment> experiments = simulate(example1Truth(10000), 1);
   const CoreSetup one(example1AtRest(), experiments, 1), two(example1AtRest(), experiments, 2);
   TimedRun with_one, with_two;
-  for (int k = 0; k < 20; ++k) {  // in turns: what else the machine does meets both alike
+  for (int k = 0; k < 20; ++k) {  // alternating, so that other load affects both equally
     const TimedRun first = timedRun(one, example1AtRest(), 1);
     const TimedRun second = timedRun(two, example1AtRest(), 1);
     if (k == 0 || first.seconds < with_one.seconds) with_one = first;

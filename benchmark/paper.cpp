@@ -1,5 +1,6 @@
-// The paper's two examples: Table 1 and the numbers of section 5 beside ours, and Figures 3 and 4
-// as data for scripts/plot_paper.py. docs/paper.md explains the choices and the tolerances.
+// Compares the paper's two examples with ours: Table 1 and the numbers of section 5, and the data
+// of Figures 3 and 4 for scripts/plot_paper.py. docs/paper.md explains the choices and the
+// tolerances.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -17,13 +18,13 @@ using Eigen::VectorXd;
 using nlohmann::json;
 
 struct Arguments {
-  int runs = 25;     ///< data sets
+  int runs = 25;     ///< number of data sets
   int coverage = 0;  ///< data sets of Example 2 for parameter_spread alone; 0: as `runs`
   bool check = false;
   std::string output;
 };
 
-/// An example: its truth, and the magnitudes of fresh systems over a grid.
+/// An example: its truth, and the magnitudes of new systems over a grid of frequencies.
 struct Example {
   Truth truth;
   VectorXd omega;
@@ -49,7 +50,7 @@ Configuration configured(const std::string& name) {
 
 using Methods = std::vector<std::pair<std::string, Configuration>>;
 
-/// All methods on data sets 1, 2, ... of an example; "mem" last.
+/// Applies all methods to data sets 1, 2, ... of an example; "mem" last.
 std::vector<MethodResult> study(const Example& example, const Methods& methods, int runs) {
   std::vector<MethodResult> results(methods.size() + 1);
   for (int run = 1; run <= runs; ++run) {
@@ -94,7 +95,8 @@ json curve(const VectorXd& values) {
   return std::vector<double>(values.data(), values.data() + values.size());
 }
 
-/// |G| of the first 25 experiments' own models: the paper's dotted lines.
+/// |G| of models identified from each of the first 25 experiments separately: the paper's dotted
+/// lines.
 json ownModels(const Example& example, const Configuration& configuration,
                std::shared_ptr<const NominalModel> nominal) {
   std::vector<Experiment> experiments = simulate(example.truth, 1);
@@ -112,8 +114,8 @@ json ownModels(const Example& example, const Configuration& configuration,
   return lines;
 }
 
-/// A figure of |G|: the true nominal system, the mean of the estimates, the first data set's region
-/// and its experiments' models.
+/// The data of a figure of |G|: the true nominal system, the mean of the estimates, and for the
+/// first data set the region and the models of its experiments.
 json figure(const Example& example, const Polynomials& truth, const MethodResult& result,
             json own_models) {
   const auto plant = [&](const VectorXd& b, const VectorXd& a) {
@@ -164,7 +166,8 @@ json example1(const Arguments& arguments, Checks* checks) {
                    row.truth + wide);
   }
   printRegions(methods, results, example);
-  // at the lowest frequency all systems have the gain of Go: a region holds all of them or none
+  // At the lowest frequency all systems have the gain of Go, so a region contains all of them or
+  // none.
   checks->within("Example 1: SE region with errors, least share inside",
                  results[0].total.inside.minCoeff(),
                  kLevel - 4 * std::sqrt(kLevel * (1 - kLevel) / arguments.runs), 1);
@@ -202,7 +205,7 @@ Methods basesOfExample2() {
 void checkExample2(const std::vector<MethodResult>& results, int runs, Checks* checks) {
   const auto variance = [&](std::size_t k) { return results[k].parameters.at("noise_variance"); };
   const auto near = [&](const std::string& what, const Spread& found, double low, double high) {
-    // the band is that of 25 data sets; fewer scatter more
+    // The tolerance is for 25 data sets; fewer have a larger scatter.
     const double more = 4 * found.errorOfMean() * (runs < 25 ? 1 : 0);
     checks->within(what, found.mean(), low - more, high + more);
   };
@@ -248,7 +251,7 @@ json example2(const Arguments& arguments, Checks* checks) {
           {"figure4_parameter_spread", figure(example, truth, results[4], lines())}};
 }
 
-/// parameter_spread alone, over many data sets.
+/// Coverage of parameter_spread over many data sets.
 void coverage(int runs, Checks* checks) {
   const Example example = makeExample("example2_truth", 1.0, 100.0);
   const Configuration configuration = configured("example2_parameter_spread");

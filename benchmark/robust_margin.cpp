@@ -12,10 +12,11 @@
 #include "uncertainty_identification/bounds/uncertainty_weight.h"
 #include "uncertainty_identification/identifier.h"
 
-/// Integral controllers of rising gain on Example 1: the margin and the probability of instability
-/// from identified models, beside the share of true systems that the loop is unstable with. Exits
-/// with 1 where a loop with margin is unstable with more plants than W leaves out, or a mean
-/// probability is off by more than 2 points (its standard error is about 1).
+/// Integral controllers with increasing gain on Example 1: the margin and the probability of
+/// instability computed from identified models, compared with the share of true systems for which
+/// the loop is unstable. Exits with 1 if a loop with margin above 1 is unstable with more plants
+/// than W leaves out, or if a mean probability is off by more than 2 percentage points (its
+/// standard error is about 1).
 namespace uncertainty_identification::test {
 namespace {
 

@@ -1,6 +1,6 @@
-// Identifies a nominal model of one's own (motor_model.h) and the uncertainty of a fleet of such
-// motors: their inertias differ, because they drive different loads. docs/adding_a_nominal_model.md
-// goes through it. Exit status: 0 when the parameters found agree with those simulated.
+// Identifies a user's own nominal model (motor_model.h) and the uncertainty of a fleet of such
+// motors, whose inertias differ because they drive different loads. docs/adding_a_nominal_model.md
+// explains this program. Exit status: 0 if the estimated parameters agree with the simulated ones.
 
 #include "motor_model.h"
 

@@ -7,8 +7,8 @@
 
 #include "uncertainty_identification/model/nominal_model.h"
 
-/// A direct-current motor, voltage [V] to speed [rad/s], with what its data sheet does not tell as
-/// parameters:
+/// A direct-current motor from voltage [V] to speed [rad/s]. Its parameters are those that the data
+/// sheet does not state:
 ///   J d(speed)/dt = k current - friction speed,   voltage = R current + k speed,
 /// which is a first-order system of gain k/(k^2 + R friction) and time constant J R/(k^2 + R
 /// friction), under the zero-order hold of a digital amplifier. The speed sensor adds white noise
@@ -48,8 +48,8 @@ class MotorModel : public uncertainty_identification::NominalModel {
     return (theta.array() > 0).all() && NominalModel::admissible(theta);
   }
 
-  /// The motor nearest to a fitted first-order system; where that is none, one with nearly no
-  /// friction.
+  /// The motor that is closest to a fitted first-order system; if there is none, a motor with
+  /// nearly no friction.
   Eigen::VectorXd fromPolynomials(const Polynomials& fitted) const override {
     const double p = std::min(std::max(-fitted.a[0], 0.01), 0.999);
     const double slowest = kTorqueConstant * kTorqueConstant;  // k^2 + R friction without friction

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws Figures 3 and 4 of the paper from what the program `paper` found: plot_paper.py figures.json FOLDER."""
+"""Draws Figures 3 and 4 of the paper from the output of the program `paper`: plot_paper.py figures.json FOLDER."""
 import json
 import math
 import os
@@ -10,7 +10,7 @@ import matplotlib
 matplotlib.use("Agg")  # pictures only, no window
 from matplotlib import pyplot  # noqa: E402
 
-BLUE, RED = "#0072b2", "#d55e00"  # told apart by colour-blind readers too
+BLUE, RED = "#0072b2", "#d55e00"  # colour-blind readers can distinguish these
 
 
 def density(components, x):

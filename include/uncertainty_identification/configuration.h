@@ -9,9 +9,8 @@
 
 #include "uncertainty_identification/math/mixture.h"
 
-/// Options of an identification. The YAML keys carry the names of these fields
-/// (config/reference.yaml documents each); a field's initialiser is its default, the only place
-/// where it is stated.
+/// Options of an identification. Each YAML key has the name of a field here (config/reference.yaml
+/// documents them). The initialiser of a field is its default; defaults are stated nowhere else.
 namespace uncertainty_identification {
 
 enum class Structure { output_error, arx, armax, box_jenkins, continuous };
@@ -25,7 +24,7 @@ enum class NoiseStart { zero, stationary };
 enum class Offsets { none, estimate, per_experiment };
 enum class OffsetSide { output, input };
 
-/// A number the user gives, or `auto`: chosen from the data.
+/// Value of an integer option that is chosen from the data; `auto` in YAML.
 constexpr int kAutomatic = -1;
 
 /// Largest number n of free error parameters.
@@ -36,14 +35,15 @@ struct NominalModelOptions {
   Structure structure = Structure::box_jenkins;
   bool orders_auto =
       false;  ///< choose nb, na, nc, nd and delay from the data (YAML: `orders: auto`)
-  Focus focus = Focus::simulation;  ///< what the choice is judged by
-  /// What Go is fitted to. likelihood: jointly with H and the error model (the paper). simulation:
-  /// Go minimises the error of its free simulation, and H and the error model are estimated around
-  /// it: where no linear model is true, the joint likelihood trades simulation for prediction.
-  /// `orders: auto` with focus simulation uses the latter.
+  Focus focus = Focus::simulation;  ///< purpose of the model: criterion of the choice of orders
+  /// How Go is fitted. likelihood: jointly with H and the error model (as in the paper).
+  /// simulation: Go minimises the error of its free simulation; then H and the error model are
+  /// estimated with this Go fixed. If the plant is not linear, the joint likelihood would accept a
+  /// worse simulation for a better prediction. `orders: auto` with focus simulation uses
+  /// `simulation`.
   PlantFit fit = PlantFit::likelihood;
-  int max_order = 8;                   ///< of A in the choice, 1 to 20
-  int max_delay = 20;                  ///< [samples] in the choice
+  int max_order = 8;                   ///< largest order of A that is tried, 1 to 20
+  int max_delay = 20;                  ///< [samples] largest delay that is tried
   int nb = 1, na = 1, nc = 1, nd = 1;  ///< numbers of coefficients (B = b1 q^-delay + ...); those a
                                        ///< structure fixes are ignored
   int delay = 1;                       ///< nk [samples], at least 0
@@ -59,13 +59,13 @@ struct NominalModelOptions {
   void validate() const;
 };
 
-/// The constraint that a basis has where none is given: zero_mean where parameters of Go vary
-/// (sensitivity, parameter_spread), else zero_static_gain.
+/// The constraint used if none is given: zero_mean where parameters of Go vary (sensitivity,
+/// parameter_spread), otherwise zero_static_gain.
 Constraint defaultConstraint(BasisKind basis);
 
-/// Relative error model GDelta = sum_k eta_k F_k(q), eta = T xi, xi a Gaussian mixture: equations
-/// (4), (12). With basis sensitivity or parameter_spread the error is that of parameters of Go, xi
-/// their relative deviations (docs/method.md).
+/// Relative error model GDelta = sum_k eta_k F_k(q), eta = T xi, with a Gaussian mixture for xi:
+/// equations (4), (12). With basis sensitivity or parameter_spread, parameters of Go vary instead
+/// and xi holds their relative deviations (docs/method.md; notation in docs/notation.md).
 struct ErrorModelOptions {
   BasisKind basis = BasisKind::fir;
   int taps = 2;  ///< number of basis filters, 1 to 11, or kAutomatic; 0 = no error model. Where
@@ -76,23 +76,23 @@ struct ErrorModelOptions {
   double pole = 0.5;                        ///< laguerre: real pole in (-1, 1)
   double pole_real = 0.5, pole_imag = 0.3;  ///< kautz: complex pole inside the unit circle
   /// sensitivity, parameter_spread: names of the parameters of Go that vary from experiment to
-  /// experiment; empty: all of them (parameter_spread: where there is one)
+  /// experiment. Empty: all of them (parameter_spread: only allowed if there is just one).
   std::vector<std::string> parameters;
-  int sensitivity_order = 1;  ///< sensitivity: 1, or 2 for the products of two deviations too
+  int sensitivity_order = 1;  ///< sensitivity: 1, or 2 to include products of two deviations
   int max_taps = 4, max_components = 4;  ///< limits of the automatic choice
 
   void validate() const;
 };
 
-/// How the parameters are found.
+/// How the parameters are estimated.
 struct EstimationOptions {
   Algorithm algorithm = Algorithm::maximum_likelihood;
-  /// Of the optimisation, scoring steps included, without the search for a start. 0 evaluates the
-  /// model at `initial`.
+  /// Limit for the optimisation, including scoring steps but not the search for a start. 0:
+  /// evaluate the model at `initial` without optimising.
   int max_iterations = 2000;
   double tolerance = 1e-6;   ///< em: relative change of all parameters (paper, section 5);
-                             ///< maximum_likelihood: predicted gain left [nats]
-  int restarts = 8;          ///< further seeded starts of the mixture
+                             ///< maximum_likelihood: predicted gain of a further step [nats]
+  int restarts = 8;          ///< additional starts of the mixture, drawn with the seed
   int threads = kAutomatic;  ///< kAutomatic: cores - 1, at least 1; never changes a result
   std::uint64_t seed = 1;
   InitialState initial_state = InitialState::estimate;
@@ -106,8 +106,8 @@ struct EstimationOptions {
   void validate() const;
 };
 
-/// Where to start, or with max_iterations 0 where to evaluate. What is absent is chosen from the
-/// data.
+/// Starting values, or with max_iterations 0 the point at which to evaluate. Values that are absent
+/// are chosen from the data.
 struct InitialOptions {
   Eigen::VectorXd theta;  ///< b, a, c, d concatenated (continuous: its physical parameters, then c,
                           ///< d); empty = absent
@@ -120,48 +120,49 @@ struct InitialOptions {
 enum class InputResampling { hold };
 enum class OutputResampling { hold, linear, mean };
 
-/// How stamped signals become samples on a uniform grid.
+/// How time-stamped signals are resampled to a uniform grid.
 struct ResamplingOptions {
   InputResampling input = InputResampling::hold;  ///< zero-order hold, as actuators do
   OutputResampling output = OutputResampling::hold;
   double max_age = 0;  ///< [s] older samples count as missing; 0 = three sample times
   double max_jitter =
-      0;  ///< [s] largest departure of stamps from the grid accepted; 0 = any, reported only
+      0;  ///< [s] largest accepted deviation of stamps from the grid; 0 = any (only reported)
 
   void validate() const;
 };
 
-/// A signal on a topic: which topic, which numeric field (`auto`: the only one).
+/// A signal on a topic: the topic and the numeric field of its messages (`auto`: the only one).
 struct SignalOptions {
-  std::string name;  ///< covariates only: the name it is stored under
+  std::string name;  ///< covariates only: the name under which it is stored
   std::string topic;
   std::string field = "auto";
 };
 
 enum class ExperimentMode { topic, service, duration, gap, message };
 
-/// What cuts a stream of samples into experiments.
+/// What divides the stream of samples into experiments.
 struct ExperimentOptions {
   ExperimentMode mode = ExperimentMode::topic;
   std::string topic = "experiment/active";  ///< std_msgs/Bool or ExperimentMarker (mode topic),
                                             ///< Experiment (mode message)
   double duration = 0;                      ///< [s], mode duration
-  double gap = 0;  ///< [s], mode gap: a silence this long ends an experiment
+  double gap = 0;  ///< [s], mode gap: an experiment ends when no sample arrives for this long
 
   void validate() const;
 };
 
-/// How sure: what is computed of the identified plant's distribution.
+/// Bounds: which properties of the plant's distribution are computed.
 struct BoundsOptions {
   std::vector<double> levels = {0.5, 0.9, 0.95, 0.99};  ///< shares of plants, each in (0, 1)
   int frequencies = 500;   ///< points of the automatic grid; 0 = no bounds are computed
   Eigen::VectorXd grid;    ///< [rad/s] ascending, up to the Nyquist frequency; empty = automatic
   int steps = kAutomatic;  ///< samples of the step responses; kAutomatic: until Go has settled
-  int samples = 2000;      ///< plants drawn
+  int samples = 2000;      ///< number of plants drawn
   int weight_order = kAutomatic;  ///< of the robust-control weight, 0 to 8; kAutomatic: the lowest
                                   ///< that over-bounds by at most a tenth (median)
-  double weight_level = 0.95;     ///< share of plants that the weight covers at all frequencies
-  int folds = 10;                 ///< of the calibration of prediction intervals (CV+); 0 = none
+  double weight_level =
+      0.95;        ///< share of plants that the weight covers at all frequencies simultaneously
+  int folds = 10;  ///< of the calibration of prediction intervals (CV+); 0 = no calibration
 
   void validate() const;
 };
@@ -175,36 +176,41 @@ struct EffectOptions {
   std::map<std::string, double> parameters;  ///< start values; absent: from the data
 };
 
-/// How causes of what the simulation gets wrong are looked for.
+/// Options of the search for causes of simulation errors.
 struct ExplanationOptions {
-  int max_causes = 4;             ///< named at most, 0 to 10
-  double acceptance = 6;          ///< [nats] that a cause must gain beyond its penalty, above 0
-  double validation_share = 0.3;  ///< of the experiments, kept out of the fit where no others are
-                                  ///< given to measure with, in (0, 0.9]
-  std::vector<std::string> exclude;  ///< names of the catalogue that are not considered
-  int after_experiments = 0;         ///< the node explains after each so many; 0 = never by itself
+  int max_causes = 4;  ///< largest number of causes, 0 to 10
+  double acceptance =
+      6;  ///< [nats] gain in log-likelihood beyond the penalty that a cause needs, above 0
+  double validation_share =
+      0.3;  ///< share of experiments held out if none are given for validation, in (0, 0.9]
+  std::vector<std::string> exclude;  ///< names of catalogue effects that are not considered
+  int after_experiments =
+      0;  ///< the node explains after this many new experiments; 0 = only on request
 
   void validate() const;
 };
 
-/// When a running node identifies from scratch. Otherwise it starts from the result before, which
-/// is quick but stays at a local optimum.
+/// When a running node identifies from scratch. Otherwise it starts from the previous result, which
+/// is fast but stays at a local optimum.
 struct FullIdentificationOptions {
-  double share = 0.1;  ///< of the experiments that are new since the last one, 0 to 1; 0 = always
-  double quiet = 1;  ///< [s] without a new experiment after which it comes anyway; 0 = it does not
+  double share = 0.1;  ///< share of experiments that are new since the last full identification, 0
+                       ///< to 1; 0 = always
+  double quiet = 1;    ///< [s] a full identification also follows after this time without new
+                       ///< experiments; 0 = never
 
   void validate() const;
 };
 
-/// Bounds on what is kept and accepted.
+/// Limits of what is stored and accepted.
 struct LimitOptions {
-  int max_experiments = 1000;  ///< the newest so many are identified from
+  int max_experiments = 1000;  ///< only the newest are kept and identified from
   int max_samples = 1000000;   ///< per experiment; an experiment is closed when it reaches them
   int min_samples = 20;        ///< shorter experiments are rejected
   double max_missing = 0.5;    ///< largest share of missing output samples accepted, in [0, 1)
   int max_request_size = 256;  ///< [MiB] of a request with experiments
-  int max_bag_size = 4096;  ///< [MiB] of the bags that a request names, and of what they unpack to
-  int max_saved_files = 100;  ///< that requests may write
+  int max_bag_size =
+      4096;  ///< [MiB] of the bags that a request names, and of their uncompressed contents
+  int max_saved_files = 100;  ///< number of files that requests may write
 
   void validate() const;
 };
@@ -226,11 +232,11 @@ struct Configuration {
   FullIdentificationOptions full_identification;
   BoundsOptions bounds;
   LimitOptions limits;
-  std::string bag_directory;  ///< folder that bag names in requests resolve in; empty = such names
-                              ///< are refused
-  std::string report_directory;     ///< folder that reports go to; empty = none are written
+  std::string
+      bag_directory;  ///< folder of the bags that requests name; empty = such names are refused
+  std::string report_directory;  ///< folder in which reports are written; empty = none are written
   bool report_each_result = false;  ///< write report.html there after each result
-  std::string store_directory;      ///< folder that finished experiments are kept in; empty = none
+  std::string store_directory;  ///< folder in which finished experiments are stored; empty = none
 
   /// Throws ConfigurationError naming key, value and allowed range.
   void validate() const;

@@ -9,8 +9,8 @@
 
 namespace uncertainty_identification {
 
-/// The words that stand for an enumeration's values in configurations and results, in order of
-/// declaration.
+/// The words for an enumeration's values in configurations and results, in the order in which the
+/// values are declared.
 template <class Enum>
 using EnumNames = std::vector<std::pair<Enum, std::string>>;
 
@@ -28,8 +28,8 @@ const EnumNames<InputResampling>& enumNames(InputResampling);
 const EnumNames<OutputResampling>& enumNames(OutputResampling);
 const EnumNames<ExperimentMode>& enumNames(ExperimentMode);
 
-/// The word for a value, e.g. "box_jenkins". Throws std::invalid_argument for a value outside the
-/// enumeration.
+/// The word for a value, e.g. "box_jenkins". Throws std::invalid_argument for a value that is not
+/// in the list.
 template <class Enum>
 std::string nameOf(Enum value) {
   for (const auto& [candidate, name] : enumNames(value)) {

@@ -13,57 +13,57 @@
 
 namespace uncertainty_identification {
 
-/// Where a running identification stands. Returning false from the callback cancels it.
+/// The progress of a running identification. The callback that receives it returns false to cancel.
 struct Progress {
   std::string phase;    ///< "checking the data", "choosing orders", "starting values",
                         ///< "optimising", "standard errors", ...
-  double fraction = 0;  ///< of the whole, 0 to 1; never decreases
-  std::optional<double> log_likelihood;  ///< absent before there is one
+  double fraction = 0;  ///< of the whole identification, 0 to 1; never decreases
+  std::optional<double> log_likelihood;  ///< absent until one has been computed
 };
 using ProgressCallback = std::function<bool(const Progress&)>;
 
-/// Makes the nominal model for data of a sample time [s].
+/// Creates the nominal model for data with the given sample time [s].
 using NominalModelFactory = std::function<std::shared_ptr<const NominalModel>(double)>;
 
-/// The class that everything else is a front end of: experiments in, estimate out.
-/// The same experiments, configuration and version give the same estimate, whatever the number of
-/// threads.
+/// Identifies a model from experiments. The tools and the node use this class. The same
+/// experiments, configuration and version give the same estimate, whatever the number of threads.
 class Identifier {
  public:
   /// Throws ConfigurationError when the configuration is not valid.
   explicit Identifier(Configuration configuration);
 
-  /// The same with a nominal model of the caller's own (docs/adding_a_nominal_model.md) in place of
-  /// configuration.nominal_model. Throws ConfigurationError also for `orders: auto` and `fit:
-  /// simulation` there, which are for Box-Jenkins models.
+  /// Uses a nominal model defined by the caller (docs/adding_a_nominal_model.md) instead of
+  /// configuration.nominal_model. Throws ConfigurationError also if the configuration has `orders:
+  /// auto` or `fit: simulation`, which are available for Box-Jenkins models only.
   Identifier(Configuration configuration, NominalModelFactory nominal_model);
 
   const Configuration& configuration() const { return configuration_; }
 
   /// Estimates nominal model, noise model and error distribution by maximum likelihood (paper,
-  /// Lemma 1). Experiments that fail the checks are left out and listed in the result. `validation`
-  /// experiments only measure. Throws DataError when no usable experiment is left or the orders are
-  /// too large for the data. Not converging, or being cancelled, is told by Estimate::termination.
+  /// Lemma 1). Experiments that fail the checks are left out and listed in the result. The
+  /// `validation` experiments are not used for fitting, only to measure the fit. Throws DataError
+  /// when no usable experiment is left or the orders are too large for the data.
+  /// Estimate::termination tells whether the estimation converged or was cancelled.
   Estimate identify(const std::vector<Experiment>& experiments,
                     const std::vector<Experiment>& validation = {},
                     const ProgressCallback& progress = {}) const;
 
-  /// The same, started from an earlier estimate of the same structure (a re-identification with
-  /// more experiments).
+  /// The same, starting from an earlier estimate of the same structure (identification with
+  /// additional experiments).
   Estimate reidentify(const Estimate& previous, const std::vector<Experiment>& experiments,
                       const ProgressCallback& progress = {}) const;
 
-  /// Calibrates prediction intervals: identifies again, from `estimate` on, without one fold of the
-  /// experiments after the other (configuration.bounds.folds of them). No folds in the result when
-  /// the experiments are fewer than two, or `progress` cancels. A fold that cannot be fitted is
-  /// left out with a warning; throws DataError where fewer than two folds remain.
+  /// Calibrates prediction intervals by cross-validation: for each of configuration.bounds.folds
+  /// folds, identifies without this fold, starting from `estimate`. The result has no folds if
+  /// there are fewer than two experiments or `progress` cancels. A fold that cannot be fitted is
+  /// left out with a warning; throws DataError if fewer than two folds remain.
   PredictionCalibration calibrate(const Estimate& estimate,
                                   const std::vector<Experiment>& experiments,
                                   const ProgressCallback& progress = {}) const;
 
  private:
   Configuration configuration_;
-  NominalModelFactory nominal_model_;  ///< empty: configuration_ names the model
+  NominalModelFactory nominal_model_;  ///< empty: configuration_ defines the model
 };
 
 }  // namespace uncertainty_identification

@@ -12,7 +12,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// The experiment with what Go and the offset leave of its output.
+/// The experiment with its output replaced by the residual y - Go u minus the offset.
 Experiment residualOf(const Experiment& experiment, const Polynomials& go, double offset_u,
                       double offset_y) {
   Signals u = Signals::Zero(kLanes, experiment.samples()), x, y;
@@ -39,7 +39,7 @@ ModelErrorModels modelErrorModels(const Configuration& configuration,
     residuals.push_back(residualOf(experiment, models.nominal, at_input ? nominal.offset : 0.0,
                                    at_input ? 0.0 : nominal.offset));
   }
-  Configuration fir = configuration;  // v is white; the offset is that of the residual
+  Configuration fir = configuration;  // FIR with white noise v; the offset is the residual's
   fir.nominal_model = NominalModelOptions();
   fir.nominal_model.structure = Structure::output_error;
   fir.nominal_model.nb = order;
@@ -62,7 +62,7 @@ PlantSamples plantsOf(const ModelErrorModels& models, double sample_time) {
                       go.a.transpose().replicate(count, 1),
                       MatrixXd(count, 0),
                       none};
-  for (Index r = 0; r < count; ++r) {  // (B + A E)/A
+  for (Index r = 0; r < count; ++r) {  // numerator of (B + A E)/A
     const VectorXd& e = models.fits[static_cast<std::size_t>(r)].b;
     plants.b.row(r).head(go.b.size()) = go.b.transpose();
     plants.b.row(r).head(order) += e.transpose();

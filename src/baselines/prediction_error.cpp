@@ -27,7 +27,7 @@ ErrorModelOptions noErrorModel() {
   return none;
 }
 
-/// theta with its standard errors, the errors' covariance given.
+/// theta with standard errors, from the covariances of its error (observed and robust).
 std::vector<ParameterEstimate> listed(const NominalModel& nominal, const VectorXd& theta,
                                       const MatrixXd& covariance, const MatrixXd& robust) {
   const std::vector<std::string> names = nominal.names(), units = nominal.units();
@@ -112,11 +112,12 @@ PredictionErrorFits fitExperiments(const Configuration& configuration,
     try {
       all.fits.push_back(fitExperiment(model, configuration, experiment));
     } catch (const DataError& error) {
-      all.failed.push_back({experiment.id, std::string("no fit by itself: ") + error.what()});
+      all.failed.push_back(
+          {experiment.id, std::string("could not be fitted separately: ") + error.what()});
     }
   }
   if (all.fits.size() < 2) {
-    throw DataError("fewer than two experiments can be fitted by themselves" +
+    throw DataError("fewer than two experiments can be fitted separately" +
                     (all.failed.empty()
                          ? std::string()
                          : "; '" + all.failed.front().id + "': " + all.failed.front().reason));
@@ -143,7 +144,8 @@ PlantSamples plantsOf(const PredictionErrorFits& fits, double sample_time) {
 
 namespace {
 
-/// Nominal model and noise variance, and the covariance of the plant: the mean of the fits.
+/// Writes the nominal model, the noise variance and the plant's covariance: those of the mean of
+/// the fits.
 void describeMean(const PredictionErrorFits& fits, double sample_time, Estimate* estimate) {
   const NominalModel& nominal = *fits.nominal;
   const auto count = static_cast<double>(fits.fits.size());
@@ -168,7 +170,7 @@ void describeMean(const PredictionErrorFits& fits, double sample_time, Estimate*
   estimate->noise_variance = {"noise_variance", "", fits.noise_variance, error, error};
 }
 
-/// The likelihood of the mean of the fits, and what it says of each experiment.
+/// Writes the likelihood at the mean of the fits, in total and for each experiment.
 void evaluateMean(const PredictionErrorFits& fits, const std::vector<Experiment>& experiments,
                   Estimate* estimate) {
   const LinearModel model(fits.nominal, ErrorBasis(noErrorModel()),
@@ -198,7 +200,7 @@ Estimate meanEstimate(const Configuration& configuration, const PredictionErrorF
                       const std::vector<Experiment>& experiments) {
   if (!fits.nominal->admissible(fits.mean)) {
     throw DataError(
-        "the mean of the experiments' fits is no admissible model: A, C or D has roots "
+        "the mean of the experiments' fits is not an admissible model: A, C or D has roots "
         "outside the unit circle");
   }
   Estimate estimate;
@@ -214,7 +216,8 @@ Estimate meanEstimate(const Configuration& configuration, const PredictionErrorF
   evaluateMean(fits, experiments, &estimate);
   estimate.rejected = fits.failed;
   estimate.termination = Termination::converged;
-  estimate.message = "mean of " + std::to_string(fits.fits.size()) + " experiments' own fits";
+  estimate.message =
+      "mean of " + std::to_string(fits.fits.size()) + " separate fits, one per experiment";
   return estimate;
 }
 

@@ -9,9 +9,9 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr int kRegions = 40;  // frequencies
+constexpr int kRegions = 40;  // largest number of frequencies with a complex region
 
-/// Every so-manieth frequency.
+/// An evenly spaced subset of the frequencies.
 Eigen::VectorXd someOf(const Eigen::VectorXd& omega) {
   const Eigen::Index count = std::min<Eigen::Index>(kRegions, omega.size());
   return Eigen::VectorXd::NullaryExpr(count, [&](Eigen::Index k) {
@@ -19,10 +19,11 @@ Eigen::VectorXd someOf(const Eigen::VectorXd& omega) {
   });
 }
 
-/// Errors so large that they bend: plants drawn with them scatter about something else than plants
-/// drawn without, because responses depend on the parameters nonlinearly.
-bool errorsBend(const FrequencyBounds& bounds) {
-  constexpr double kShare = 0.1;  // of the frequencies
+/// Whether the estimation errors are so large that linear propagation fails: responses depend
+/// nonlinearly on the parameters, so the median of plants drawn with these errors then differs from
+/// that of plants drawn without.
+bool errorsAreNonlinear(const FrequencyBounds& bounds) {
+  constexpr double kShare = 0.1;  // share of frequencies at which it must be so
   const UncertaintyBands& bands = bounds.magnitude_bands;
   if (bands.total.empty()) return false;
   const Band &mixture = bands.mixture.pointwise.front(), &total = bands.total.pointwise.front();
@@ -47,14 +48,14 @@ Bounds computeBounds(const Estimate& estimate) {
   bounds.seed = estimate.configuration.estimation.seed;
   if (!plants.hasEstimationErrors()) {
     bounds.warnings.push_back(
-        "the errors of the estimate are not known: the bounds are those of the mixture alone, and "
-        "too narrow");
+        "the estimation errors are not known: the bounds contain only the spread of the mixture "
+        "and are too narrow");
   }
   bounds.frequency = frequencyBounds(plants, omega, options, bounds.seed);
-  if (errorsBend(bounds.frequency)) {
+  if (errorsAreNonlinear(bounds.frequency)) {
     bounds.warnings.push_back(
-        "the errors of the estimate are so large that the bounds, which propagate them from the "
-        "parameters, are rough: lower the orders, or record more or longer experiments");
+        "the estimation errors are so large that their linear propagation to the bounds is "
+        "inaccurate: lower the orders, or record more or longer experiments");
   }
   bounds.step = stepBounds(plants, options, bounds.seed);
   bounds.regions = complexRegions(plants, someOf(omega), options, bounds.seed);

@@ -15,11 +15,11 @@ using Eigen::Index;
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-constexpr int kDirections = 12;  // and their opposites
+constexpr int kDirections = 12;  // each is used together with its opposite
 
 using Polygon = std::vector<Vector2d>;
 
-/// What of a convex polygon lies in the half plane normal'x <= limit (Sutherland and Hodgman).
+/// The part of a convex polygon inside the half plane normal'x <= limit (Sutherland and Hodgman).
 Polygon clipped(const Polygon& polygon, const Vector2d& normal, double limit) {
   Polygon kept;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
@@ -37,7 +37,7 @@ Vector2d direction(int k) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// The polygon between the limits of a band over the directions.
+/// The polygon bounded by a band's lower and upper limits in all directions.
 Polygon between(const Band& band) {
   const double far = 4 * (1 + std::max(band.upper.maxCoeff(), -band.lower.minCoeff()));
   Polygon polygon = {{-far, -far}, {far, -far}, {far, far}, {-far, far}};
@@ -48,7 +48,8 @@ Polygon between(const Band& band) {
   return polygon;
 }
 
-/// Mean of the responses, and a root of their covariance, regular even where they lie on a line.
+/// Mean of the responses and a square root of their covariance, kept invertible also where all
+/// responses lie on a line.
 struct Metric {
   Metric(const ArrayXd& re, const ArrayXd& im) : center(re.mean(), im.mean()) {
     Matrix2d covariance;

@@ -29,7 +29,7 @@ void addResonances(const VectorXd& monic, std::vector<Resonance>* found) {
   }
 }
 
-/// B over its leading nonzero coefficient; empty where there are no zeros.
+/// B divided by its first nonzero coefficient; empty if B has no zeros.
 VectorXd monicNumerator(const VectorXd& b) {
   Index first = 0;
   while (first < b.size() && b[first] == 0) ++first;
@@ -60,7 +60,7 @@ VectorXd frequencyGrid(const NominalModelEstimate& plant, int count) {
       resonances.empty() ? 0 : std::min(40, count / (3 * static_cast<int>(resonances.size())));
   std::vector<double> angles;
   for (const Resonance& resonance : resonances) {
-    for (int i = 0; i < of_each; ++i) {  // quantiles of a Cauchy distribution
+    for (int i = 0; i < of_each; ++i) {  // spaced as the quantiles of a Cauchy distribution
       const double spread = std::tan(kPi * ((i + 0.5) / of_each - 0.5));
       const double angle = resonance.at + resonance.width * spread;
       if (angle > lowest(plant.a) && angle < kPi) angles.push_back(angle);

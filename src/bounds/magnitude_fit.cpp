@@ -28,8 +28,9 @@ ArrayXcd inverses(const VectorXd& angles) {
   return angles.array().unaryExpr([](double x) { return std::polar(1.0, -x); });
 }
 
-/// Mean of the excess over the bound once lifted to lie nowhere below it, with the lift smoothed:
-/// f = mean r + log(mean exp(-sharpness r))/sharpness, r = log|N/D| - log bound.
+/// The objective: mean excess of log|N/D| over log bound after N/D has been scaled up until it is
+/// nowhere below the bound. The scaling is a smooth approximation of the maximum:
+///   f = mean r + log(mean exp(-sharpness r))/sharpness, r = log|N/D| - log bound.
 class Excess {
  public:
   Excess(const VectorXd& angles, const VectorXd& log_bound, int order, double sharpness)
@@ -59,7 +60,7 @@ class Excess {
   }
 
  private:
-  /// sum of slope d log|P|/dp_k = slope Re(z^-k/P)
+  /// Chain rule to the coefficients of P: sum of slope d log|P|/dp_k = slope Re(z^-k/P).
   VectorXd toCoefficients(const ArrayXd& slope, const ArrayXcd& P) const {
     VectorXd out(order_);
     ArrayXcd power = z_inverse_ / P;
@@ -73,7 +74,8 @@ class Excess {
   double sharpness_;
 };
 
-/// Minimises with growing sharpness; x is start and result. Returns the excess, unsmoothed.
+/// Minimises the objective for increasing sharpness. `x` holds the start and receives the result.
+/// Returns the excess with the exact maximum.
 double minimise(const VectorXd& angles, const VectorXd& log_bound, int order,
                 std::vector<double>* x) {
   for (double sharpness : {3.0, 30.0, 300.0, 3000.0}) {
@@ -90,7 +92,7 @@ double minimise(const VectorXd& angles, const VectorXd& log_bound, int order,
     const double before = excess.value(at, &none);
     try {
       optimiser.optimize(at, reached);
-    } catch (const std::runtime_error&) {  // a line search that finds nothing better
+    } catch (const std::runtime_error&) {  // the line search found no better point
     }
     if (excess.value(at, &none) < before) *x = at;
   }
@@ -102,8 +104,8 @@ VectorXd clampedCoordinates(const VectorXd& monic) {
   return toUnbounded(monic).cwiseMax(-7.9).cwiseMin(7.9);
 }
 
-/// The lower order's fit with a zero and a pole more, at angles a little apart. None where roots
-/// that nearly lie on the unit circle leave it by rounding.
+/// The fit of the lower order with one more zero and one more pole, at slightly different angles.
+/// Absent if rounding moves roots that are close to the unit circle across it.
 std::optional<std::vector<double>> extended(const MinimumPhase& lower, double zero, double pole) {
   const VectorXd more_n = multiply(lower.n, VectorXd::Constant(1, -std::exp(-zero)));
   const VectorXd more_d = multiply(lower.d, VectorXd::Constant(1, -std::exp(-pole)));

@@ -16,11 +16,11 @@ struct MinimumPhase {
   Eigen::ArrayXd logMagnitude(const Eigen::VectorXd& angles) const;
 };
 
-/// The function of given order that lies nowhere below exp(log_bound) at the angles and above it by
-/// least, in the mean of the logarithm: what ucover does with a linear programme and a spectral
-/// factorisation, here by unbounded reflection coefficients, from several starts. `lower` is a fit
-/// of an order less to start from, and is returned, with its gain fitted anew, where no start from
-/// it is stable.
+/// Finds the function of the given order that is nowhere below exp(log_bound) at the angles
+/// [rad/sample] and exceeds it least, in the mean of the logarithm. MATLAB's ucover does this by a
+/// linear programme and a spectral factorisation; here an unconstrained optimisation over
+/// reflection coefficients runs from several starts. `lower` is a fit of order one less; it serves
+/// as a start, and is returned with a new gain if no start gives a stable function.
 MinimumPhase fitAbove(const Eigen::VectorXd& angles, const Eigen::VectorXd& log_bound, int order,
                       const MinimumPhase& lower);
 

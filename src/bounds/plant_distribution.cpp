@@ -21,8 +21,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Uniform numbers in (0, 1), count x dimensions: each column holds one in each of `count` equal
-/// intervals, in random order (McKay, Beckman, Conover 1979).
+/// Uniform numbers in (0, 1), count x dimensions. In each column every one of `count` equal
+/// intervals contains exactly one number, in random order (McKay, Beckman, Conover 1979).
 MatrixXd latinHypercube(int count, Index dimensions, std::mt19937_64* random) {
   std::uniform_real_distribution<double> within(1e-12, 1);
   MatrixXd cube(count, dimensions);
@@ -42,13 +42,13 @@ double normalQuantile(double probability) {
   return -std::sqrt(2.0) * boost::math::erfc_inv(2 * probability, policy<promote_double<false>>());
 }
 
-/// A square root of a covariance whose negative eigenvalues are rounding.
+/// A square root of a covariance. Negative eigenvalues are due to rounding and are set to zero.
 MatrixXd rootOf(const MatrixXd& covariance) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(covariance);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
 }
 
-/// xi of the mixture: `uniform` picks the component, `normals` (n) its deviation.
+/// Draws xi from the mixture: `uniform` selects the component, `normals` (n) gives the deviation.
 VectorXd drawError(const Mixture& mixture, double uniform, const VectorXd& normals) {
   std::size_t i = 0;
   while (i + 1 < mixture.weights.size() && uniform >= mixture.weights[i])
@@ -56,7 +56,7 @@ VectorXd drawError(const Mixture& mixture, double uniform, const VectorXd& norma
   return mixture.means[i] + lowerRoot(mixture.covariances[i]) * normals;
 }
 
-/// A plant outside the parameters' domain is none: xi is drawn again until there is one.
+/// Draws xi again as long as the parameters lie outside their domain.
 void redrawUntilItExists(const VaryingPlant& varying, const Mixture& mixture, const VectorXd& at,
                          std::mt19937_64* random, VectorXd* xi) {
   constexpr int kMostDraws = 1000;
@@ -68,7 +68,8 @@ void redrawUntilItExists(const VaryingPlant& varying, const Mixture& mixture, co
     *xi = drawError(mixture, component, gaussian(mixture.dimension(), 1, *random));
   }
   throw DataError(
-      "the spread of the parameters lies almost wholly outside their domain: there are no bounds");
+      "the spread of the parameters lies almost entirely outside their domain: no bounds can be "
+      "computed");
 }
 
 VectorXd joined(const VectorXd& head, const VectorXd& tail) {
@@ -79,12 +80,13 @@ VectorXd joined(const VectorXd& head, const VectorXd& tail) {
 
 PlantSamples nominalPlant(const Estimate& estimate) {
   const NominalModelEstimate& go = estimate.nominal_model;
-  if (!isStable(go.a)) throw DataError("the nominal model is not stable: it has no bounds");
+  if (!isStable(go.a))
+    throw DataError("the nominal model is not stable: no bounds can be computed");
   return {go.sample_time,   go.delay,       go.b.transpose(),
           go.a.transpose(), MatrixXd(1, 0), estimate.error_model.options};
 }
 
-/// Values at z^-1 of polynomials in rows, from the power `first` on.
+/// Evaluates polynomials (one per row; first coefficient is that of z^-first) at the angles.
 void evaluate(const MatrixXd& coefficients, int first, const VectorXd& angles,
               ComplexResponses* values) {
   const Index powers = coefficients.cols();
@@ -126,7 +128,7 @@ VectorXd PlantDistribution::nominalCoordinates(const Estimate& estimate) const {
                              : plantCoordinates(estimate.nominal_model.b, estimate.nominal_model.a);
 }
 
-/// The plant with the nominal model's coordinates `at` and the error parameters xi.
+/// Writes the plant with nominal coordinates `at` and error parameters `xi` into row `row`.
 void PlantDistribution::drawPlant(const VectorXd& at, const VectorXd& xi, Index row,
                                   PlantSamples* drawn) const {
   const Index nb = nominal_.b.cols(), na = nominal_.a.cols();
@@ -147,13 +149,13 @@ PlantSamples PlantDistribution::draw(int count, Uncertainty uncertainty, std::ui
   const bool total = uncertainty == Uncertainty::total;
   if (total && !hasEstimationErrors()) {
     throw DataError(
-        "the errors of the estimate are not known (it was cancelled, or the data leave them "
-        "undetermined): only the bounds of the mixture alone can be had");
+        "the estimation errors are not known (the estimation was cancelled, or the data do not "
+        "determine them): only bounds from the mixture alone can be computed");
   }
   const Index nb = nominal_.b.cols(), na = nominal_.a.cols(), n = T_.cols();
   const Index plant = n > 0 ? center_.size() - mixture_coordinates_.size() : center_.size();
   std::mt19937_64 random = randomStream(seed, 0, RandomPurpose::plant);
-  // the plant's own draws come first: they are the same for both kinds of uncertainty
+  // Drawn first, so that xi is the same with and without estimation errors.
   MatrixXd own = latinHypercube(count, n > 0 ? n + 1 : 0, &random);
   if (n > 0) own.rightCols(n) = own.rightCols(n).unaryExpr(&normalQuantile);
   MatrixXd errors;
@@ -235,7 +237,7 @@ TransferFunctions transferFunctions(const PlantSamples& plants) {
 
 Eigen::ArrayXXd stepResponses(const PlantSamples& plants, int steps) {
   Eigen::ArrayXXd input = Eigen::ArrayXXd::Ones(plants.count(), steps);
-  if (plants.eta.cols() > 0) {  // the basis filters come first: their outputs are common to all
+  if (plants.eta.cols() > 0) {  // The outputs of the basis filters are common to all draws.
     const std::vector<Signals> of_basis =
         ErrorBasis(plants.basis).filtered(Signals::Ones(kLanes, steps));
     for (std::size_t k = 0; k < of_basis.size(); ++k)

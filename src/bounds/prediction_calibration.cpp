@@ -21,14 +21,14 @@ using Eigen::VectorXd;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// What a plant's simulation leaves of each experiment.
+/// Simulation errors y - ysim of each experiment.
 std::vector<VectorXd> errorsOf(const FoldModel& plant, const EstimationOptions& options,
                                const std::vector<Experiment>& experiments) {
   const auto nominal = fixPlant({plant.delay, plant.b, plant.a, {}, {}}, 0, 0);
   return simulationErrors(*nominal, VectorXd(0), plant.offset, options, experiments);
 }
 
-/// The k-th smallest of the values, k = ceil(level (M + 1)); infinite where there are fewer.
+/// The k-th smallest value, k = ceil(level (M + 1)); infinite if there are fewer than k.
 double upperQuantile(std::vector<double> values, double level) {
   const auto rank =
       static_cast<std::size_t>(std::ceil(level * (static_cast<double>(values.size()) + 1) - 1e-9));
@@ -37,7 +37,7 @@ double upperQuantile(std::vector<double> values, double level) {
   return values[rank - 1];
 }
 
-/// y = num/den u, both full polynomials, delay samples later, from rest.
+/// y = q^-delay num/den u from rest. Both polynomials include their leading coefficient.
 VectorXd filtered(const VectorXd& num, const VectorXd& den, int delay, const VectorXd& u) {
   VectorXd y = VectorXd::Zero(u.size());
   for (Index t = 0; t < u.size(); ++t) {
@@ -47,7 +47,8 @@ VectorXd filtered(const VectorXd& num, const VectorXd& den, int delay, const Vec
   return y;
 }
 
-/// The simulation is wanted where nothing was measured, too: gaps are bridged.
+/// The experiment with gaps of the output filled: the simulation is also needed where the output
+/// was not measured.
 Experiment withoutGaps(const Experiment& experiment) {
   Experiment whole = experiment;
   whole.valid.clear();
@@ -60,7 +61,7 @@ Experiment withoutGaps(const Experiment& experiment) {
   return whole;
 }
 
-/// Probability of a count as far from what is expected as this one, or farther.
+/// Two-sided p-value: probability of a count at least as far from the expected one.
 double twoSided(int count, int trials, double probability) {
   const boost::math::binomial_distribution<> expected(trials, probability);
   const double below = cdf(expected, count);
@@ -77,12 +78,12 @@ void compareWithModel(PredictionCalibration* calibration) {
     for (double score : calibration->scores) inside += score <= calibration->model_radius[k];
     if (twoSided(inside, trials, level) >= kSignificant) continue;
     std::ostringstream message;
-    message << "the identified model expects " << 100 * level << " % of experiments to stay within "
-            << calibration->model_radius[k]
-            << " of their simulation, of those not used for fitting " << inside << " of " << trials
-            << " do: the model does not describe their spread; trust the calibrated radius";
+    message << "the identified model expects the simulation error of " << 100 * level
+            << " % of experiments to stay within " << calibration->model_radius[k]
+            << ", but it does so in " << inside << " of " << trials << " held-out experiments"
+            << ": the model does not describe their spread; trust the calibrated radius";
     calibration->warnings.push_back(message.str());
-    return;  // one level says it
+    return;  // one warning is enough
   }
 }
 

@@ -16,11 +16,11 @@ using Eigen::ArrayXf;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr Index kAtOnce = 8;          // frequencies whose responses stay in the cache
-constexpr float kResolution = 1e-5F;  // of nepers, radians, relative errors
+constexpr Index kAtOnce = 8;          // frequencies per step: their responses fit the cache
+constexpr float kResolution = 1e-5F;  // [neper], [rad], [1]: smaller differences are rounding
 
-/// A monotone function of the angle of re + j im that needs no arc tangent, from -2 (-pi) to 2
-/// (pi).
+/// A monotone function of the angle of re + j im that is cheaper than an arc tangent. Its values go
+/// from -2 (at -pi) to 2 (at pi).
 ArrayXf diamondAngle(const ArrayXf& re, const ArrayXf& im) {
   const ArrayXf s = im / (re.abs() + im.abs()).max(1e-30F);
   const ArrayXf behind = (im < 0).select(-2 - s, 2 - s);
@@ -50,7 +50,7 @@ struct ResponseBands {
   Bands magnitude, phase, relative_error;  ///< relative to the nominal response
 };
 
-/// The bands of G/Go over the grid: logarithm of the magnitude, diamond angle, |G/Go - 1|.
+/// The bands of G/Go over the grid: log magnitude, diamond angle (see above), |G/Go - 1|.
 ResponseBands ratioBands(const PlantSamples& drawn, const PlantSamples& nominal,
                          const VectorXd& omega, const std::vector<double>& levels) {
   const int draws = drawn.count();
@@ -90,7 +90,8 @@ void requireBelowNyquist(const VectorXd& omega, double sample_time) {
   throw ConfigurationError(message.str());
 }
 
-/// Phase of Go with its delay, unwrapped from the first frequency on.
+/// Writes magnitude and phase of Go; the phase includes the delay and is unwrapped from the first
+/// frequency on.
 void describeNominal(const PlantSamples& nominal, FrequencyBounds* bounds) {
   const ComplexResponses response = frequencyResponses(nominal, bounds->omega);
   const Index points = bounds->omega.size();

@@ -18,12 +18,13 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr int kCheckFrequencies = 10000;
-constexpr double kFloor = 1e-3;       // of the peak
-constexpr double kEnough = 1.1;       // over-bounding at which an order suffices
-constexpr int kLargestAutomatic = 6;  // order
+constexpr double kFloor = 1e-3;       // smallest bound that counts, as a share of the peak
+constexpr double kEnough = 1.1;       // median |W|/bound at which the order is high enough
+constexpr int kLargestAutomatic = 6;  // highest order tried with weight_order: auto
 constexpr Index kFitPoints = 200;
 
-/// The grid's span, half of the points evenly spaced in logarithm and half evenly: both ends seen.
+/// Check frequencies over the range of the grid: half of them logarithmically, half linearly
+/// spaced, so that both ends are covered densely.
 VectorXd checkFrequencies(const VectorXd& omega) {
   const double low = omega[0], high = omega[omega.size() - 1];
   VectorXd all(kCheckFrequencies);
@@ -35,7 +36,7 @@ VectorXd checkFrequencies(const VectorXd& omega) {
   return all;
 }
 
-/// Calls body(k, |G/Go - 1| of all draws at omega_k) for each frequency.
+/// Calls body(k, |G/Go - 1| of all draws) at each frequency omega_k.
 template <class Body>
 void forRelativeErrors(const PlantSamples& drawn, const PlantSamples& nominal,
                        const VectorXd& omega, const Body& body) {
@@ -74,14 +75,15 @@ double shareBelow(const PlantSamples& drawn, const PlantSamples& nominal, const 
   return below.cast<double>().mean();
 }
 
-/// Every so-manieth entry, the last included.
+/// An evenly spaced subset of about `count` entries that includes the last one.
 VectorXd thinned(const VectorXd& all, Index count) {
   if (all.size() <= count) return all;
   return VectorXd::NullaryExpr(count,
                                [&](Index k) { return all[k * (all.size() - 1) / (count - 1)]; });
 }
 
-/// The bound on the grid, by interpolation in logarithms between the check frequencies.
+/// The bound at the frequencies `at`, interpolated between the check frequencies on logarithmic
+/// axes.
 VectorXd interpolated(const VectorXd& omega, const VectorXd& bound, const VectorXd& at) {
   VectorXd out(at.size());
   for (Index k = 0; k < at.size(); ++k) {
@@ -94,7 +96,7 @@ VectorXd interpolated(const VectorXd& omega, const VectorXd& bound, const Vector
   return out;
 }
 
-/// Numerator and denominator in s of a polynomial pair in z^-1 by Tustin's substitution.
+/// Tustin's substitution for a polynomial in z^-1: returns its coefficients in s.
 VectorXd tustin(const VectorXd& in_z_inverse, double sample_time) {
   const Index order = in_z_inverse.size() - 1;
   const double half = sample_time / 2;
@@ -130,8 +132,8 @@ void describe(const MinimumPhase& fit, double sample_time, UncertaintyWeight* we
   }
 }
 
-/// Fits of rising order until one over-bounds little, up to the order asked for, or as far as they
-/// can be fitted.
+/// Increases the order until the fit exceeds the bound only a little, the order reaches `order`, or
+/// no fit of the next order is found.
 MinimumPhase fitOfLeastOrder(const VectorXd& angles, const VectorXd& log_bound, int order) {
   MinimumPhase fit = fitAbove(angles, log_bound, 0, MinimumPhase());
   const int last = order == kAutomatic ? kLargestAutomatic : order;
@@ -161,10 +163,10 @@ UncertaintyWeight uncertaintyWeight(const PlantDistribution& plants, const Vecto
   const VectorXd check = checkFrequencies(omega);
   const VectorXd bound = simultaneousBound(drawn, plants.nominal(), check, options.weight_level);
   if (!(bound.maxCoeff() > 1e-9)) {
-    throw DataError("the plants do not differ from the nominal model: no weight is needed");
+    throw DataError("the plants do not differ from the nominal model, so no weight is needed");
   }
   if (!bound.allFinite() || bound.maxCoeff() > 1e20) {
-    throw DataError("the errors of the estimate are too large for a weight");
+    throw DataError("the estimation errors are too large for a weight to be computed");
   }
   UncertaintyWeight weight;
   weight.level = options.weight_level;

@@ -17,8 +17,8 @@ std::shared_ptr<const NominalModel> nominalOf(const Estimate& estimate) {
   const NominalModelOptions& options = estimate.configuration.nominal_model;
   if (estimate.nominal_model.structure != nameOf(options.structure)) {
     throw DataError("the nominal model '" + estimate.nominal_model.structure +
-                    "' is none of this package's: its parameters vary in the error model, so the "
-                    "model itself must be given");
+                    "' was defined by the caller and the error model varies its parameters, so "
+                    "the model itself must be passed");
   }
   return makeNominalModel(options, estimate.nominal_model.sample_time);
 }
@@ -62,7 +62,7 @@ Polynomials VaryingPlant::plant(const VectorXd& theta, const VectorXd& xi) const
   return sum;
 }
 
-/// The rational function against the recursion that divides by A step by step.
+/// Compares the rational function with the recursion that divides by A repeatedly.
 void VaryingPlant::checkConditioning() const {
   constexpr double kTolerance = 1e-6;
   const VectorXd angles = (Eigen::Vector4d() << 1e-3, 1e-2, 0.1, 1.0).finished();
@@ -80,7 +80,7 @@ void VaryingPlant::checkConditioning() const {
       if (std::abs(found - exact(k, i)) > kTolerance * scale) {
         throw DataError(
             "the nominal model's poles lie too near to 1 for bounds with basis sensitivity, whose "
-            "denominator is a power of A; use parameter_spread, or a longer sample time");
+            "denominator is a power of A; use basis parameter_spread or a longer sample time");
       }
     }
   }

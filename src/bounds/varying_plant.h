@@ -9,22 +9,23 @@
 
 namespace uncertainty_identification {
 
-/// The plants of an error model that varies Go's parameters: theta and xi in, G = q^-delay B/A out.
+/// Maps theta and xi to G = q^-delay B/A for error models that vary parameters of Go
+/// (docs/notation.md explains theta, xi and Go).
 class VaryingPlant {
  public:
-  /// Throws DataError where the estimate's nominal model is none of this package's, unless
-  /// `nominal` gives it.
+  /// `nominal` must be given if the nominal model was defined by the caller; otherwise throws
+  /// DataError.
   VaryingPlant(const Estimate& estimate, std::shared_ptr<const NominalModel> nominal);
 
   const NominalModel& nominal() const { return *nominal_; }
   const Eigen::VectorXd& theta() const { return theta_; }
 
-  /// Whether there is such a plant: with parameter_spread a tail of the mixture may leave the
-  /// parameters' domain.
+  /// Whether the parameters lie in their domain. With parameter_spread the tail of the mixture may
+  /// leave it.
   bool exists(const Eigen::VectorXd& theta, const Eigen::VectorXd& xi) const;
 
-  /// b, a and delay of G. With basis sensitivity the denominator is a power of A, which is computed
-  /// with where A is well conditioned only: throws DataError elsewhere.
+  /// b, a and delay of G. With basis sensitivity the denominator is a power of A, which can be
+  /// computed only if A is well conditioned; throws DataError otherwise.
   Polynomials plant(const Eigen::VectorXd& theta, const Eigen::VectorXd& xi) const;
 
  private:
@@ -34,7 +35,7 @@ class VaryingPlant {
   std::shared_ptr<const NominalModel> nominal_;
   BasisKind basis_;
   SensitivityTerms terms_;
-  int order_;  ///< of the derivatives
+  int order_;  ///< order of the derivatives
   Eigen::VectorXd theta_;
 };
 

@@ -45,7 +45,8 @@ void validateCovariates(const std::vector<SignalOptions>& covariates) {
   }
 }
 
-// n of eta = T xi, where it follows from the options alone.
+// The number n of free error parameters xi (eta = T xi), for bases whose n follows from the
+// options.
 int errorParameters(const ErrorModelOptions& options) {
   if (options.constraint == Constraint::explicit_matrix) return static_cast<int>(options.T.cols());
   return options.constraint == Constraint::zero_static_gain ? options.taps - 1 : options.taps;

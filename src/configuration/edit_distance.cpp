@@ -6,7 +6,7 @@
 
 namespace uncertainty_identification {
 
-// Wagner and Fischer's recursion, one row at a time.
+// Wagner-Fischer recursion that keeps one row of the table at a time.
 int editDistance(const std::string& from, const std::string& to) {
   std::vector<int> row(to.size() + 1);
   std::iota(row.begin(), row.end(), 0);

@@ -16,8 +16,8 @@ void require(bool ok, const std::string& key, const Value& value, const std::str
   throw ConfigurationError(message.str());
 }
 
-/// Throws ConfigurationError naming key, value and range unless low <= value <= high (so NaN is
-/// refused). `otherwise` names what is allowed besides the range, e.g. "auto".
+/// Throws ConfigurationError that names key, value and range unless low <= value <= high; NaN is
+/// rejected. `otherwise` names a value that is allowed in addition to the range, e.g. "auto".
 template <class Value>
 void requireRange(const std::string& key, const Value& value, const Value& low, const Value& high,
                   const std::string& otherwise = "") {

@@ -20,8 +20,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kOnCircle = 1e-6;  // by how much a pole on the unit circle may be off it
-constexpr int kGridPoints = 4096;   // before the points at resonances
+constexpr double kOnCircle = 1e-6;  // tolerance of a pole's distance from the unit circle
+constexpr int kGridPoints = 4096;   // not counting those added at resonances
 constexpr double kConfidence = 0.95;
 
 VectorXd sum(const VectorXd& left, const VectorXd& right) {
@@ -38,13 +38,13 @@ VectorXd delayed(int delay, const VectorXd& b) {
   return all;
 }
 
-/// Without its leading coefficient, which becomes 1.
+/// The polynomial divided by its leading coefficient, without the leading 1.
 VectorXd normalised(const VectorXd& polynomial) {
   return polynomial.tail(polynomial.size() - 1) / polynomial[0];
 }
 
-/// Characteristic polynomial A Den + B Num of a loop. A leading coefficient of nearly 0 is an
-/// algebraic loop without a solution.
+/// Characteristic polynomial A Den + B Num of the loop. If its leading coefficient is nearly 0, the
+/// loop is algebraic and has no solution.
 VectorXd characteristic(const VectorXd& a, const VectorXd& b, const RationalFunction& controller) {
   const VectorXd left = product(a, controller.den), right = product(b, controller.num);
   VectorXd all = sum(left, right);
@@ -57,7 +57,7 @@ VectorXd characteristic(const VectorXd& a, const VectorXd& b, const RationalFunc
   return all;
 }
 
-/// |W T| over the angle omega Ts, T = q^-delay B Num/characteristic.
+/// |W T| as a function of the angle omega Ts, with T = q^-delay B Num/characteristic.
 struct Loop {
   VectorXd numerator, denominator;
 
@@ -67,8 +67,8 @@ struct Loop {
   }
 };
 
-/// Angles in [0, pi], ascending: evenly spaced in angle and in its logarithm, and around every
-/// pole, as dense as it is near the circle.
+/// Angles in [0, pi], ascending: spaced evenly in angle and in its logarithm, and in addition
+/// around every pole, the more closely the nearer the pole is to the unit circle.
 std::vector<double> angles(const VectorXd& denominator) {
   std::vector<double> all{0, kPi};
   for (int k = 1; k < kGridPoints; ++k) {
@@ -89,7 +89,7 @@ std::vector<double> angles(const VectorXd& denominator) {
   return all;
 }
 
-/// The maximum between two angles that hold one, by golden sections.
+/// The maximum between two angles, by golden-section search.
 double refined(const Loop& loop, double low, double high) {
   const double golden = 0.5 * (std::sqrt(5.0) - 1);
   double a = high - golden * (high - low), b = low + golden * (high - low);

@@ -14,13 +14,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// An experiment's own numerator and its information matrix.
+/// The numerator estimated from one experiment alone, and its information matrix.
 struct OwnNumerator {
   VectorXd b;
   MatrixXd information;
 };
 
-/// signal/A.
+/// Filters a signal by 1/A.
 VectorXd filtered(const VectorXd& a, VectorXd signal) {
   for (Index t = 0; t < signal.size(); ++t) {
     for (Index k = 1; k <= std::min<Index>(a.size(), t); ++k) signal[t] -= a[k - 1] * signal[t - k];
@@ -28,8 +28,8 @@ VectorXd filtered(const VectorXd& a, VectorXd signal) {
   return signal;
 }
 
-/// Gram matrix of [u lags, y lags 1..y_lags, y], u filtered by 1/A (and y, where it has lags), a
-/// constant taken out.
+/// Gram matrix of [u lags, y lags 1..y_lags, y] after removing a constant. u is filtered by 1/A,
+/// and so is y if it has lags.
 MatrixXd gramOf(const Experiment& experiment, const VectorXd& a, int delay, Index u_lags,
                 Index y_lags, bool with_constant) {
   const Index size = u_lags + y_lags + 1, samples = experiment.samples();
@@ -52,8 +52,8 @@ MatrixXd gramOf(const Experiment& experiment, const VectorXd& a, int delay, Inde
   return gram.topLeftCorner(size, size);
 }
 
-/// A common to all experiments, each with a numerator of its own: the Steiglitz-McBride iteration
-/// on what the experiments' own numerators leave.
+/// Estimates A common to all experiments, each of which has its own numerator, by the
+/// Steiglitz-McBride iteration. The numerators are eliminated from the regression.
 VectorXd commonDenominator(const std::vector<const Experiment*>& experiments,
                            const Polynomials& sizes, Index numerator, bool with_constant) {
   constexpr int kRounds = 12;
@@ -86,7 +86,7 @@ bool ownNumerator(const Experiment& experiment, const Polynomials& go, bool with
   return factor.isPositive() && own->b.allFinite();
 }
 
-/// Matrix of the product with 1 + sum_k (T xi)_k q^-k: (nb + taps - 1) x nb.
+/// Matrix that multiplies B by 1 + sum_k eta_k q^-k: (nb + taps - 1) x nb.
 MatrixXd productMatrix(const VectorXd& eta, Index nb) {
   MatrixXd matrix = MatrixXd::Zero(nb + eta.size() - 1, nb);
   for (Index k = 0; k < eta.size(); ++k) {
@@ -95,7 +95,8 @@ MatrixXd productMatrix(const VectorXd& eta, Index nb) {
   return matrix;
 }
 
-/// B and xi_r (columns) with the weighted squared distance that they leave.
+/// B and xi_r (columns), and the weighted squared distance of their products from the experiments'
+/// numerators.
 struct Factorisation {
   VectorXd b;
   MatrixXd xi;
@@ -154,7 +155,7 @@ class AlternatingLeastSquares {
   Index nb_;
 };
 
-/// Means of xi to start from: a grid of each free direction.
+/// Means of xi to start from: several values along each free direction.
 std::vector<VectorXd> meansToTry(Index n) {
   const std::vector<double> grid =
       n == 1 ? std::vector<double>{-1, -0.5, 0, 0.5, 1} : std::vector<double>{-0.6, 0, 0.6};

@@ -20,10 +20,10 @@ std::vector<Experiment> thinned(const std::vector<Experiment>& experiments, int 
   for (const Experiment& experiment : experiments) total += experiment.samples();
   if (total <= enough) return experiments;
   std::vector<Experiment> fewer;
-  constexpr int kShortest = 500;  // samples; shorter heads show too little of slow dynamics
+  constexpr int kShortest = 500;  // [samples] a shorter beginning shows too little of slow dynamics
   const double share = static_cast<double>(enough) / static_cast<double>(experiments.size());
   const int head = std::max(static_cast<int>(share), kShortest);
-  double credit = 0;  // samples that may be taken so far
+  double credit = 0;  // number of samples that may still be taken
   for (const Experiment& experiment : experiments) {
     const int taken = std::min(experiment.samples(), head);
     credit += share;

@@ -6,14 +6,15 @@
 
 namespace uncertainty_identification {
 
-/// Samples that suffice for a choice between models: it needs less data than an estimate.
+/// Number of samples that is enough to choose between models; this needs less data than estimating
+/// one.
 constexpr int kEnoughSamples = 15000;
 
 /// `count` samples of an experiment from sample `first` on, without its per-sample covariates.
 Experiment excerpt(const Experiment& whole, int first, int count);
 
-/// About `enough` samples: the head of each experiment, or, of many short ones, some whole
-/// experiments.
+/// About `enough` samples: the beginning of each experiment, or a subset of whole experiments if
+/// there are many short ones.
 std::vector<Experiment> thinned(const std::vector<Experiment>& experiments, int enough);
 
 }  // namespace uncertainty_identification

@@ -17,9 +17,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMostRegressors = 11;
-constexpr double kRounding = 1e-3;  // of a sample's share of the likelihood
+constexpr double kRounding = 1e-3;  // tolerated per sample, see `lost` below
 
-/// Sizes known to the compiler for small n, and no allocation for the others.
+/// Matrix types of fixed size for small n, which need no allocation.
 template <int n>
 using Square = Eigen::Matrix<double, n, n, 0, n == Dynamic ? kMostRegressors : n,
                              n == Dynamic ? kMostRegressors : n>;
@@ -33,8 +33,8 @@ struct Component {
   Square<n> root;
 };
 
-/// One experiment under one component; equations of docs/method.md, section on sufficient
-/// statistics.
+/// The E-step for one experiment and one component; equations in docs/method.md, section on
+/// sufficient statistics.
 template <int n>
 double expect(const Statistics& statistics, int r, const Component<n>& component,
               double noise_variance, Index column, Expectation* out) {
@@ -60,7 +60,8 @@ double expect(const Statistics& statistics, int r, const Component<n>& component
   double log_determinant = (samples - static_cast<double>(size)) * std::log(noise_variance);
   for (Index k = 0; k < size; ++k) log_determinant += 2 * std::log(factor.matrixLLT()(k, k));
   const double quadratic = (q0 - projected.dot(solved)) / noise_variance;
-  // a sum of squares: rounding that makes it negative would look like a likelihood without bound
+  // `quadratic` is a sum of squares. If rounding makes it negative, the likelihood would appear
+  // unbounded.
   const bool lost = factor.info() != Eigen::Success || quadratic < -kRounding * samples;
   out->means.col(column) = mean;
   Eigen::Map<Square<n>>(out->covariances.col(column).data(), size, size) = covariance;
@@ -105,7 +106,7 @@ void expectAll(const Statistics& statistics, const Mixture& mixture, double nois
   });
 }
 
-/// Scores of experiment r to the mixture's entries and log sigma^2.
+/// Scores of experiment r with respect to the entries of the mixture and log sigma^2.
 template <int n>
 void scoreMixture(const Statistics& statistics, int r, const ModelParameters& at,
                   const Expectation& expectation, Eigen::Ref<VectorXd> score) {

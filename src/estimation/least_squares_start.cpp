@@ -25,7 +25,7 @@ VectorXd overPolynomial(const VectorXd& in, const VectorXd& monic) {
 
 double lagged(const VectorXd& x, Index t) { return t >= 0 ? x[t] : 0.0; }
 
-/// Upper triangular factor of a tall matrix that arrives row by row.
+/// Upper triangular factor of a tall matrix whose rows are added one at a time.
 class RowAccumulator {
  public:
   explicit RowAccumulator(Index columns)
@@ -56,8 +56,8 @@ class RowAccumulator {
   MatrixXd buffer_;
 };
 
-/// Minimises |A w - b| with columns scaled to unit length; directions below rounding are left at
-/// zero.
+/// Minimises |A w - b| with columns scaled to unit length. Directions that rounding makes
+/// indeterminate get the value zero.
 VectorXd leastSquares(const MatrixXd& A, const VectorXd& b, double* residual) {
   const VectorXd scale = A.colwise().norm().transpose().cwiseMax(1e-300).cwiseInverse();
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(A * scale.asDiagonal());
@@ -87,7 +87,8 @@ LeastSquaresStart::LeastSquaresStart(const std::vector<const Experiment*>& exper
     : with_constant_(with_constant) {
   long total = 0;
   for (const Experiment* experiment : experiments) total += experiment->samples();
-  // too much data: a leading part of each experiment, and of many short ones only every so many
+  // If there are too many samples, use the beginning of each experiment, or a subset of many short
+  // ones.
   const double share =
       std::min(1.0, static_cast<double>(max_samples) / static_cast<double>(std::max(total, 1L)));
   constexpr int kEnough = 500;
@@ -109,8 +110,8 @@ MatrixXd LeastSquaresStart::triangularFactor(const VectorXd& prefilter, int na, 
   for (const Record& record : records_) {
     const VectorXd u = overPolynomial(record.u, prefilter), y = overPolynomial(record.y, prefilter);
     const VectorXd one = overPolynomial(VectorXd::Ones(u.size()), prefilter);
-    const Index first =
-        std::min<Index>(std::max(na, u_lags), u.size() / 2);  // what came before is not known
+    const Index first = std::min<Index>(
+        std::max(na, u_lags), u.size() / 2);  // earlier samples, which the lags need, are not known
     for (Index t = first; t < u.size(); ++t) {
       if (record.valid[static_cast<std::size_t>(t)] == 0) continue;
       auto row = rows.next();
@@ -141,7 +142,7 @@ LeastSquaresModel LeastSquaresStart::solve(const MatrixXd& factor, int nb, int n
 
 LeastSquaresModel LeastSquaresStart::leastDelayed(const MatrixXd& factor, int nb, int na,
                                                   int first_delay, int last_delay) const {
-  constexpr double kMargin = 1.01;  // a longer delay must leave a percent less to be believed
+  constexpr double kMargin = 1.01;  // a longer delay must reduce the residual by 1 %
   LeastSquaresModel best;
   best.residual_variance = std::numeric_limits<double>::infinity();
   for (int delay = first_delay; delay <= last_delay; ++delay) {
@@ -168,8 +169,8 @@ LeastSquaresModel LeastSquaresStart::steiglitzMcBride(int nb, int na, int first_
     LeastSquaresModel least = leastDelayed(factor, nb, na, first_delay, last_delay);
     if (!least.polynomials.a.allFinite() || !least.polynomials.b.allFinite()) break;
     least.polynomials.a = stabilised(least.polynomials.a, 0.9995);
-    // the first regression minimises the equation error, which is not comparable with the later
-    // ones
+    // The first regression minimises the equation error, which cannot be compared with the output
+    // error of the later ones.
     if (iteration > 0 && least.residual_variance < best.residual_variance) best = least;
     if (iteration == 0) best.polynomials = least.polynomials, best.offset = least.offset;
     if (na == 0) return least;

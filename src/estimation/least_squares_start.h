@@ -8,27 +8,28 @@
 
 namespace uncertainty_identification {
 
-/// A start for Go found by least squares.
+/// A starting value for Go found by least squares.
 struct LeastSquaresModel {
   Polynomials polynomials;       ///< b, a, delay
-  double offset = 0;             ///< constant added to the output
+  double offset = 0;             ///< constant in the output
   double residual_variance = 0;  ///< of the last regression
 };
 
-/// Rational models by pooled least squares: ARX, refined by the Steiglitz-McBride iteration (ARX on
-/// data filtered by 1/A, which tends to output-error least squares). Only a start for
-/// the optimisation of the likelihood.
+/// Rational models by least squares pooled over experiments: ARX, refined by the Steiglitz-McBride
+/// iteration (ARX on data filtered by 1/A, which approximates output-error least squares). Used
+/// only as a start for maximising the likelihood.
 class LeastSquaresStart {
  public:
-  /// `experiments` must outlive this object; at most about `max_samples` of their samples are used.
+  /// `experiments` must outlive this object. At most about `max_samples` of their samples are used.
   LeastSquaresStart(const std::vector<const Experiment*>& experiments, bool with_constant,
                     int max_samples = 60000);
 
-  /// ARX(na, nb, delay): A y = q^-delay B u + constant.
+  /// Fits A y = q^-delay B u + constant.
   LeastSquaresModel arx(int nb, int na, int delay) const;
 
-  /// Steiglitz-McBride with the delay in [first_delay, last_delay] that leaves least; a longer one
-  /// must leave a percent less than a shorter.
+  /// Steiglitz-McBride iteration for each delay in [first_delay, last_delay]. Returns the fit with
+  /// the least residual variance; a longer delay is preferred only if it reduces the variance by 1
+  /// %.
   LeastSquaresModel steiglitzMcBride(int nb, int na, int first_delay, int last_delay) const;
 
  private:
@@ -37,7 +38,7 @@ class LeastSquaresStart {
     std::vector<std::uint8_t> valid;
   };
 
-  /// Triangular factor of the regression on [u lags 0..u_lags, constant, y lags 1..na | y], data
+  /// Triangular factor of the regression of y on [u lags 0..u_lags, constant, y lags 1..na], data
   /// filtered by 1/A.
   Eigen::MatrixXd triangularFactor(const Eigen::VectorXd& prefilter, int na, int u_lags) const;
   LeastSquaresModel leastDelayed(const Eigen::MatrixXd& factor, int nb, int na, int first_delay,
@@ -49,8 +50,8 @@ class LeastSquaresStart {
   bool with_constant_;
 };
 
-/// Noise polynomials C (nc) and D (nd) of residuals v by Hannan and Rissanen's two regressions,
-/// made stable and minimum phase.
+/// Noise polynomials C (nc) and D (nd) from residuals v, by the two regressions of Hannan and
+/// Rissanen. The result is made stable and minimum phase.
 void hannanRissanen(const std::vector<Eigen::VectorXd>& residuals, int nc, int nd,
                     Eigen::VectorXd* c, Eigen::VectorXd* d);
 

@@ -16,7 +16,7 @@ void subtractScaled(const Signals& signal, const Lanes& factor, Signals* from) {
   *from -= signal.colwise() * factor;
 }
 
-/// Lane-wise values of row i of a matrix with one column per experiment.
+/// Row i of a matrix with one column per experiment, as one value per lane.
 Lanes lanesOf(const MatrixXd& values, Index row, const Block& block) {
   Lanes lanes = Lanes::Zero();
   for (int lane = 0; lane < block.lanes; ++lane)
@@ -24,7 +24,7 @@ Lanes lanesOf(const MatrixXd& values, Index row, const Block& block) {
   return lanes;
 }
 
-/// Gram matrices per lane; a signal without samples stands for zero.
+/// Gram matrix of each lane. A signal without samples stands for zero.
 std::vector<MatrixXd> gramOf(std::vector<const Signals*> signals, int lanes) {
   for (const Signals*& signal : signals) {
     if (signal->cols() == 0) signal = nullptr;
@@ -41,7 +41,7 @@ std::vector<MatrixXd> gramOf(std::vector<const Signals*> signals, int lanes) {
   return grams;
 }
 
-/// Most likely coefficients of the random-effect columns given the latent means: zeta = (Z'Z +
+/// Most likely coefficients of the random-effect columns, given the means of xi: zeta = (Z'Z +
 /// precision)^-1 Z'(e - Phi m).
 MatrixXd columnCoefficients(const Response& response, const Signals& unexplained, int lanes) {
   const Index columns = response.column_precision.size();
@@ -59,7 +59,7 @@ MatrixXd columnCoefficients(const Response& response, const Signals& unexplained
   return zeta;
 }
 
-/// Sensitivities d_j of the residual e - Phi m - Z zeta.
+/// Derivatives d_j of the residual e - Phi m - Z zeta with respect to the parameters.
 std::vector<Signals> sensitivities(const Response& response, const Block& block,
                                    const LatentMoments& moments) {
   Signals unexplained = response.value.residual;
@@ -84,8 +84,8 @@ std::vector<Signals> sensitivities(const Response& response, const Block& block,
   return all;
 }
 
-/// Fisher information of the parameters that move the precisions of random effects: with A = Z'Z +
-/// precision, 1/2 dp' (M o M) dp, M = precision^-1 - A^-1, over the proper columns.
+/// Fisher information of parameters that change the precisions of random effects: 1/2 dp' (M o M)
+/// dp with M = precision^-1 - A^-1, A = Z'Z + precision, over the columns with a proper prior.
 MatrixXd precisionInformation(const Response& response, const MatrixXd& inverse_of_A) {
   const VectorXd& precision = response.column_precision;
   const auto p = static_cast<Index>(response.column_precision_derivatives.size());
@@ -169,8 +169,8 @@ Statistics Likelihood::statistics(const VectorXd& parameters, bool derivatives) 
   return statistics;
 }
 
-/// Whether the responses of all blocks are few enough numbers to be kept from statistics() to
-/// information(), which follows it at the same parameters.
+/// Whether the responses of all blocks are small enough to be kept from statistics() for
+/// information(), which usually follows at the same parameters.
 bool Likelihood::keepsResponses() const {
   constexpr double kMost = 4e6;
   double samples = 0;

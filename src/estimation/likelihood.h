@@ -8,18 +8,21 @@
 
 namespace uncertainty_identification {
 
-/// Information matrices of [parameters; common shift of all means] (p + n), by Gauss-Newton at the
-/// latent moments.
+/// Gauss-Newton information matrices of [parameters; common shift of all means], of size p + n, at
+/// the latent moments of xi.
 struct ScoringInformation {
-  Eigen::MatrixXd complete;  ///< sum of d_j'd_k/sigma^2: the curvature of EM's Q, (34)
-  Eigen::MatrixXd observed;  ///< less what not knowing xi costs: - (Phi'd_j)' P (Phi'd_k)/sigma^4
+  Eigen::MatrixXd complete;  ///< sum of d_j'd_k/sigma^2, d_j the residual's derivatives: the
+                             ///< curvature of EM's Q, (34)
+  Eigen::MatrixXd observed;  ///< `complete` minus the information lost because xi is unknown:
+                             ///< (Phi'd_j)' P (Phi'd_k)/sigma^4
 };
 
-/// The observed likelihood (16) of a set of experiments under a model, and all that maximising
-/// it needs. Counts its sweeps over the samples.
+/// The observed likelihood (16) of experiments under a model, with the derivatives that maximising
+/// it needs. Counts the sweeps over the samples.
 class Likelihood {
  public:
-  /// The model and the blocks must outlive this object; `experiments` of them in all.
+  /// The model and the blocks must outlive this object. `experiments` is the number of experiments
+  /// in all blocks.
   Likelihood(const Model& model, const std::vector<Block>& blocks, int experiments, int threads);
 
   const Model& model() const { return model_; }
@@ -27,18 +30,18 @@ class Likelihood {
   int experiments() const { return experiments_; }
   WorkerPool* pool() const { return pool_.get(); }
 
-  /// Sweeps over the samples so far.
+  /// Number of sweeps over the samples so far.
   int passes() const { return passes_; }
 
-  /// One sweep: the statistics at given model parameters, with their derivatives when asked for.
+  /// Computes the statistics at given model parameters, with derivatives if requested. One sweep.
   Statistics statistics(const Eigen::VectorXd& parameters, bool derivatives) const;
 
-  /// The E-step at given statistics.
+  /// The E-step, from given statistics.
   Expectation expect(const Statistics& statistics, const ModelParameters& at) const {
     return expectation(statistics, at.mixture, at.noise_variance, pool_.get());
   }
 
-  /// One sweep: Gauss-Newton information at given latent moments.
+  /// Gauss-Newton information at given moments of xi. One sweep.
   ScoringInformation information(const ModelParameters& at, const LatentMoments& moments) const;
 
  private:
@@ -49,8 +52,9 @@ class Likelihood {
   bool keepsResponses() const;
 
   mutable int passes_ = 0;
-  mutable std::vector<Response> responses_;  ///< of the last statistics() with derivatives
-  mutable Eigen::VectorXd responses_at_;     ///< and the parameters they are at
+  mutable std::vector<Response>
+      responses_;                         ///< responses at the last statistics() with derivatives
+  mutable Eigen::VectorXd responses_at_;  ///< the parameters of these responses
 };
 
 }  // namespace uncertainty_identification

@@ -9,7 +9,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// `target`, or the first point on the way from it back to `point` where the model is defined.
+/// `target`, or the first point on the line from there to `point` (halving the distance) at which
+/// the model is defined.
 VectorXd towards(const LinearModel& model, const VectorXd& parameters, const VectorXd& point,
                  const VectorXd& target) {
   constexpr int kHalvings = 10;
@@ -22,7 +23,7 @@ VectorXd towards(const LinearModel& model, const VectorXd& parameters, const Vec
 
 double largestMove(const LinearModel& model, const ModelParameters& at, const MatrixXd& from,
                    const MatrixXd& to) {
-  if (to.size() == 0) return 0;  // without error parameters all experiments are alike
+  if (to.size() == 0) return 0;  // no error parameters: all experiments have the same plant
   const VectorXd deviation = at.mixture.covariance().diagonal().cwiseMax(0).cwiseSqrt();
   const VectorXd unit =
       model.pointDeviations(at.parameters, at.noise_variance, deviation).cwiseMax(1e-300);

@@ -13,24 +13,25 @@ namespace uncertainty_identification {
 /// A model linearised about a point for each experiment.
 struct Linearisation {
   std::unique_ptr<LinearModel> model;
-  Eigen::MatrixXd points;  ///< columns, one for each experiment
-  double move = 0;         ///< of the last step, as of nextLinearisation()
+  Eigen::MatrixXd points;  ///< one column per experiment
+  double move = 0;         ///< largest change of a point in the last step, see nextLinearisation()
 };
 
-/// The fixed-point iteration of linearisations has converged when no point moves by more. An
-/// optimisation leaves theta itself uncertain by about as much, and the error of the linearisation
-/// goes with the move's square.
+/// The fixed-point iteration has converged when no point moves by more than this, in standard
+/// deviations of the mixture. An optimisation leaves about the same uncertainty in theta, and the
+/// error of the linearisation is proportional to the square of the move.
 constexpr double kFixedPointTolerance = 1e-3;
 
-/// One step of the iteration: `model` (locally linear) about the posterior means of the error
-/// parameters at `point`. For an experiment where the model is not defined there, the step from its
-/// column of `points` is halved until it is. The move is the largest of any experiment, in standard
-/// deviations of the mixture. One sweep.
+/// One step of the fixed-point iteration: linearises `model` (which is locally linear) about the
+/// posterior means of the error parameters at `point`. If the model is not defined there for an
+/// experiment, the step from its column of `points` is halved until it is. `move` is the largest
+/// step of any experiment, in standard deviations of the mixture. One sweep over the samples.
 Linearisation nextLinearisation(const LinearModel& model, const Likelihood& likelihood,
                                 const ModelParameters& point, const Eigen::MatrixXd& points);
 
-/// The model about each experiment's posterior mean at given parameters, by the fixed-point
-/// iteration from zero; none where the model is linear everywhere. Adds its sweeps to `passes`.
+/// Iterates to the fixed point: the model linearised about each experiment's posterior mean at
+/// given parameters, starting from zero. Absent if the model is linear everywhere. Adds the number
+/// of sweeps to `passes`.
 std::optional<Linearisation> linearisedAtPosteriorMeans(const LinearModel& model,
                                                         const std::vector<Block>& blocks,
                                                         int experiments, int threads,

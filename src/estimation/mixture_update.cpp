@@ -14,7 +14,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Responsibility sums n_i and weighted posterior means of each component.
+/// For each component: the sum of responsibilities n_i and the weighted mean of the posterior means
+/// of xi.
 struct ComponentSums {
   VectorXd counts;
   MatrixXd means;  ///< n x kappa
@@ -31,15 +32,16 @@ ComponentSums componentSums(const Expectation& e) {
   return sums;
 }
 
-/// Weights and means under sum_i alpha_i mu_i = 0 for given lambda: alpha_i = n_i c_i, mu_i =
-/// xibar_i - c_i Gamma_i lambda with c_i = 1/(M + lambda'mu_i), a quadratic equation whose branch
-/// c_i -> 1/M holds at lambda = 0.
+/// Weights and means that maximise Q subject to sum_i alpha_i mu_i = 0, for a given Lagrange
+/// multiplier lambda: alpha_i = n_i c_i, mu_i = xibar_i - c_i Gamma_i lambda, c_i = 1/(M +
+/// lambda'mu_i). This is a quadratic equation for c_i; the solution with c_i = 1/M at lambda = 0 is
+/// taken.
 struct ZeroMean {
   const ComponentSums& sums;
   const std::vector<MatrixXd>& covariances;
   double experiments;
 
-  /// False where lambda lies outside the domain.
+  /// Returns false if lambda is outside the domain.
   bool at(const VectorXd& lambda, VectorXd* weights, MatrixXd* means) const {
     for (Index i = 0; i < weights->size(); ++i) {
       const VectorXd direction = covariances[static_cast<std::size_t>(i)] * lambda;
@@ -53,7 +55,7 @@ struct ZeroMean {
     return true;
   }
 
-  /// Newton's method for the lambda with zero mean; false when it does not get there.
+  /// Finds the lambda with zero mean by Newton's method. Returns false if it does not converge.
   bool solve(VectorXd* weights, MatrixXd* means) const {
     const Index n = means->rows();
     VectorXd lambda = VectorXd::Zero(n);
@@ -77,8 +79,8 @@ struct ZeroMean {
   }
 
  private:
-  /// Normalised, because sum_i alpha_i mu_i also vanishes with the weights, far from a solution;
-  /// there they sum to 1.
+  /// The mean is divided by the sum of the weights, because sum_i alpha_i mu_i also becomes small
+  /// if all weights do, far from a solution. At a solution the weights sum to 1.
   static VectorXd meanOf(const VectorXd& weights, const MatrixXd& means) {
     return means * weights / weights.sum();
   }
@@ -101,7 +103,7 @@ struct ZeroMean {
   }
 };
 
-/// The nearest covariance, in the sense of the likelihood, whose eigenvalues relative to the floor
+/// The covariance with the largest likelihood among those whose eigenvalues relative to the floor
 /// are at least 1.
 MatrixXd floored(const MatrixXd& covariance, const MatrixXd& floor) {
   if (floor.size() == 0 || floor.isZero(0)) return covariance;
@@ -130,8 +132,9 @@ void updateMixture(const Statistics& statistics, const Expectation& e,
       weights[0] = 1;
       means.setZero();
     } else if (!ZeroMean{sums, at->mixture.covariances, experiments}.solve(&weights, &means)) {
-      for (Index i = 0; i < kappa;
-           ++i) {  // keep what satisfies the constraint; the covariances still ascend
+      // Keep the weights and means, which satisfy the constraint. Updating the covariances alone
+      // still increases the likelihood.
+      for (Index i = 0; i < kappa; ++i) {
         weights[i] = at->mixture.weights[static_cast<std::size_t>(i)];
         means.col(i) = at->mixture.means[static_cast<std::size_t>(i)];
       }
@@ -191,7 +194,7 @@ bool pruneComponents(Constraint constraint, Mixture* mixture) {
 MatrixXd covarianceFloor(const Mixture& start) {
   const MatrixXd pooled = start.covariance();
   MatrixXd floor = 1e-4 * pooled;
-  // a direction without any spread still needs a positive floor
+  // Also a direction without any spread needs a positive floor.
   if (floor.size() > 0) floor.diagonal().array() += 1e-12 * std::max(pooled.trace(), 1e-12);
   return floor;
 }

@@ -19,8 +19,9 @@ void score(const Likelihood& likelihood, const Parametrisation& parametrisation,
                     point->natural_scores.rowwise().sum();
 }
 
-/// Steps of about a thousandth of each coordinate's standard error: the outer product of the scores
-/// tells the scale, the complete-data information where few experiments make it unreliable.
+/// Step widths of about a thousandth of each coordinate's standard error. The scale is taken from
+/// the outer product of the scores, or from the complete-data information where there are too few
+/// experiments for that.
 VectorXd steps(const Parametrisation& parametrisation, const ScoredPoint& at) {
   const MatrixXd of_experiments =
       parametrisation.jacobian(at.coordinates).transpose() * at.natural_scores;
@@ -81,7 +82,7 @@ MatrixXd observedInformation(const Likelihood& likelihood, const Parametrisation
     const VectorXd high = gradientAt(j, step[j]);
     const VectorXd low = central ? gradientAt(j, -step[j]) : at.gradient;
     if (high.size() != size || low.size() != size)
-      continue;  // at the edge of the domain: no curvature known
+      continue;  // at the edge of the domain: the curvature is not known
     information.col(j) = (low - high) / (central ? 2 * step[j] : step[j]);
   }
   return 0.5 * (information + information.transpose());

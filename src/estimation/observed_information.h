@@ -7,24 +7,23 @@
 
 namespace uncertainty_identification {
 
-/// A point in unbounded coordinates with what one sweep says of it.
+/// A point in unbounded coordinates with log-likelihood, gradient and statistics, from one sweep.
 struct ScoredPoint {
   Eigen::VectorXd coordinates;
   ModelParameters parameters;
   Statistics statistics;
   double log_likelihood = 0;
   Eigen::VectorXd gradient;        ///< d log-likelihood/d coordinates
-  Eigen::MatrixXd natural_scores;  ///< scores() of each experiment
+  Eigen::MatrixXd natural_scores;  ///< scores() of each experiment, in natural coordinates
 };
 
-/// One sweep. Where the coordinates lead outside the model's domain the log-likelihood is
-/// -infinity.
+/// Evaluates a point in one sweep. The log-likelihood is -infinity outside the model's domain.
 ScoredPoint scoredPoint(const Likelihood& likelihood, const Parametrisation& parametrisation,
                         const Eigen::VectorXd& coordinates);
 
-/// The observed information -d^2 log-likelihood/d coordinates^2 by differences of the exact
-/// gradient: forward ones (one sweep per model parameter) or central ones (two). Mixture
-/// coordinates need no sweep, the statistics stand.
+/// The observed information -d^2 log-likelihood/d coordinates^2, by finite differences of the exact
+/// gradient: forward differences (one sweep per model parameter) or central ones (two). Mixture
+/// coordinates need no sweep, because the statistics do not depend on them.
 Eigen::MatrixXd observedInformation(const Likelihood& likelihood,
                                     const Parametrisation& parametrisation, const ScoredPoint& at,
                                     bool central);

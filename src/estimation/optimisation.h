@@ -10,20 +10,20 @@
 
 namespace uncertainty_identification {
 
-/// What both algorithms need besides the likelihood and a start.
+/// Options and callbacks of both algorithms.
 struct OptimisationOptions {
   Constraint constraint = Constraint::zero_static_gain;
   int max_iterations = 2000;
   double tolerance = 1e-6;
-  /// Smallest covariance that an update may give a component (n x n): it keeps a component from
-  /// collapsing onto one experiment. The same throughout an optimisation; evaluating the likelihood
-  /// does not use it.
+  /// Smallest covariance that an update may give a component (n x n). It prevents a component from
+  /// collapsing onto one experiment. Constant during an optimisation, and not used when the
+  /// likelihood is evaluated.
   Eigen::MatrixXd floor;
-  /// Called after each iteration; returning false cancels the optimisation.
+  /// Called after each iteration. Returning false cancels the optimisation.
   std::function<bool(const TracePoint&)> on_iterate;
 };
 
-/// Where an optimisation ended.
+/// The result of an optimisation.
 struct Optimum {
   ModelParameters point;
   double log_likelihood = 0;
@@ -33,34 +33,35 @@ struct Optimum {
   std::vector<TracePoint> trace;
 };
 
-/// The paper's Algorithm 1, with its stopping rule (section 5): E-step, equations (26)-(29), then a
-/// Gauss-Newton step on (34)-(35). The observed log-likelihood never decreases, except where a
+/// Algorithm 1 of the paper with its stopping rule (section 5): E-step, equations (26)-(29), then a
+/// Gauss-Newton step on (34)-(35). The observed log-likelihood does not decrease, except when a
 /// component is removed.
 Optimum expectationMaximisation(const Likelihood& likelihood, const ModelParameters& start,
                                 const OptimisationOptions& options);
 
-/// Joint scoring steps, then NLopt's L-BFGS on the observed log-likelihood with its exact gradient,
-/// in coordinates whitened by the observed information. Scoring steps and evaluations of L-BFGS
-/// count as iterations. Converged when the predicted gain of a Newton step falls below
-/// options.tolerance [nats].
+/// Maximises the observed log-likelihood over all parameters jointly: scoring steps, then NLopt's
+/// L-BFGS with the exact gradient, in coordinates whitened by the observed information. Iterations
+/// are the scoring steps and the evaluations of L-BFGS. Converged when the predicted gain of a
+/// Newton step is less than options.tolerance [nats].
 Optimum maximumLikelihood(const Likelihood& likelihood, const ModelParameters& start,
                           const OptimisationOptions& options);
 
-/// Equations (26)-(29): the mixture and the noise variance of `point` that maximise Q, under the
-/// constraint and the floor.
+/// Equations (26)-(29): sets the mixture and the noise variance of `point` to those that maximise Q
+/// under the constraint and the floor.
 void updateMixture(const Statistics& statistics, const Expectation& expectation,
                    const OptimisationOptions& options, ModelParameters* point);
 
-/// EM on the mixture and the noise variance of `point` alone, at fixed statistics, so without a
-/// sweep over the samples. Returns the log-likelihood reached.
+/// EM for the mixture and the noise variance of `point` with fixed statistics, so without sweeps
+/// over the samples. Returns the log-likelihood reached.
 double fitMixture(const Likelihood& likelihood, const Statistics& statistics,
                   const OptimisationOptions& options, int iterations, double tolerance,
                   ModelParameters* point);
 
-/// Removes components of weight below 1/(100 kappa) (paper, section 5); whether there were any.
+/// Removes components whose weight is below 1/(100 kappa) (paper, section 5). Returns whether any
+/// was removed.
 bool pruneComponents(Constraint constraint, Mixture* mixture);
 
-/// The floor of OptimisationOptions for a start: 1e-4 of the mixture's pooled covariance.
+/// The floor of OptimisationOptions for a start: 1e-4 times the pooled covariance of the mixture.
 Eigen::MatrixXd covarianceFloor(const Mixture& start);
 
 }  // namespace uncertainty_identification

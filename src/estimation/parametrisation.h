@@ -12,18 +12,17 @@
 namespace uncertainty_identification {
 
 /// Unbounded coordinates of all parameters, in which the likelihood is maximised without
-/// constraints:
-///   model parameters through Model::toUnbounded; the mixture through MixtureCoordinates;
-///   log sigma^2.
-/// and natural coordinates [parameters; weights; means; covariances; log sigma^2] as of scores().
+/// constraints: model parameters by Model::toUnbounded, the mixture by MixtureCoordinates, and log
+/// sigma^2.
+/// The natural coordinates are [parameters; weights; means; covariances; log sigma^2], as in
+/// scores().
 class Parametrisation {
  public:
-  /// `floor` (n x n, positive semidefinite) is the smallest covariance a component may take
-  /// while the likelihood is maximised.
+  /// `floor` (n x n, positive semidefinite) is the smallest covariance that a component may have.
   Parametrisation(const Model& model, Constraint constraint, int components,
                   const Eigen::MatrixXd& floor);
 
-  int size() const;  ///< unbounded coordinates
+  int size() const;  ///< number of unbounded coordinates
   int naturalSize() const;
 
   Eigen::VectorXd toCoordinates(const ModelParameters& parameters) const;
@@ -32,14 +31,15 @@ class Parametrisation {
   /// d(natural)/d(coordinates), naturalSize() x size().
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& coordinates) const;
 
-  /// Natural coordinates' names: "b1", "weight1", "mean1[1]", "covariance1[1,1]", "noise_variance".
+  /// Names of the natural coordinates: "b1", "weight1", "mean1[1]", "covariance1[1,1]",
+  /// "noise_variance".
   std::vector<std::string> naturalNames() const;
 
-  /// Natural coordinates' values, the last one sigma^2 itself.
+  /// Values of the natural coordinates, but with sigma^2 instead of its logarithm.
   Eigen::VectorXd natural(const ModelParameters& parameters) const;
 
-  /// Index of the first coordinate that no sweep is needed for: those before it are the model's
-  /// parameters.
+  /// Number of coordinates that belong to the model's parameters. They come first; only these need
+  /// a sweep over the samples when they change.
   int modelCoordinates() const { return p_; }
 
  private:

@@ -41,13 +41,13 @@ Split splitData(const std::vector<Experiment>& experiments) {
   return split;
 }
 
-/// A model without error model, fitted by scoring steps.
+/// A nominal model without error model, fitted by scoring steps.
 struct Fitted {
   NominalModelOptions options;
-  Eigen::VectorXd parameters;  ///< empty where it could not be fitted
+  Eigen::VectorXd parameters;  ///< empty if the fit failed
   double log_likelihood = kWorst;
   double bic = std::numeric_limits<double>::quiet_NaN();
-  std::optional<double> held_out_fit;  ///< of the simulation [%]
+  std::optional<double> held_out_fit;  ///< simulation fit on held-out data [%]
 };
 
 class Selection {
@@ -96,7 +96,7 @@ class Selection {
     return fitted;
   }
 
-  /// Simulation fit [%] on the held-out experiments.
+  /// Simulation fit on the held-out experiments [%].
   double validate(const Fitted& fitted) const {
     if (fitted.parameters.size() == 0) return kWorst;
     const auto nominal = makeNominalModel(fitted.options, sample_time_);
@@ -128,7 +128,7 @@ class Selection {
     return text + " delay=" + std::to_string(o.delay);
   }
 
-  /// False once the choice is to end with the best so far.
+  /// Reports progress. Returns false if the choice is to end with the best candidate so far.
   bool report(double share) const { return !progress_ || progress_(share); }
 
   int largestOrder() const {
@@ -138,7 +138,8 @@ class Selection {
     return std::max(1, std::min(configuration_.nominal_model.max_order, shortest / 12));
   }
 
-  /// Output-error models of rising order, each with the delay of least Steiglitz-McBride residual.
+  /// Output-error models of increasing order, each with the delay of the smallest Steiglitz-McBride
+  /// residual.
   std::vector<Fitted> outputErrorModels() {
     const int largest = largestOrder();
     std::vector<const Experiment*> all;
@@ -165,11 +166,11 @@ class Selection {
     return models;
   }
 
-  /// The smallest model whose simulation is nearly as good as the best one's. Where there are
-  /// clearly stable models, those with a pole on the unit circle are left out: their fit is that of
-  /// a free response that never decays.
+  /// The smallest model whose simulation is nearly as good as the best one's. Models with a pole on
+  /// the unit circle are left out if there are clearly stable ones: their good fit comes from a
+  /// free response that never decays.
   static std::size_t smallestGood(const std::vector<Fitted>& models) {
-    constexpr double kTolerance = 0.5;  // [%] a larger model must gain more to be taken
+    constexpr double kTolerance = 0.5;  // [%] improvement that justifies a larger model
     constexpr double kStable = 0.9995;
     const auto isClearlyStable = [](const Fitted& model) {
       return model.parameters.size() > 0 &&
@@ -195,7 +196,7 @@ class Selection {
     return models[chosen];
   }
 
-  /// C and D by BIC at given orders of Go.
+  /// Chooses C and D by BIC for given orders of Go.
   Fitted noiseModel(const Fitted& white) {
     Fitted best = white;
     for (int order = 1; order <= kLargestNoiseOrder; ++order) {
@@ -238,7 +239,7 @@ class Selection {
   const SelectionProgress& progress_;
   Split split_;
   std::vector<Experiment> fitted_;
-  std::size_t best_row_ = 0;  ///< of the candidate that noiseModel() chose
+  std::size_t best_row_ = 0;  ///< index of the candidate that noiseModel() chose
 };
 
 }  // namespace

@@ -10,25 +10,26 @@
 
 namespace uncertainty_identification {
 
-/// Free parameters of a mixture under a constraint.
+/// Number of free parameters of a mixture under a constraint.
 int mixtureParameters(Constraint constraint, int dimension, int components);
 
-/// Marks the candidate of least BIC among those from `first` on as chosen and returns its index.
-/// Where no BIC is finite none is chosen.
+/// Marks the candidate with the lowest BIC among those from index `first` on as chosen, and returns
+/// its index. Absent if no BIC is finite.
 std::optional<std::size_t> chooseLeastBic(std::size_t first, std::vector<Candidate>* candidates);
 
-/// Called between candidates with the share done; returning false ends the choice with the best so
-/// far.
+/// Called between candidates with the completed share. Returning false ends the choice; the best
+/// candidate so far is taken.
 using SelectionProgress = std::function<bool(double)>;
 
-/// Orders of C and D, nc = nd, tried by the automatic choices.
+/// Largest order of C and D, nc = nd, that the automatic choices try.
 constexpr int kLargestNoiseOrder = 3;
 
-/// Orders and delay from the data (docs/method.md, section on automatic choices). Focus simulation:
-/// output-error structure, by free simulation of experiments kept out of the fit (the last third of
-/// each where there are fewer than three), the smallest model within a tolerance of the best; to be
-/// fitted to its simulation. Focus prediction: all orders by BIC, to be fitted to the likelihood.
-/// Appends every candidate tried.
+/// Chooses orders and delay from the data (docs/method.md, section on automatic choices).
+/// Focus simulation: output-error models are compared by their free simulation of held-out
+/// experiments (the last third of each if there are fewer than three). The smallest model within a
+/// tolerance of the best is chosen, and is then fitted to its simulation error.
+/// Focus prediction: all orders are chosen by BIC, and the model is then fitted by likelihood.
+/// Appends all candidates to the list.
 NominalModelOptions selectOrders(const Configuration& configuration, double sample_time,
                                  const std::vector<Experiment>& experiments, int threads,
                                  std::vector<Candidate>* candidates,

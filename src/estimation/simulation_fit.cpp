@@ -8,8 +8,8 @@
 namespace uncertainty_identification {
 namespace {
 
-/// The nominal model with white noise and no error model: its residual, nuisances absorbed, is the
-/// simulation error.
+/// The nominal model with white noise and no error model. Its residual, after the nuisances have
+/// been eliminated, is the simulation error.
 class NoiseFree : public NominalModel {
  public:
   explicit NoiseFree(const NominalModel& of) : of_(of) {}
@@ -28,7 +28,7 @@ class NoiseFree : public NominalModel {
 
 double fitPercent(double error, double spread) { return 100 * (1 - std::sqrt(error / spread)); }
 
-/// What a lane's simulation leaves, its initial state taken from the first samples.
+/// The simulation error in a lane. The initial state is estimated from the first samples.
 Eigen::VectorXd errorOf(const Response& response, const Block& block, int lane) {
   const auto columns = static_cast<Eigen::Index>(response.value.columns.size());
   const int samples = block.lengths[static_cast<std::size_t>(lane)];
@@ -43,7 +43,7 @@ Eigen::VectorXd errorOf(const Response& response, const Block& block, int lane) 
   return error;
 }
 
-/// Sum and sum of squares of the measured outputs, and their number.
+/// Number, sum and sum of squares of the measured outputs.
 struct Moments {
   double sum = 0, squares = 0, count = 0;
 

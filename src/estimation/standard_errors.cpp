@@ -11,13 +11,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// An eigenvalue below this share of a typical one (the diagonal is scaled to 1) counts as zero.
+/// Eigenvalues smaller than this share of a typical one count as zero (the diagonal is scaled to
+/// 1).
 constexpr double kSingular = 1e-9;
 
-/// Below this share the differences' own error could pass for information, or hide it.
+/// Eigenvalues smaller than this share may be wrong because of the finite differences, and are
+/// computed again along their direction.
 constexpr double kSuspicious = 1e-6;
 
-/// "b1, mean1[1] and mean2[1] cannot be told apart: ..."
+/// Text of a warning, e.g. "b1, mean1[1] and mean2[1] cannot be told apart: ..."
 std::string sentence(const VectorXd& direction, const std::vector<std::string>& names) {
   const double largest = direction.cwiseAbs().maxCoeff();
   std::vector<std::string> involved;
@@ -32,18 +34,16 @@ std::string sentence(const VectorXd& direction, const std::vector<std::string>& 
   if (involved.size() == 1) {
     return list +
            " cannot be determined from these data: the likelihood does not change with it; fix it, "
-           "or record "
-           "experiments that excite it";
+           "or record experiments that excite it";
   }
   return list +
          " cannot be told apart: the data determine only a combination of them; constrain the "
-         "error model "
-         "(zero_static_gain or zero_mean), lower the orders, or record experiments that separate "
-         "them";
+         "error model (zero_static_gain or zero_mean), lower the orders, or record experiments "
+         "that separate them";
 }
 
-/// Marks the coordinates at the edge of their domain or in a singular direction: no number is
-/// better than a wrong one.
+/// Sets the covariances of coordinates at the edge of their domain or in a singular direction to
+/// NaN.
 void mark(const std::vector<bool>& unknown, MatrixXd* covariance) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t k = 0; k < unknown.size(); ++k) {
@@ -54,7 +54,7 @@ void mark(const std::vector<bool>& unknown, MatrixXd* covariance) {
 }
 
 /// Curvature of the log-likelihood along a direction, by differences of the gradient extrapolated
-/// to zero step. Four sweeps.
+/// to step width zero. Four sweeps.
 double curvature(const Likelihood& likelihood, const Parametrisation& parametrisation,
                  const ScoredPoint& at, const VectorXd& direction) {
   constexpr double kStep = 1e-2;
@@ -90,7 +90,7 @@ StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisatio
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit);
 
   MatrixXd inverse = MatrixXd::Zero(size, size);
-  // errors that the natural coordinates would have if all others were known: the measure of a move
+  // Standard errors of the natural coordinates if all others were known: the unit of changes.
   const VectorXd alone = (jacobian * scale.asDiagonal()).rowwise().norm().cwiseMax(1e-300);
   for (Index k = 0; k < size; ++k) {
     const VectorXd direction = scale.cwiseProduct(eigen.eigenvectors().col(k));
@@ -125,8 +125,8 @@ StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisatio
   errors.covariance = jacobian * inverse * jacobian.transpose();
   errors.robust_covariance = jacobian * errors.robust_coordinate_covariance * jacobian.transpose();
   mark(unknown, &errors.covariance);
-  // fewer experiments than coordinates: the scores cannot span them, and the sandwich would be too
-  // small
+  // With fewer experiments than coordinates the scores do not span all directions, and the sandwich
+  // would be too small.
   if (likelihood.experiments() <= size) unknown.assign(unknown.size(), true);
   mark(unknown, &errors.robust_covariance);
   return errors;

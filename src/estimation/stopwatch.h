@@ -4,10 +4,10 @@
 
 namespace uncertainty_identification {
 
-/// Measures wall time from its construction on.
+/// Measures wall time since its construction.
 class Stopwatch {
  public:
-  /// [s]
+  /// Elapsed time [s].
   double seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
 
  private:

@@ -27,7 +27,7 @@ CheckedData checkData(const Configuration& configuration,
 }
 
 Configuration limitErrorModel(Configuration configuration, int experiments, Journal* journal) {
-  constexpr int kFewest = 4;  // experiments that a mixture needs
+  constexpr int kFewest = 4;  // number of experiments that a mixture needs
   ErrorModelOptions& options = configuration.error_model;
   if (options.taps == 0) options.components = 1;
   if (experiments >= kFewest || options.taps == 0) return configuration;
@@ -36,13 +36,13 @@ Configuration limitErrorModel(Configuration configuration, int experiments, Jour
     options.components = 1;
     options.constraint = Constraint::free;
     journal->warnings.push_back(
-        "one experiment shows no spread of the plant: a plain nominal model was identified; record "
-        "more experiments to learn its uncertainty");
+        "one experiment cannot show how the plant varies: a nominal model without error model was "
+        "identified; record more experiments to estimate its uncertainty");
   } else if (options.components != 1) {
     options.components = 1;
     journal->warnings.push_back(
         std::to_string(experiments) +
-        " experiments cannot carry a mixture: one Gaussian component was identified; a mixture "
+        " experiments are too few for a mixture: one Gaussian component was identified; a mixture "
         "needs at least 4 experiments, better 20");
   }
   return configuration;

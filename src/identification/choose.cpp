@@ -24,7 +24,8 @@ Configuration chooseOrders(const Problem& problem, Journal* journal) {
 
 namespace {
 
-/// Best fit of a model with a single component, with its BIC; none where no start is finite.
+/// Best fit of a model with a single component, with its BIC. Absent if the likelihood is not
+/// finite at any start.
 std::optional<Candidate> singleComponentCandidate(const Likelihood& likelihood,
                                                   const std::vector<Eigen::VectorXd>& starts,
                                                   const OptimisationOptions& options,

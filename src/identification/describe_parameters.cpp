@@ -13,7 +13,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// From the coordinates of the optimisation to those of Estimate::joint_covariance.
+/// Transforms the covariance from the coordinates of the optimisation to those of
+/// Estimate::joint_covariance.
 MatrixXd jointCovariance(const Problem& problem, const FittedModel& fitted,
                          const MatrixXd& coordinate_covariance) {
   const LinearModel& model = *fitted.model;
@@ -33,8 +34,8 @@ MatrixXd jointCovariance(const Problem& problem, const FittedModel& fitted,
   return joint;
 }
 
-/// Standard errors in natural coordinates, and what follows from them for the estimate; NaN once
-/// the caller has cancelled.
+/// Standard errors in natural coordinates, and the entries of the estimate that depend on them. NaN
+/// if the caller has cancelled.
 StandardErrors errorsOf(const Problem& problem, const FittedModel& fitted,
                         const Parametrisation& parametrisation, Journal* journal,
                         Estimate* estimate) {
@@ -49,7 +50,8 @@ StandardErrors errorsOf(const Problem& problem, const FittedModel& fitted,
   return errors;
 }
 
-/// Go's own parameters follow those that were fitted to its simulation, if any were.
+/// The covariance of all model parameters: if Go was fitted to its simulation, the covariance from
+/// that fit comes first.
 void setCovariance(const std::optional<FittedPlant>& plant, const MatrixXd& own,
                    NominalModelEstimate* go) {
   const Index before = plant ? plant->covariance.rows() : 0;
@@ -58,7 +60,7 @@ void setCovariance(const std::optional<FittedPlant>& plant, const MatrixXd& own,
   go->covariance.bottomRightCorner(own.rows(), own.rows()) = own;
 }
 
-/// A parameter of an effect, among the effects of the configuration.
+/// Adds a parameter to the estimate of the effect that it belongs to.
 void addEffectParameter(ParameterEstimate parameter, const ParameterRole& role,
                         const ReportedValue& reported, Estimate* estimate) {
   parameter.name = role.name;
@@ -72,7 +74,7 @@ void addEffectParameter(ParameterEstimate parameter, const ParameterRole& role,
   estimate->effects[role.effect].parameters.push_back(std::move(parameter));
 }
 
-/// A parameter of the model, where its role places it.
+/// Adds a parameter of the model to the part of the estimate that its role names.
 void addParameter(const ParameterEstimate& parameter, const ParameterRole& role,
                   const ReportedValue& reported, Estimate* estimate) {
   switch (role.of) {

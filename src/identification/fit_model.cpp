@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// Replaces the model, and the likelihood with it.
+/// Replaces the model and the likelihood, which refers to it.
 void useModel(const Problem& problem, std::unique_ptr<LinearModel> model, FittedModel* fitted,
               Journal* journal) {
   if (fitted->likelihood != nullptr) journal->passes += fitted->likelihood->passes();
@@ -56,8 +56,9 @@ void optimise(const Problem& problem, OptimisationOptions options, int passes,
   fitted->optimum = std::move(next);
 }
 
-/// Optimises and linearises about the new posterior means in turn until these no longer move: then
-/// the estimate maximises the likelihood that is linearised about its own posterior means.
+/// Alternates between optimising and linearising about the new posterior means until these no
+/// longer move. The estimate then maximises the likelihood linearised about its own posterior
+/// means.
 void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& options,
                           MatrixXd points, FittedModel* fitted, Journal* journal) {
   constexpr int kMostRounds = 50;
@@ -71,8 +72,8 @@ void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& opt
     if (round == kMostRounds) {
       optimum.termination = Termination::stalled;
       optimum.message =
-          "the points that the model is linearised about did not converge; the experiments may be "
-          "too short to determine their own parameters";
+          "the points about which the model is linearised did not converge; the experiments may "
+          "be too short to determine their own parameters";
       return;
     }
     points = std::move(next.points);
@@ -87,8 +88,8 @@ void warnAboutFloor(const Mixture& mixture, const MatrixXd& floor, Journal* jour
     if (eigen.eigenvalues().minCoeff() > 1.01) continue;
     journal->warnings.push_back(
         "the covariance of component " + std::to_string(i + 1) +
-        " is at its lower limit in some direction: the experiments hardly differ there, or the "
-        "component holds too few of them");
+        " is at its lower limit in some direction: the experiments hardly differ in this "
+        "direction, or too few of them belong to the component");
   }
 }
 
@@ -110,7 +111,7 @@ FittedModel fitModel(const Problem& problem, Journal* journal) {
   if (configuration.estimation.max_iterations == 0) {
     const Statistics statistics = fitted.likelihood->statistics(start.parameters, false);
     fitted.optimum.log_likelihood = fitted.likelihood->expect(statistics, start).total();
-    fitted.optimum.message = "evaluated at the start, as max_iterations: 0 asks";
+    fitted.optimum.message = "evaluated at the start without optimising (max_iterations: 0)";
     return fitted;
   }
   OptimisationOptions options =

@@ -22,7 +22,7 @@ std::vector<Experiment> usedExperiments(const Estimate& estimate,
   return used;
 }
 
-/// A model identified without the experiments k, k + folds, ..., and their scores under it.
+/// A model identified without the experiments k, k + folds, ..., and the scores of these.
 struct Fold {
   int number;
   FoldModel model;
@@ -45,7 +45,7 @@ std::string leftOut(int number, int folds, const DataError& error) {
          error.what();
 }
 
-/// Scores in the order of the experiments, of those whose fold was fitted.
+/// The scores of the experiments whose fold was fitted, in the order of the experiments.
 PredictionCalibration calibrationOf(const std::vector<Fold>& folds, int total, int experiments) {
   PredictionCalibration calibration;
   for (const Fold& fold : folds) calibration.folds.push_back(fold.model);
@@ -59,7 +59,8 @@ PredictionCalibration calibrationOf(const std::vector<Fold>& folds, int total, i
   return calibration;
 }
 
-/// Radii within which the identified model expects the shares `levels` of experiments.
+/// The radii below which, according to the identified model, the scores of the shares `levels` of
+/// experiments lie.
 std::vector<double> modelRadii(const Estimate& estimate,
                                const std::vector<Experiment>& experiments) {
   const std::vector<double> expected = expectedScores(estimate, experiments);
@@ -82,13 +83,13 @@ Identifier::Identifier(Configuration configuration, NominalModelFactory nominal_
   const NominalModelOptions& options = configuration_.nominal_model;
   if (options.orders_auto) {
     throw ConfigurationError(
-        "nominal_model.orders: found auto, which chooses among Box-Jenkins models; leave it out "
-        "with a model of your own");
+        "nominal_model.orders: found auto, which chooses among Box-Jenkins models; remove this key "
+        "when you use a model of your own");
   }
   if (options.fit != PlantFit::likelihood) {
     throw ConfigurationError(
-        "nominal_model.fit: found simulation, which is for Box-Jenkins models; a model of your "
-        "own takes likelihood");
+        "nominal_model.fit: found simulation, which is available for Box-Jenkins models only; use "
+        "likelihood with a model of your own");
   }
   nominal_model_ = std::move(nominal_model);
 }

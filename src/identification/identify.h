@@ -11,8 +11,8 @@ namespace uncertainty_identification {
 Estimate identify(const Request& request, const std::vector<Experiment>& experiments,
                   const std::vector<Experiment>& validation);
 
-/// Identifies the nominal plant alone, without the errors of its parameters: what a fold of a
-/// calibration needs.
+/// Identifies the nominal plant without standard errors and error distribution, as the folds of a
+/// calibration need it.
 FoldModel identifyPlant(const Request& request, const std::vector<Experiment>& experiments);
 
 }  // namespace uncertainty_identification

@@ -63,8 +63,8 @@ FittedPlant describePlant(const Problem& problem, Journal* journal) {
                                 std::sqrt(errors.robust_covariance(k, k))});
   }
   plant.covariance = errors.covariance.topLeftCorner(own, own);
-  // The residual of a simulation is not white, so the sandwich form is the one that holds. It needs
-  // more experiments than parameters.
+  // The residual of a simulation is not white, so only the sandwich form is valid. It needs more
+  // experiments than parameters.
   const Eigen::MatrixXd& covariance = likelihood->experiments() > parametrisation.size()
                                           ? errors.robust_coordinate_covariance
                                           : errors.coordinate_covariance;

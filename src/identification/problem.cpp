@@ -28,7 +28,7 @@ OptimisationOptions optimisationOptions(const Configuration& configuration, Phas
   options.tolerance = configuration.estimation.tolerance;
   options.on_iterate = [phase, progress](const TracePoint& done) {
     const double share =
-        1 - 1 / (1 + 0.1 * done.iteration);  // how many iterations it will take is not known
+        1 - 1 / (1 + 0.1 * done.iteration);  // the number of iterations is not known in advance
     return progress->report(phase, share, done.log_likelihood);
   };
   return options;

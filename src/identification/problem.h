@@ -11,7 +11,7 @@
 
 namespace uncertainty_identification {
 
-/// What one identification is asked for.
+/// The input of one identification, apart from the experiments.
 struct Request {
   Configuration configuration;
   NominalModelFactory nominal_model;   ///< empty: the model that the configuration names
@@ -40,8 +40,8 @@ struct FittedPlant {
   Eigen::MatrixXd coordinate_covariance{};  ///< of plantCoordinates()
 };
 
-/// What the steps of an identification start from. Each step that chooses something returns it, and
-/// the next one gets a problem that contains it.
+/// The input of the steps of an identification. A step that chooses something returns its choice;
+/// the next step gets a problem that contains it.
 struct Problem {
   const CheckedData& data;
   NominalModelFactory nominal_model;  ///< as in Request
@@ -50,7 +50,7 @@ struct Problem {
   std::optional<FittedPlant> plant;   ///< nominal_model.fit: simulation only
 };
 
-/// What all steps add to.
+/// The record that all steps add to.
 struct Journal {
   ProgressPhases progress;
   std::vector<Candidate> candidates{};  ///< tried by the automatic choices

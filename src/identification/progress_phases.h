@@ -9,8 +9,8 @@ namespace uncertainty_identification {
 /// The phases of an identification, in their order.
 enum class Phase { check, orders, plant, noise_orders, taps, start, components, optimum, errors };
 
-/// Tells a caller how far an identification is. The fraction that it reports never decreases, even
-/// where a phase runs again. The only place that knows whether the caller has cancelled.
+/// Reports the progress of an identification to the caller. The reported fraction never decreases,
+/// even if a phase is repeated. Also stores whether the caller has cancelled.
 class ProgressPhases {
  public:
   explicit ProgressPhases(const ProgressCallback& callback) : callback_(callback) {}

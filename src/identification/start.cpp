@@ -21,7 +21,7 @@ const ParameterEstimate* named(const std::vector<ParameterEstimate>& parameters,
   return found == parameters.end() ? nullptr : &*found;
 }
 
-/// Parameter k of a model as an earlier estimate has it; 0 where it has none.
+/// The value of a model's parameter k in an earlier estimate; 0 if the estimate does not have it.
 double previousValue(const Estimate& previous, const LinearModel& model, std::size_t k,
                      const ParameterRole& role) {
   if (role.of == ParameterRole::Of::input_offset) return previous.offset_u;
@@ -67,7 +67,8 @@ VectorXd initialParameters(const Problem& problem, const LinearModel& model) {
   return model.withStartingValues(own.head(count), problem.configuration.effects);
 }
 
-/// A start with the given mixture, and the noise variance that is given or fits it.
+/// A start with the given mixture and the noise variance of the previous estimate or `initial`; if
+/// neither gives one, it is computed by one EM update.
 ModelParameters withGivenMixture(const Problem& problem, const Mixture& mixture,
                                  const VectorXd& parameters, const Likelihood& likelihood) {
   const int dimension = likelihood.model().regressors();
@@ -89,7 +90,8 @@ ModelParameters withGivenMixture(const Problem& problem, const Mixture& mixture,
   return start;
 }
 
-/// The mixture of the number of components asked for or, where it is automatic, of least BIC.
+/// A start with the mixture: with the configured number of components, or with the number of lowest
+/// BIC if it is automatic.
 ModelParameters chooseComponents(const Problem& problem, const ModelParameters& single,
                                  const Likelihood& likelihood, Journal* journal) {
   const ErrorModelOptions& error_model = problem.configuration.error_model;
@@ -143,7 +145,7 @@ VectorXd givenParameters(const Problem& problem, const LinearModel& model) {
                                   : initialParameters(problem, model);
   if (!model.admissible(parameters)) {
     throw ConfigurationError(
-        "initial.theta: A, C and D must have their roots inside the unit circle");
+        "initial.theta: the roots of A, C and D must lie inside the unit circle");
   }
   return parameters;
 }

@@ -28,7 +28,8 @@ FittedPlant describePlant(const Problem& problem, Journal* journal);
 /// Go and the common offset at a model's parameters.
 FittedPlant plantOf(const LinearModel& model, const ModelParameters& point);
 
-/// The configuration with the orders of C and D of least BIC around the fitted plant.
+/// The configuration with the orders of C and D that have the lowest BIC with the fitted plant
+/// fixed.
 Configuration chooseNoiseOrders(const Problem& problem, Journal* journal);
 
 /// The configuration with the number of taps of least BIC where it is automatic, and with the names

@@ -4,35 +4,35 @@
 
 namespace uncertainty_identification {
 
-/// `from` with zeros behind it, up to `size` entries.
+/// `from` with zeros appended up to length `size`.
 Eigen::VectorXd padded(const Eigen::VectorXd& from, Eigen::Index size);
 
-/// Solution P of the discrete Lyapunov equation P = F P F' + Q by doubling: after k steps P holds
-/// 2^k terms of the sum of F^j Q F'^j. F must be stable.
+/// Solution P of the discrete Lyapunov equation P = F P F' + Q by doubling: after k steps P is the
+/// sum of the first 2^k terms F^j Q F'^j. F must be stable.
 Eigen::MatrixXd solveLyapunov(Eigen::MatrixXd F, Eigen::MatrixXd Q);
 
-/// Transition matrix F = [-d | shift] of H = C/D in observer form, where D = 1 + d1 q^-1 + ...
+/// Transition matrix F = [-d | shift] of H = C/D in observer form, D = 1 + d1 q^-1 + ...
 Eigen::MatrixXd observerTransition(const Eigen::VectorXd& d);
 
-/// H = C/D in innovations form, with unit variance of the innovations w:
+/// The noise model H = C/D in innovations form with innovations w of unit variance,
 ///     s' = F s + K w,   v = s_1 + w,   F = [-d | shift],   K = c - d,
-/// and the Riccati recursion of the Kalman filter that follows it from a start that is not known
-/// exactly. Where P has come to zero the start is forgotten and the gain is K.
+/// and the Riccati recursion of its Kalman filter when the initial state is uncertain. P tends to
+/// zero as the initial state is forgotten; then the gain is K.
 struct InnovationsForm {
-  /// `c` and `d` of the same length, without their leading 1; P = 0.
+  /// `c` and `d` have the same length and no leading 1. Starts with P = 0.
   InnovationsForm(const Eigen::VectorXd& c, const Eigen::VectorXd& d);
 
-  /// Covariance of s where the noise has been running for long.
+  /// Covariance of s in the stationary state, when the noise has been running for a long time.
   Eigen::MatrixXd stationaryCovariance() const;
 
-  /// One sample on: S and the gain of this sample, then the P of the next. Where v is not
-  /// measured, P is only predicted.
+  /// One step of the recursion: computes S and the gain of this sample, then P of the next one. If
+  /// v is not measured at this sample, P is only predicted.
   void step(bool measured);
 
   Eigen::MatrixXd F;
   Eigen::VectorXd K;
   Eigen::MatrixXd P;     ///< covariance of the error of s
-  double S = 1;          ///< variance of the prediction error of v
+  double S = 1;          ///< variance of the one-step prediction error of v
   Eigen::VectorXd gain;  ///< Kalman gain
 };
 

@@ -26,8 +26,7 @@ VectorXd lowerEntries(const MatrixXd& L) {
   return entries;
 }
 
-/// A lower triangular L with L L' = A for positive semidefinite A (what is lost to rounding counts
-/// as zero).
+/// Cholesky factorisation that leaves out pivots that are zero up to rounding.
 MatrixXd lowerRoot(const MatrixXd& A) {
   MatrixXd L = MatrixXd::Zero(A.rows(), A.cols());
   for (Index j = 0; j < A.rows(); ++j) {

@@ -8,7 +8,8 @@
 namespace uncertainty_identification {
 namespace {
 
-/// tanh rounds to 1 beyond 18: stay a hair inside, so that the polynomial remains strictly stable.
+/// tanh rounds to 1 for arguments above 18. Stay slightly below 1, so that the polynomial remains
+/// strictly stable.
 constexpr double kLimit = 1.0 - 1e-12;
 
 }  // namespace
@@ -49,7 +50,7 @@ Eigen::VectorXd fromReflection(const Eigen::VectorXd& reflection, Eigen::MatrixX
 
 bool isStable(const Eigen::VectorXd& monic, double radius) {
   if (!monic.allFinite()) return false;
-  Eigen::VectorXd scaled = monic;  // roots divided by the radius
+  Eigen::VectorXd scaled = monic;  // its roots are those of `monic` divided by the radius
   for (Eigen::Index k = 0; k < monic.size(); ++k)
     scaled[k] /= std::pow(radius, static_cast<double>(k + 1));
   const Eigen::VectorXd reflection = reflectionCoefficients(scaled);

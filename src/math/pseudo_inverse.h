@@ -4,12 +4,13 @@
 
 namespace uncertainty_identification {
 
-/// A symmetric positive semidefinite matrix inverted on its range. Random-effect columns are
-/// linearly dependent where outputs are missing: a missing first sample hides a direction of the
-/// initial state. What is not seen takes no part in the inverse, the determinant and the number of
-/// columns.
+/// Pseudo-inverse of a symmetric positive semidefinite matrix. The matrices of random-effect
+/// columns can be singular where outputs are missing: if the first sample is missing, for example,
+/// the data do not depend on one direction of the initial state. Such directions are left out of
+/// the inverse, the determinant and the rank.
 struct PseudoInverse {
-  /// Eigenvalues below 1e-12 of the largest count as zero. Not a number where the matrix is not.
+  /// Eigenvalues below 1e-12 of the largest count as zero. All results are NaN if the matrix
+  /// contains NaN.
   explicit PseudoInverse(const Eigen::MatrixXd& matrix);
 
   Eigen::MatrixXd inverse;

@@ -6,9 +6,9 @@
 
 namespace uncertainty_identification {
 
-/// What random numbers are drawn for. Every purpose has its own stream, so that switching one on
-/// leaves the numbers of the others as they were. Values are part of what a seed means: append,
-/// never renumber.
+/// Purposes of random numbers. Every purpose has its own stream, so that enabling one source of
+/// randomness does not change the numbers of the others. The values determine which numbers a seed
+/// gives: append new ones and never renumber.
 enum class RandomPurpose : std::uint32_t {
   input = 1,
   system = 2,
@@ -30,8 +30,8 @@ enum class RandomPurpose : std::uint32_t {
   truth = 18  ///< a truth itself, drawn
 };
 
-/// The random numbers of one purpose in experiment r: they depend on nothing else, the number of
-/// experiments included.
+/// The random numbers for one purpose in experiment r. They depend on the seed, r and the purpose
+/// only, not on the number of experiments.
 std::mt19937_64 randomStream(std::uint64_t seed, int r, RandomPurpose purpose);
 
 /// `count` draws of N(0, variance).

@@ -9,19 +9,19 @@
 
 namespace uncertainty_identification {
 
-/// Threads that share a loop. Which thread does which turn is left open, so turns must write to
-/// places of their own and whoever adds up does so in a fixed order: then the number of threads
-/// never changes a result.
+/// Threads that share the iterations of a loop. Which thread runs which iteration is not
+/// determined. Iterations must therefore write to separate places, and sums must be formed
+/// afterwards in a fixed order; then the number of threads does not change a result.
 class WorkerPool {
  public:
-  /// `threads` at least 1, the caller's included.
+  /// `threads` includes the calling thread and is at least 1.
   explicit WorkerPool(int threads);
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
 
-  /// Calls task(i) for i = 0..count-1 and returns when all are done; an exception of a task is
-  /// thrown here.
+  /// Calls task(i) for i = 0..count-1 and returns when all calls have finished. Rethrows an
+  /// exception that a call has thrown.
   void forEach(int count, const std::function<void(int)>& task);
 
  private:

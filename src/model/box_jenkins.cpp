@@ -6,8 +6,8 @@
 namespace uncertainty_identification {
 namespace {
 
-/// theta = [b; a; c; d] with c absent for output_error and arx, d absent for output_error or equal
-/// to a for arx, armax.
+/// theta = [b; a; c; d]. output_error and arx have no c; output_error has no d; for arx and armax D
+/// equals A.
 class BoxJenkins : public NominalModel {
  public:
   explicit BoxJenkins(const NominalModelOptions& options)

@@ -11,15 +11,15 @@
 namespace uncertainty_identification {
 namespace {
 
-/// A physical parameter: how it appears in the result and which values it may take.
+/// A physical parameter: its name and unit in results and, by its kind, the values it may take.
 struct Physical {
   enum Kind { gain, time_constant, frequency, damping, zero, dead_time } kind;
   std::string name, unit;
-  double value;  ///< where fixed
+  double value;  ///< if fixed
   bool fixed;
 };
 
-/// Polynomial in s, ascending powers, multiplied by (1 + f1 s + f2 s^2).
+/// The product of p, a polynomial in s with ascending powers, and 1 + f1 s + f2 s^2.
 Eigen::VectorXd times(const Eigen::VectorXd& p, double f1, double f2, Eigen::Index degree) {
   Eigen::VectorXd out = Eigen::VectorXd::Zero(p.size() + degree);
   out.head(p.size()) = p;
@@ -28,7 +28,8 @@ Eigen::VectorXd times(const Eigen::VectorXd& p, double f1, double f2, Eigen::Ind
   return out;
 }
 
-/// Integral over [0, time] of e^(A s) b ds, and e^(A time), for sample time 1.
+/// Zero-order hold over `time`, in sample times: e^(A time), and the integral of e^(A s) b over [0,
+/// time].
 std::pair<Eigen::MatrixXd, Eigen::VectorXd> hold(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
                                                  double time) {
   const Eigen::Index n = A.rows();
@@ -78,9 +79,9 @@ class Continuous : public NominalModel {
     return all;
   }
 
-  /// Zero-order hold of G(s), exact for a dead time of any length: state space in units of the
-  /// sample time, then its characteristic polynomial and numerator by the Faddeev-LeVerrier
-  /// recursion.
+  /// Zero-order hold of G(s), exact for a dead time of any length. A state-space form with the
+  /// sample time as unit of time is sampled; its characteristic polynomial and numerator follow by
+  /// the Faddeev-LeVerrier recursion.
   Polynomials polynomials(const Eigen::VectorXd& theta) const override {
     const std::vector<double> value = values(theta);
     Eigen::VectorXd numerator = Eigen::VectorXd::Ones(1), denominator = numerator;
@@ -134,7 +135,7 @@ class Continuous : public NominalModel {
     return NominalModel::admissible(theta);
   }
 
-  /// Time constants and resonances from the poles of A, the gain from Go at zero frequency.
+  /// Takes time constants and resonances from the poles of A, the gain from Go at frequency zero.
   Eigen::VectorXd fromPolynomials(const Polynomials& p) const override {
     ContinuousPoles poles = continuousPoles(p.a, sample_time_);
     Eigen::VectorXd theta(parameterCount());
@@ -179,7 +180,8 @@ class Continuous : public NominalModel {
     }
   }
 
-  /// Start of the next parameter of this kind; counts the poles that it uses up.
+  /// Start value of the next parameter of this kind. Counts the poles used, so that each is used
+  /// once.
   double startOf(Physical::Kind kind, const Polynomials& p, ContinuousPoles* poles) const {
     switch (kind) {
       case Physical::gain:
@@ -215,8 +217,8 @@ class Continuous : public NominalModel {
     return all;
   }
 
-  /// Positive parameters through the logarithm, the dead time through the logistic function, C and
-  /// D through their reflection coefficients.
+  /// Maps parameters to or from unbounded coordinates: positive parameters by the logarithm, the
+  /// dead time by the logistic function, C and D by their reflection coefficients.
   Eigen::VectorXd mapped(const Eigen::VectorXd& from, bool to_unbounded) const {
     Eigen::VectorXd to = from;
     Eigen::Index next = 0;
@@ -252,7 +254,8 @@ class Continuous : public NominalModel {
 
     const int whole = static_cast<int>(dead_samples);
     const double fraction = dead_samples - whole;
-    const auto [unused, late] = hold(A, input, fraction);  // the older input acts first
+    // The previous input acts during the fraction of the dead time, the newest one after it.
+    const auto [unused, late] = hold(A, input, fraction);
     const auto [remaining, newest] = hold(A, input, 1 - fraction);
     const Eigen::VectorXd older = remaining * late;
     const Eigen::MatrixXd transition = hold(A, input, 1).first;

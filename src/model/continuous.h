@@ -6,14 +6,14 @@
 
 namespace uncertainty_identification {
 
-/// A continuous-time transfer function with zero-order hold, parametrised physically:
+/// A continuous-time transfer function with zero-order hold and physical parameters:
 ///   G(s) = gain e^(-dead_time s) prod(1 + zero_k s) / (prod(1 + tau_k s) prod(1 + 2 zeta_k
 ///   s/omega_k + s^2/omega_k^2))
-/// with the noise model C/D of nc and nd coefficients. theta = the physical parameters that are not
-/// fixed, then c, d. The paper's resistor-capacitor circuit (39) is {time_constants: 1, fixed:
-/// {gain: 1}}. `delay` [samples] beyond the hold's one sample counts on top of dead_time. Throws
-/// ConfigurationError for a transfer function that is not strictly proper, or an unknown name in
-/// `fixed`.
+/// and a noise model C/D with nc and nd coefficients. theta holds the physical parameters that are
+/// not fixed, then c and d. Example: the resistor-capacitor circuit (39) of the paper is
+/// {time_constants: 1, fixed: {gain: 1}}. `delay` [samples] includes the one sample of the hold;
+/// what exceeds it adds to dead_time. Throws ConfigurationError if the transfer function is not
+/// strictly proper or `fixed` contains an unknown name.
 std::shared_ptr<const NominalModel> makeContinuous(const NominalModelOptions& options,
                                                    double sample_time);
 

@@ -6,11 +6,13 @@
 
 namespace uncertainty_identification {
 
-/// Poles of a sampled model in continuous time, handed out one after the other as starting values.
+/// Poles of a sampled model converted to continuous time. They serve one after the other as
+/// starting values of the continuous parameters.
 struct ContinuousPoles {
-  std::vector<double> time_constants;       ///< [s] of the real ones, descending
-  std::vector<std::complex<double>> pairs;  ///< [rad/s] of each complex pair the upper one
-  double longest = 0;                       ///< [s] what is used where there are too few
+  std::vector<double> time_constants;  ///< [s] of the real poles, descending
+  std::vector<std::complex<double>>
+      pairs;           ///< [rad/s] of each pair the pole with positive imaginary part
+  double longest = 0;  ///< [s] start value when all poles have been used
   std::size_t used_real = 0, used_pairs = 0;
 
   double nextTimeConstant() {
@@ -23,7 +25,7 @@ struct ContinuousPoles {
   }
 };
 
-/// Those of 1/A, A = 1 + a1 q^-1 + ..., sampled every `sample_time` [s].
+/// The poles of 1/A, A = 1 + a1 q^-1 + ..., for samples every `sample_time` [s].
 ContinuousPoles continuousPoles(const Eigen::VectorXd& a, double sample_time);
 
 }  // namespace uncertainty_identification

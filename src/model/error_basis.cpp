@@ -9,8 +9,8 @@
 namespace uncertainty_identification {
 namespace {
 
-/// An all-pass chain of basis filters: F_k = first[k mod m] * allpass^(k div m), all over
-/// `denominator`.
+/// The structure common to all bases: F_k = first[k mod m] * allpass^(k div m) / denominator^(1 + k
+/// div m).
 struct Chain {
   std::vector<Eigen::VectorXd> first;  ///< numerators of the m filters of one section
   Eigen::VectorXd allpass;             ///< numerator of the all-pass section
@@ -60,8 +60,7 @@ Eigen::MatrixXd constraintMatrix(const ErrorModelOptions& options,
 }  // namespace
 
 ErrorBasis::ErrorBasis(const ErrorModelOptions& options) : options_(options), taps_(options.taps) {
-  if (taps_ < 0)
-    throw ConfigurationError("error_model.taps: must be chosen before a basis can be built");
+  if (taps_ < 0) throw ConfigurationError("error_model.taps: found auto; the basis needs a number");
   if (isStable(denominator()) == false) {
     throw ConfigurationError("error_model: the basis' pole must lie inside the unit circle");
   }

@@ -89,7 +89,8 @@ Signals* Evaluation::at(std::vector<std::shared_ptr<const Signals>>* list, std::
   return fresh.get();
 }
 
-/// Residual and regressors of a change of the plant: -output and its regressors.
+/// Whitens the derivative of a plant's response: the residual changes by minus the output, the
+/// regressors by theirs.
 void Evaluation::whitenTangent(const Signals& output, const std::vector<Signals>& regressors,
                                WhitenedSignals* out) const {
   whitening_->apply(-output, &out->residual);

@@ -10,9 +10,10 @@
 
 namespace uncertainty_identification {
 
-/// What a plant with its error model makes of one input, before noise whitening:
+/// The response of a plant with error model to the input of a block, before noise whitening:
 ///   G u = output + sum_i xi_i regressors_i,
-/// and the derivatives of both to the plant's k-th coordinate.
+/// and its derivatives with respect to the k-th coordinate of the plant. (Notation:
+/// docs/notation.md.)
 class PlantResponse {
  public:
   virtual ~PlantResponse() = default;
@@ -21,41 +22,45 @@ class PlantResponse {
   virtual std::vector<Signals> regressors() = 0;
   virtual std::vector<Signals> regressorDerivatives(int k) = 0;
 
-  /// G u at the experiment's own xi as far as that is known: what an unknown constant input does.
+  /// Best known value of G u, with each experiment's own xi where it is known. Gives the response
+  /// to an unknown constant input.
   virtual Signals expectedOutput() { return output(); }
   virtual Signals expectedOutputDerivative(int k) { return outputDerivative(k); }
 };
 
-/// H^-1 of a block as `options` have it start.
+/// The inverse noise model H^-1 for a block, with the initial condition of the noise that `options`
+/// specify.
 std::shared_ptr<const NoiseWhitening> whiteningOf(const Polynomials& polynomials,
                                                   const EstimationOptions& options,
                                                   const Block& block, bool derivatives);
 
-/// Builds the whitened response of a block in the coordinates [those of the plant; c; d; common
-/// offset], with the nuisances of real records. What the plant is, and what its initial state does,
-/// is left to subclasses.
+/// Computes the whitened response of a block and its derivatives with respect to [coordinates of
+/// the plant; c; d; common offset], including nuisances such as unknown initial states and offsets.
+/// Subclasses define the plant and the effect of its initial state.
 class Evaluation {
  public:
   /// `polynomials`, `options` and `block` must outlive this object.
   Evaluation(const Polynomials& polynomials, int plant_coordinates,
              const EstimationOptions& options, const Block& block, bool derivatives);
-  /// Value only, whitened by `whitening` of the same C, D, options and block.
+  /// Without derivatives. `whitening` must belong to the same C, D, options and block.
   Evaluation(const Polynomials& polynomials, const EstimationOptions& options, const Block& block,
              std::shared_ptr<const NoiseWhitening> whitening);
   virtual ~Evaluation() = default;
   Evaluation(const Evaluation&) = delete;
   Evaluation& operator=(const Evaluation&) = delete;
 
-  /// Value and, if asked for, derivatives. `offset` is the common one.
+  /// Computes the response and, if requested in the constructor, its derivatives. `offset` is the
+  /// common offset.
   void run(double offset, Response* response);
 
  protected:
   virtual std::unique_ptr<PlantResponse> respond(const Signals& input) const = 0;
 
-  /// Adds the columns of the plant's free response and their derivatives.
+  /// Adds the columns for the plant's initial state, and their derivatives.
   virtual void addFreeResponse(Response* response) const = 0;
 
-  /// Whitens a raw signal into `slot` of the value and, through C and D, of the derivatives.
+  /// Whitens `raw` and writes the result to `slot` of the response, and its derivatives with
+  /// respect to c and d to the same slot of the derivatives.
   template <typename Slot>
   void whiten(const Signals& raw, Response* response, const Slot& slot) const {
     if (!derivatives_) {
@@ -95,8 +100,8 @@ class Evaluation {
   Signals ones_;
 };
 
-/// Chain rule from the coordinates of an Evaluation to theta: `jacobian` has a row per coordinate
-/// but the common offset, which stays as it is.
+/// Chain rule from the coordinates of an Evaluation to theta. `jacobian` has a row for each
+/// coordinate except the common offset, which stays unchanged.
 void applyJacobian(const Eigen::MatrixXd& jacobian, std::vector<WhitenedSignals>* derivatives);
 
 }  // namespace uncertainty_identification

@@ -21,8 +21,8 @@ void accumulate(double factor, int delay, int samples, const Pack* in, Pack* out
   for (int t = delay; t < samples; ++t) out[t] += factor * in[t - delay];
 }
 
-/// sums[j] += left'right_j over the samples [first, last), four at a time to load `left` once for
-/// all of them.
+/// sums[j] += left'right_j over the samples [first, last). Handles four signals right_j at a time,
+/// so that `left` is loaded once for all four.
 UI_VECTOR_CLONES
 void accumulateProducts(const double* left, const double* const* right, int count, int first,
                         int last, Pack* sums) {
@@ -82,7 +82,7 @@ void addShifted(double factor, int delay, const Signals& in, Signals* out) {
 std::vector<Lanes> innerProducts(const std::vector<const Signals*>& left,
                                  const std::vector<const Signals*>& right) {
   constexpr int kPiece =
-      64;  // samples; a piece of each of some dozens of signals fits the second-level cache
+      64;  // samples per piece: pieces of several dozen signals fit the second-level cache
   std::vector<const double*> rights;
   std::vector<std::size_t> place;
   Eigen::Index samples = 0;

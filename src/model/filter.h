@@ -5,11 +5,11 @@
 
 #include "uncertainty_identification/model/block.h"
 
-/// Rational filters on all lanes of a block, from rest: the only loops over samples outside the
-/// fused kernel.
+/// Rational filters applied to all lanes of a block, from rest. Apart from the fused kernel
+/// (fused_sweep.h), these are the only loops over samples.
 namespace uncertainty_identification {
 
-/// out = q^-delay (n0 + n1 q^-1 + ...)/(1 + d1 q^-1 + ...) in. `out` may not be `in`.
+/// out = q^-delay (n0 + n1 q^-1 + ...)/(1 + d1 q^-1 + ...) in. `out` and `in` must be different.
 void filter(const Eigen::VectorXd& numerator, const Eigen::VectorXd& monic_denominator, int delay,
             const Signals& in, Signals* out);
 
@@ -19,9 +19,9 @@ void shift(int delay, const Signals& in, Signals* out);
 /// out += factor q^-delay in.
 void addShifted(double factor, int delay, const Signals& in, Signals* out);
 
-/// Inner products over the samples, per lane: sums(i, j) = left_i'right_j, stored at [i
-/// right.size() + j]. A null signal stands for zero. Runs through the samples in pieces that stay
-/// in the cache.
+/// Inner products over the samples, for each lane: left_i'right_j is stored at [i right.size() +
+/// j]. A null pointer stands for a zero signal. Proceeds in pieces of the samples that fit the
+/// cache.
 std::vector<Lanes> innerProducts(const std::vector<const Signals*>& left,
                                  const std::vector<const Signals*>& right);
 

@@ -5,7 +5,7 @@
 namespace uncertainty_identification {
 namespace {
 
-/// The noise part of a Box-Jenkins model beside a plant that does not move.
+/// Box-Jenkins noise model; the plant is fixed and has no parameters.
 class FixedPlant : public NominalModel {
  public:
   FixedPlant(const Polynomials& plant, int nc, int nd) : plant_(plant), nc_(nc), nd_(nd) {

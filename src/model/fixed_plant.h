@@ -6,8 +6,8 @@
 
 namespace uncertainty_identification {
 
-/// A Box-Jenkins model whose Go = q^-delay B/A is known: theta = [c; d], with nc and nd
-/// coefficients.
+/// A Box-Jenkins model whose plant Go = q^-delay B/A is fixed. theta = [c; d] with nc and nd
+/// entries.
 std::shared_ptr<const NominalModel> fixPlant(const Polynomials& plant, int nc, int nd);
 
 }  // namespace uncertainty_identification

@@ -27,8 +27,9 @@ UI_INLINE void sweepAll(const FusedInput<kOrder, kRegressors>& in,
 template <int kOrder, int kRegressors>
 using Sweep = void (*)(const FusedInput<kOrder, kRegressors>&, FusedSums<kOrder, kRegressors>*);
 
-// One clone per vector unit, each with vectors as wide as its registers: with wider ones, split in
-// several, the sums no longer fit into the registers and the loop is five times slower.
+// One version per vector unit. The vectors of each are as wide as its registers: wider ones would
+// be split into several registers, the sums would no longer fit into the registers, and the loop
+// would be five times slower.
 template <bool kDerivatives, int kOrder, int kRegressors>
 void sweepBaseline(const FusedInput<kOrder, kRegressors>& in,
                    FusedSums<kOrder, kRegressors>* sums) {
@@ -48,7 +49,7 @@ __attribute__((target("avx512f"))) void sweepAvx512(const FusedInput<kOrder, kRe
   sweepAll<Vector8, kDerivatives>(in, sums);
 }
 
-/// The clone for the machine this runs on.
+/// The version for the processor that the program runs on.
 template <bool kDerivatives, int kOrder, int kRegressors>
 Sweep<kOrder, kRegressors> chooseSweep() {
   if (__builtin_cpu_supports("avx512f")) return sweepAvx512<kDerivatives, kOrder, kRegressors>;
@@ -85,8 +86,8 @@ FusedInput<kOrder, kRegressors> inputOf(const Block& block, const Polynomials& p
   return in;
 }
 
-/// Writes the upper triangles `pairs` of all lanes as full symmetric matrices, each to the place
-/// that `matrix_of` gives for its experiment.
+/// Expands the upper triangles `pairs` of all lanes to full symmetric matrices. `matrix_of` gives
+/// the destination for an experiment.
 template <int kRegressors, typename MatrixOf>
 void expand(const Lanes* pairs, const Block& block, const MatrixOf& matrix_of) {
   constexpr int kSize = kRegressors + 1;
@@ -101,7 +102,8 @@ void expand(const Lanes* pairs, const Block& block, const MatrixOf& matrix_of) {
   }
 }
 
-/// Derivative of the Gram matrices to one parameter, given those of the coefficients to it.
+/// Derivative of the Gram matrices with respect to one parameter, whose effect on the polynomials'
+/// coefficients is given.
 template <int kOrder, int kRegressors>
 void derivativeOf(const FusedSums<kOrder, kRegressors>& sums, const Polynomials& p,
                   const double* of_coefficients, Lanes* pairs) {

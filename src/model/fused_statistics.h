@@ -8,10 +8,10 @@
 
 namespace uncertainty_identification {
 
-/// The statistics of a Box-Jenkins model with FIR error basis, from rest and without gaps, in one
-/// loop over the samples that keeps every signal in registers. `jacobian` maps polynomial
-/// coefficients to theta (empty: no derivatives). Returns false, doing nothing, for orders beyond
-/// those compiled (4) or n beyond 2.
+/// The statistics of a Box-Jenkins model with FIR error basis, from rest and without gaps, in a
+/// single loop over the samples that keeps all signals in registers. `jacobian` is d[b; a; c;
+/// d]/dtheta (empty: no derivatives). Returns false and does nothing if the orders exceed those
+/// compiled (4) or n exceeds 2.
 bool fusedBoxJenkins(const Block& block, const Polynomials& polynomials, const Eigen::MatrixXd& T,
                      const Eigen::MatrixXd& jacobian, Statistics* statistics);
 

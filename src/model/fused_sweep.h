@@ -5,13 +5,14 @@
 
 #include "uncertainty_identification/model/block.h"
 
-// all functions on vectors are inlined, so that no vector crosses a call
+// All functions on vectors are inlined, so vectors are never passed in calls and the warning about
+// their ABI does not apply.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 #define UI_INLINE inline __attribute__((always_inline))
 #define UI_UNROLL _Pragma("GCC unroll 8")
 
-/// The loop of fused_statistics.cpp, for a vector of any number of lanes (private to src/).
+/// The loop of fused_statistics.cpp, as a template over the vector type.
 namespace uncertainty_identification {
 
 /// Polynomials padded with zeros to a common order, and the block's samples.
@@ -20,23 +21,24 @@ struct FusedInput {
   double b[kOrder], a[kOrder], c[kOrder], d[kOrder];
   double T[kRegressors + 1][kRegressors + 1];  ///< [lag][regressor]
   int delay, samples, lanes;
-  int full;  ///< all lanes in use have samples up to here
+  int full;  ///< up to this sample every lane in use has data
   const double *u, *y, *weight;
 };
 
-/// What the loop sums up. The derivatives' index is coefficient kind (b, a, c, d) times kOrder plus
-/// lag; they lack the sign of the kind, and the factor 2 on the diagonal.
+/// The sums over all samples. Derivatives are indexed by kind of coefficient (b, a, c, d) times
+/// kOrder plus lag. The sign of the kind (kFusedSigns) and the factor 2 on the diagonal have to be
+/// applied afterwards.
 template <int kOrder, int kRegressors>
 struct FusedSums {
   static constexpr int kPairs = (kRegressors + 1) * (kRegressors + 2) / 2;
   Lanes gram[kPairs];                     ///< upper triangle of [Phi e]'[Phi e], row by row
-  Lanes derivatives[4 * kOrder][kPairs];  ///< of that
+  Lanes derivatives[4 * kOrder][kPairs];  ///< of `gram`
 };
 
-/// The sign that derivatives of each kind lack.
+/// The sign to apply to the derivatives of each kind.
 constexpr double kFusedSigns[4] = {1, -1, -1, 1};
 
-/// Past values of a signal, the newest first.
+/// Past values of a signal, newest first.
 template <typename Vector, int kDepth>
 struct FusedHistory {
   Vector value[kDepth] = {};
@@ -46,7 +48,7 @@ struct FusedHistory {
     value[0] = newest;
   }
 
-  /// in - sum_k p_k value_(k-1): one step of 1/P when the result is pushed.
+  /// in - sum_k p_k value_(k-1): filters by 1/P if the result is then pushed.
   template <int kOrder>
   UI_INLINE Vector minus(const Vector& in, const double (&p)[kOrder]) const {
     Vector out = in;
@@ -54,7 +56,7 @@ struct FusedHistory {
     return out;
   }
 
-  /// in + sum_k p_k value_(k-1): one step of P before `in` is pushed.
+  /// in + sum_k p_k value_(k-1): filters by P if `in` is then pushed.
   template <int kOrder>
   UI_INLINE Vector plus(const Vector& in, const double (&p)[kOrder]) const {
     Vector out = in;
@@ -62,7 +64,7 @@ struct FusedHistory {
     return out;
   }
 
-  /// sum_l T_li value_(lag+l): regressor i of a simulation with this history.
+  /// sum_l T_li value_(lag+l): regressor i if this is the history of the simulated output.
   template <int kTaps>
   UI_INLINE Vector image(int lag, int i, const double (&T)[kTaps][kTaps]) const {
     Vector sum = T[0][i] * value[lag];
@@ -78,7 +80,8 @@ UI_INLINE Vector loadLanes(const double* signal, int t, int lane) {
   return value;
 }
 
-/// The running sums of [Phi e]'[Phi e] and its derivatives, in registers as far as these go.
+/// The running sums of [Phi e]'[Phi e] and its derivatives, in registers as far as there are
+/// enough.
 template <typename Vector, int kOrder, int kRegressors>
 struct FusedAccumulator {
   static constexpr int kTaps = kRegressors + 1;
@@ -95,8 +98,8 @@ struct FusedAccumulator {
     gram[pair] += e * e;
   }
 
-  /// Terms of one kind of coefficient: de/dcoefficient_k = +-de_(t-k), with the sign of
-  /// kResidualSign, dPhi/dcoefficient_k the image of dg_(t-k).
+  /// Adds the terms for one kind of coefficient. de/dcoefficient_k is de_(t-k) with the sign
+  /// kResidualSign; dPhi/dcoefficient_k is computed from dg_(t-k) as the regressors are from g.
   template <int kKind, int kResidualSign, typename DResidual, typename DSimulation>
   UI_INLINE void addDerivatives(const DResidual& de, const DSimulation& dg,
                                 const double (&T)[kTaps][kTaps], const Vector* regressor,
@@ -131,13 +134,13 @@ struct FusedAccumulator {
   }
 };
 
-/// The sweep of the lanes from `lane` on. Everything is a rational filter of u and y; with u/(A C)
-/// and y/C at hand the numerators are FIR:
+/// Sweeps over the samples of the lanes from `lane` on. All signals are rational filters of u and
+/// y. Given u/(A C) and y/C, the numerators are FIR filters:
 ///   x/C = B u/(A C), (D/C) u/A, g = (D/C) x, w/C = (y - x)/C, e = D w/C.
 template <typename Vector, bool kDerivatives, int kOrder, int kRegressors>
 UI_INLINE void fusedSweep(const FusedInput<kOrder, kRegressors>& in, int lane,
                           FusedSums<kOrder, kRegressors>* sums) {
-  constexpr int kPrefetch = 16 * kLanes;  // ahead of what comes from memory, in values
+  constexpr int kPrefetch = 16 * kLanes;  // [values] distance of memory prefetches
   constexpr int kDepth = kOrder + kRegressors;
   FusedAccumulator<Vector, kOrder, kRegressors> accumulator;
   FusedHistory<Vector, kOrder> u_a, u_ac, y_c, w_c, e_c;
@@ -166,7 +169,7 @@ UI_INLINE void fusedSweep(const FusedInput<kOrder, kRegressors>& in, int lane,
       UI_UNROLL for (int i = 0; i < kRegressors; ++i) regressor[i] *= weight;
     }
     accumulator.addGram(regressor, e);
-    if (kDerivatives) {  // those to a, c and d act on the past: before the present is pushed
+    if (kDerivatives) {  // derivatives to a, c and d need past values only: add them before pushing
       accumulator.template addDerivatives<0, -1>(dc_u_a, dc_u_a, in.T, regressor, e);
       accumulator.template addDerivatives<1, -1>(g_a, g_a, in.T, regressor, e);
       accumulator.template addDerivatives<2, 1>(e_c, g_c, in.T, regressor, e);

@@ -13,7 +13,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// x = q^-delay B/A u and what its sensitivities to b_k and a_k are shifts of.
+/// The simulated output x = q^-delay B/A u, and the two signals whose shifts are its derivatives
+/// with respect to b_k and a_k.
 struct Plant {
   Plant(const Polynomials& p, const Signals& input)
       : delay(p.delay), nb(static_cast<int>(p.b.size())) {
@@ -22,7 +23,7 @@ struct Plant {
     filter(VectorXd::Ones(1), p.a, 0, x, &x_over_a);
   }
 
-  /// dx/db_(k+1) for k < nb, dx/da_(k-nb+1) from there on.
+  /// dx/db_(k+1) for k < nb, otherwise dx/da_(k-nb+1).
   Signals derivative(int k) const {
     Signals out;
     if (k < nb) {
@@ -38,7 +39,7 @@ struct Plant {
   Signals input_over_a, x, x_over_a;
 };
 
-/// The plant's response with the error model F T, in the coordinates [b; a].
+/// The plant's response with the error model's filters F T, with [b; a] as coordinates.
 class FilteredResponse : public PlantResponse {
  public:
   FilteredResponse(const Polynomials& p, const ErrorBasis& basis, const Signals& input)
@@ -62,7 +63,7 @@ class FilteredResponse : public PlantResponse {
   Plant plant_;
 };
 
-/// In the coordinates of the polynomials' coefficients [b; a; c; d].
+/// Evaluation with the coefficients [b; a; c; d] as coordinates.
 class LinearEvaluation : public Evaluation {
  public:
   LinearEvaluation(const Polynomials& p, const ErrorBasis& basis, const EstimationOptions& options,
@@ -75,8 +76,8 @@ class LinearEvaluation : public Evaluation {
     return std::make_unique<FilteredResponse>(polynomials(), basis_, input);
   }
 
-  /// The free response of Go (1 + GDelta), whatever eta: q^-j/(A D_F), j = 0..K-1, with D_F the
-  /// basis' denominator.
+  /// The free response of Go (1 + GDelta) for every eta: q^-j/(A D_F), j = 0..K-1, where D_F is the
+  /// denominator of the basis.
   void addFreeResponse(Response* response) const override {
     const Polynomials& p = polynomials();
     const VectorXd of_basis = basis_.denominator();
@@ -93,7 +94,7 @@ class LinearEvaluation : public Evaluation {
     if (!derivatives()) return;
     filter(VectorXd::Ones(1), p.a, 0, -response_of_a, &sensitivity);
     for (int lag = 1; lag < directions + na;
-         ++lag) {  // column k's sensitivity to a_j depends on k + j only
+         ++lag) {  // the derivative of column k to a_j depends on k + j only
       shift(lag, sensitivity, &shifted);
       const auto whitened = std::make_shared<Signals>();
       whitening().apply(shifted, whitened.get());

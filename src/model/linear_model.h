@@ -10,32 +10,33 @@
 
 namespace uncertainty_identification {
 
-/// Number of directions that unknown past inputs and the initial state of Go (1 + GDelta) span,
-/// whatever eta, in a record of `samples`.
+/// Dimension of the space of free responses of Go (1 + GDelta) to past inputs and initial states,
+/// for every eta, in a record of `samples`. (theta, xi, eta, Go, GDelta: docs/notation.md.)
 int freeResponseDirections(const Polynomials& go, const ErrorBasis& basis, int samples);
 
-/// What a parameter of a linear model belongs to, and its name there.
+/// What a parameter of a linear model belongs to, and its name.
 struct ParameterRole {
   enum class Of { nominal_model, input_offset, output_offset, effect };
   Of of = Of::nominal_model;
   std::string name;        ///< e.g. "b1", "offset_y", "width"
-  std::string unit;        ///< empty where it follows from the units of u and y
-  std::size_t effect = 0;  ///< Of::effect only: its place among the configuration's effects
-  std::string effect_name, effect_variant;  ///< likewise
+  std::string unit;        ///< empty if it follows from the units of u and y
+  std::size_t effect = 0;  ///< for Of::effect: index in the configuration's list of effects
+  std::string effect_name, effect_variant;  ///< for Of::effect
 };
 
-/// A parameter's value in the form that results report, and its derivative to the model's value.
+/// A parameter's value as results report it, and the derivative of this value with respect to the
+/// model's parameter.
 struct ReportedValue {
   double value = 0, derivative = 1;
 };
 
-/// The paper's model (2), (13): y = Go (1 + GDelta(eta_r)) u + H omega with the nuisances of real
-/// records, an unknown initial state of Go, noise that was running before the first sample, missing
-/// outputs, an operating point. Parameters: theta of the nominal model, then `offset_y` or
-/// `offset_u` where a common offset is estimated.
+/// The model of the paper, (2) and (13): y = Go (1 + GDelta(eta_r)) u + H omega. In addition it
+/// handles what real records contain: an unknown initial state of Go, noise that was present before
+/// the first sample, missing outputs, a constant operating point. Parameters: theta of the nominal
+/// model, then `offset_y` or `offset_u` if a common offset is estimated.
 class LinearModel : public Model {
  public:
-  /// Only the nuisance options of `options` are used (initial_state, discard_samples, noise_start,
+  /// Of `options` only those of nuisances are used (initial_state, discard_samples, noise_start,
   /// offsets, offset_side).
   LinearModel(std::shared_ptr<const NominalModel> nominal, const ErrorBasis& basis,
               const EstimationOptions& options);
@@ -54,10 +55,10 @@ class LinearModel : public Model {
   Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& unbounded) const override;
   Eigen::MatrixXd unboundedJacobian(const Eigen::VectorXd& unbounded) const override;
 
-  /// The role of each parameter.
+  /// The roles of all parameters, in order.
   virtual std::vector<ParameterRole> roles() const;
 
-  /// Parameter k as results report it, from its value in the model, and back.
+  /// Parameter k as results report it, computed from its value in the model.
   virtual ReportedValue reported(std::size_t /*k*/, double value, double /*noise_variance*/) const {
     return {value, 1};
   }
@@ -65,33 +66,33 @@ class LinearModel : public Model {
     return reported;
   }
 
-  /// A start of theta and the offset, completed by starting values of what extends the model: those
-  /// that the configuration's effects give, else those of the catalogue.
+  /// Completes a start of theta and offset by starting values of the effects' parameters: those
+  /// given in the configuration, otherwise those of the catalogue.
   virtual Eigen::VectorXd withStartingValues(const Eigen::VectorXd& start,
                                              const std::vector<EffectOptions>& /*effects*/) const {
     return start;
   }
 
-  /// Whether the output is linear in the error parameters xi only near a point for each experiment.
+  /// Whether the output is linear in the error parameters xi only near a point, which differs
+  /// between experiments.
   virtual bool isLocallyLinear() const { return false; }
 
-  /// The points that belong to xi_r, given as columns (n x M), at these parameters; the same model
-  /// linearised about points is the next step of an iterated linearisation. Both only where
+  /// The points that correspond to xi_r, given as columns (n x M), at these parameters. Linearising
+  /// the model about these points is the next step of the fixed-point iteration. Only if
   /// isLocallyLinear().
   virtual Eigen::MatrixXd points(const Eigen::VectorXd& /*parameters*/,
                                  const Eigen::MatrixXd& /*xi*/) const {
     return {};
   }
 
-  /// The same for experiments whose measurements tell more of the point than xi, all else as here.
+  /// The same for experiments in which the data determine the point better than xi does.
   virtual Eigen::MatrixXd pointsOf(const std::vector<Block>& /*blocks*/,
                                    const Eigen::VectorXd& parameters,
                                    const Eigen::MatrixXd& xi) const {
     return points(parameters, xi);
   }
 
-  /// How far apart experiments lie: the standard deviation of each row of their points, given that
-  /// of xi (n).
+  /// Standard deviation of each row of the points over the experiments, given that of xi (n).
   virtual Eigen::VectorXd pointDeviations(const Eigen::VectorXd& parameters,
                                           double /*noise_variance*/,
                                           const Eigen::VectorXd& of_xi) const {
@@ -102,12 +103,12 @@ class LinearModel : public Model {
     return nullptr;
   }
 
-  /// Free simulation Go u of one block (plus the offset), from rest: what the nominal model alone
-  /// predicts.
+  /// Simulates Go u of a block from rest and adds the common offset: the prediction of the nominal
+  /// model alone.
   Signals simulate(const Block& block, const Eigen::VectorXd& parameters) const;
 
  protected:
-  /// Theta and the common offset (0 where none is estimated) among all parameters.
+  /// theta and the common offset (0 if none is estimated) from the vector of all parameters.
   Eigen::VectorXd theta(const Eigen::VectorXd& parameters) const;
   double commonOffset(const Eigen::VectorXd& parameters) const;
 

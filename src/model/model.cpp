@@ -13,7 +13,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// [Z Phi e] as a list; a signal that stands for zero is null.
+/// The signals [Z Phi e] as a list of pointers; a signal that is zero is null.
 std::vector<const Signals*> listed(const WhitenedSignals& signals, std::size_t columns,
                                    std::size_t regressors) {
   std::vector<const Signals*> all(columns + regressors + 1, nullptr);
@@ -27,8 +27,8 @@ std::vector<const Signals*> listed(const WhitenedSignals& signals, std::size_t c
   return all;
 }
 
-/// Inner products of the value's signals with themselves and with those of all derivatives, each
-/// distinct signal once.
+/// Inner products of the value's signals with each other and with the signals of all derivatives. A
+/// signal that occurs several times is processed once.
 class Products {
  public:
   Products(const Response& response, bool derivatives)
@@ -48,7 +48,7 @@ class Products {
     of_tangents_ = innerProducts(distinct, value_);
   }
 
-  /// Gram matrix of [Z Phi e] of one lane.
+  /// Gram matrix of [Z Phi e] in one lane.
   MatrixXd gram(int lane) const {
     const auto size = static_cast<Index>(value_.size());
     MatrixXd gram(size, size);
@@ -59,7 +59,7 @@ class Products {
     return gram;
   }
 
-  /// Its derivative to parameter j.
+  /// Derivative of this matrix with respect to parameter j.
   MatrixXd derivative(std::size_t j, int lane) const {
     const std::size_t size = value_.size();
     MatrixXd half = MatrixXd::Zero(static_cast<Index>(size), static_cast<Index>(size));
@@ -81,10 +81,11 @@ class Products {
   std::unordered_map<const Signals*, std::size_t> row_;
 };
 
-/// Absorbs the columns Z of one experiment into the Gram matrix of [Z Phi e]: integrating zeta out
-/// leaves the Schur complement of Z'Z + precision and the log-Jacobian -1/2 ln det(Z'Z + precision)
-/// + 1/2 ln det precision (the latter over the proper columns only); docs/method.md, section on
-/// random-effect columns.
+/// Removes the random-effect columns Z of one experiment from the Gram matrix of [Z Phi e] by
+/// integrating over their coefficients zeta. What remains is the Schur complement of Z'Z +
+/// precision, and the log-Jacobian -1/2 ln det(Z'Z + precision) + 1/2 ln det precision, the last
+/// determinant over columns with a proper prior only (docs/method.md, section on random-effect
+/// columns).
 class Absorption {
  public:
   Absorption(const MatrixXd& gram, const VectorXd& precision)
@@ -111,8 +112,8 @@ class Absorption {
   double logJacobian() const { return log_jacobian_; }
   double diffuse() const { return static_cast<double>(diffuse_); }
 
-  /// Derivative of gram() when the Gram matrix of [Z Phi e] and the precision change by `dgram`,
-  /// `dprecision`.
+  /// Derivative of gram(), given the derivatives `dgram` of the Gram matrix of [Z Phi e] and
+  /// `dprecision` of the precisions.
   MatrixXd derivative(const MatrixXd& dgram, const VectorXd* dprecision) const {
     MatrixXd dinner = dgram.topLeftCorner(columns_, columns_);
     if (dprecision != nullptr) dinner.diagonal() += *dprecision;

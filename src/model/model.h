@@ -10,34 +10,36 @@
 
 namespace uncertainty_identification {
 
-/// The whitened signals of a block, or their derivatives to one parameter. A signal without samples
-/// stands for zero.
+/// The whitened signals of a block, or their derivatives with respect to one parameter. An empty
+/// signal stands for zero.
 struct WhitenedSignals {
   Signals residual;                 ///< e = H^-1 (y - Go u)
   std::vector<Signals> regressors;  ///< Phi, n signals: e = Phi xi + omega
-  /// Z, random effects of each experiment: e = Phi xi + Z zeta + omega. Shared, because one signal
-  /// may be the derivative of several columns: its inner products are then computed once. Null
-  /// stands for zero.
+  /// Z, the random-effect columns of each experiment: e = Phi xi + Z zeta + omega. Shared, because
+  /// one signal may be the derivative of several columns and its inner products are then computed
+  /// once. Null stands for zero.
   std::vector<std::shared_ptr<const Signals>> columns;
   Lanes log_jacobian = Lanes::Zero();
 };
 
-/// What a model says of a block at one parameter vector.
+/// The response of a model for one block at given parameters.
 struct Response {
   WhitenedSignals value;
-  std::vector<WhitenedSignals> derivatives;  ///< to each parameter; empty when not asked for
+  std::vector<WhitenedSignals>
+      derivatives;  ///< with respect to each parameter; empty if not requested
   /// Precision of each column's coefficient relative to 1/sigma^2: zeta_k ~ N(0,
-  /// sigma^2/precision_k); 0 = diffuse (projected out, with -1/2 ln det Z'Z).
+  /// sigma^2/precision_k). 0 means a flat prior: the column is projected out, with log-Jacobian
+  /// -1/2 ln det Z'Z.
   Eigen::VectorXd column_precision;
   std::vector<Eigen::VectorXd> column_precision_derivatives;  ///< per parameter; empty = all zero
-  Lanes effective_samples = Lanes::Zero();  ///< measured samples in the likelihood
+  Lanes effective_samples = Lanes::Zero();  ///< measured samples that count in the likelihood
 };
 
-/// The interface that every model implements and that every effect decorates: parameters (theta of
-/// the nominal model and whatever a nuisance or effect adds) in; residual, regressors,
-/// random-effect columns, log-Jacobian, effective sample counts and their sensitivities out, for a
-/// block of experiments at a time. A plain model is the case with nothing extra. Implementations
-/// are immutable and may be called from several threads.
+/// The interface of all models. Input: parameters (theta of the nominal model, and those of
+/// nuisances and effects). Output for a block of experiments: residual, regressors, random-effect
+/// columns, log-Jacobian, number of effective samples, and their derivatives. An effect is a model
+/// that wraps another one. Implementations are immutable and may be called from several threads.
+/// (Notation: docs/notation.md.)
 class Model {
  public:
   virtual ~Model() = default;
@@ -45,24 +47,24 @@ class Model {
   /// Names of the parameters; their number is p.
   virtual std::vector<std::string> names() const = 0;
 
-  /// Number n of regressors, that is of free error parameters xi.
+  /// Number n of regressors, which equals the number of free error parameters xi.
   virtual int regressors() const = 0;
 
-  /// Fills `response`, with derivatives when asked for.
+  /// Computes the response, with derivatives if requested.
   virtual void evaluate(const Block& block, const Eigen::VectorXd& parameters, bool derivatives,
                         Response* response) const = 0;
 
-  /// Statistics by a faster way than through evaluate(), where the model has one for this block;
-  /// false where not.
+  /// Computes the statistics without evaluate() if the model has a faster method for this block;
+  /// otherwise returns false.
   virtual bool fusedStatistics(const Block& /*block*/, const Eigen::VectorXd& /*parameters*/,
                                bool /*derivatives*/, Statistics* /*statistics*/) const {
     return false;
   }
 
-  /// Whether the parameters lie where the likelihood is defined (stable, minimum phase, finite).
+  /// Whether the likelihood is defined at these parameters (stable, minimum phase, finite).
   virtual bool admissible(const Eigen::VectorXd& parameters) const = 0;
 
-  /// Unbounded coordinates for an unconstrained optimisation, the way back, and
+  /// Unbounded coordinates for an unconstrained optimisation, their inverse, and
   /// dparameters/d(unbounded).
   virtual Eigen::VectorXd toUnbounded(const Eigen::VectorXd& parameters) const = 0;
   virtual Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& unbounded) const = 0;
@@ -71,9 +73,9 @@ class Model {
   int parameterCount() const { return static_cast<int>(names().size()); }
 };
 
-/// Writes the statistics of the block's experiments to their places in `statistics` (whose
-/// parameters() says whether derivatives are wanted); leaves the model's response in `response`,
-/// empty where the statistics came by a faster way.
+/// Computes the statistics of the experiments in a block and stores them in `statistics`;
+/// statistics->parameters() tells whether derivatives are needed. Leaves the model's response in
+/// `response`, or nothing if fusedStatistics() was used.
 void computeStatistics(const Model& model, const Block& block, const Eigen::VectorXd& parameters,
                        Statistics* statistics, Response* response);
 

@@ -19,7 +19,8 @@ struct RiccatiDerivative {
   double dS = 0;
   VectorXd dgain;
 
-  /// To be called before `base.step()`: base holds P of this step; S and gain are recomputed.
+  /// Must be called before `base.step()`, while `base` still holds P of this step. Computes the
+  /// derivatives of S and gain.
   void step(const InnovationsForm& base, bool measured) {
     const MatrixXd& P = base.P;
     const double S = P(0, 0) + 1;
@@ -50,8 +51,8 @@ inline const Pack& at(const double* const* signals, int i, int t) {
   return reinterpret_cast<const Pack*>(signals[i])[t];
 }
 
-/// One signal through the filter; the innovations nu and the effective v are kept for the
-/// derivatives.
+/// Filters one signal. Stores the innovations nu and the effective v (with predictions at missing
+/// samples), which the derivatives need.
 UI_VECTOR_CLONES
 void whiten(const View& f, const Pack* v, Pack* e, Pack* nu, Pack* effective, Pack* state) {
   const int m = f.order;
@@ -73,8 +74,8 @@ void whiten(const View& f, const Pack* v, Pack* e, Pack* nu, Pack* effective, Pa
   }
 }
 
-/// The derivative of whiten()'s result to one of c and d, `which` = index of the polynomial's
-/// coefficient.
+/// Derivative of the result of whiten() with respect to the coefficient with index `which` of C or
+/// D.
 UI_VECTOR_CLONES
 void whitenDerivative(const View& f, bool of_c, int which, const double* const* dgains,
                       const Pack* dscale, const Pack* nu, const Pack* effective, Pack* de,
@@ -204,7 +205,7 @@ void NoiseWhitening::recursion(int lane, const MatrixXd& P0, const std::vector<M
       change = std::max(change, tangent.dP.cwiseAbs().maxCoeff());
     }
     varying_ = std::max(varying_, t + 1);
-    if (!block_.gaps && change < 1e-17) break;  // P = 0: the start is forgotten
+    if (!block_.gaps && change < 1e-17) break;  // P = 0: the initial state is forgotten
   }
 }
 

@@ -8,36 +8,36 @@
 
 namespace uncertainty_identification {
 
-/// Whitens any signal v of a block by the inverse noise model H^-1 = D/C, exactly: also where the
-/// noise was running before the first sample (NoiseStart::stationary) and where outputs are
+/// Whitens signals of a block by the inverse noise model H^-1 = D/C. The result is exact also if
+/// the noise was present before the first sample (NoiseStart::stationary) and if outputs are
 /// missing.
 ///
-/// H in innovations form, s' = F s + K w, v = s_1 + w, is followed by a Kalman filter with sigma^2
-/// = 1. Its gain and innovation variance depend on C, D and the mask only, so that one recursion
-/// serves all signals:
+/// A Kalman filter with sigma^2 = 1 follows H in innovations form, s' = F s + K w, v = s_1 + w. Its
+/// gain and innovation variance depend only on C, D and on which samples were measured, so one
+/// recursion serves all signals:
 ///     nu_t = v_t - s_1,   s_i' = s_(i+1) + g_i(t) nu_t - d_i v_t,   e_t = nu_t / sqrt(S_t)
-/// with g_i(t) -> c_i as the start is forgotten; at a missing sample nu_t = 0 and v_t is replaced
-/// by its prediction s_1. Equivalent to the start and gap columns of docs/method.md; log_jacobian =
-/// -1/2 sum ln S_t over measured t.
+/// where g_i(t) tends to c_i as the initial state is forgotten. At a missing sample nu_t = 0, and
+/// v_t is replaced by its prediction s_1. This is equivalent to the columns for start and gaps in
+/// docs/method.md. log_jacobian = -1/2 sum ln S_t over the measured samples.
 class NoiseWhitening {
  public:
-  /// `first` leading samples are left out of the likelihood; the noise starts at sample `first`.
-  /// With `derivatives` the sensitivities to c1.., d1.. are prepared too. The block must outlive
-  /// this object.
+  /// The first `first` samples are left out of the likelihood; the noise starts at sample `first`.
+  /// With `derivatives`, the derivatives with respect to c1.., d1.. are prepared. The block must
+  /// outlive this object.
   NoiseWhitening(const Eigen::VectorXd& c, const Eigen::VectorXd& d, NoiseStart start, int first,
                  const Block& block, bool derivatives);
 
-  /// e = whitened v.
+  /// Computes e, the whitened signal v.
   void apply(const Signals& v, Signals* e) const;
 
-  /// e = whitened v and de/d(c1.., d1..) for a v that does not depend on c and d (nc + nd signals).
+  /// Also computes de/d(c1.., d1..), nc + nd signals, for a v that does not depend on c and d.
   void apply(const Signals& v, Signals* e, std::vector<Signals>* derivatives) const;
 
-  /// -1/2 sum ln S_t per lane, and its derivatives to c1.., d1...
+  /// -1/2 sum ln S_t for each lane, and its derivatives with respect to c1.., d1...
   const Lanes& logJacobian() const { return log_jacobian_; }
   const std::vector<Lanes>& logJacobianDerivatives() const { return log_jacobian_derivatives_; }
 
-  /// Measured samples in the likelihood, per lane.
+  /// Number of measured samples that count in the likelihood, for each lane.
   const Lanes& effectiveSamples() const { return effective_samples_; }
 
   int parameters() const { return nc_ + nd_; }
@@ -51,7 +51,7 @@ class NoiseWhitening {
   Eigen::VectorXd c_, d_;  ///< padded to order_
   const Block& block_;
   bool derivatives_;
-  int varying_ = 0;             ///< samples until the gains have converged
+  int varying_ = 0;             ///< number of samples after which the gains have converged
   std::vector<Signals> gains_;  ///< order_ signals of `varying_` samples: g_i(t)
   Signals scale_;               ///< 1/sqrt(S_t)
   std::vector<std::vector<Signals>> gain_derivatives_;  ///< [parameter][i]

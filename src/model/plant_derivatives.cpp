@@ -10,8 +10,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Relative step of the differences: they are of fourth order, so that a wide one serves, which
-/// also a Jacobian that is itself made of differences bears.
+/// Relative step of the finite differences. They are of fourth order, so a wide step is accurate;
+/// and the Jacobian may itself be computed by differences, whose error a narrow step would amplify.
 constexpr double kStep = 1e-2;
 
 void addShifted(const Lanes& factor, Index delay, const Signals& in, Signals* out) {
@@ -82,7 +82,7 @@ const std::vector<Lanes>& PlantDerivatives::coefficients(const DerivativeIndex& 
   std::vector<Lanes> all(size);
   for (int lane = 0; lane < kLanes; ++lane) {
     const auto own = std::min(static_cast<std::size_t>(lane), lanes_->size() - 1);
-    if (own < static_cast<std::size_t>(lane)) {  // the rest of the lanes are as the last
+    if (own < static_cast<std::size_t>(lane)) {  // unused lanes repeat the last one
       for (Lanes& coefficient : all) coefficient[lane] = coefficient[lane - 1];
       continue;
     }

@@ -9,14 +9,16 @@
 
 namespace uncertainty_identification {
 
-/// Which derivative: a sorted list of indices of theta, empty for the value.
+/// Denotes a partial derivative: the sorted indices of theta to differentiate by; empty for the
+/// value.
 using DerivativeIndex = std::vector<int>;
 
-/// `index` with l put in its place.
+/// `index` with l inserted in order.
 DerivativeIndex with(DerivativeIndex index, int l);
 
-/// The coefficients of Go = q^-delay B/A at one theta and their derivatives to it, up to the third.
-/// The first are the model's Jacobian, the others differences of it.
+/// The coefficients of Go = q^-delay B/A and their derivatives with respect to theta, up to the
+/// third, at one theta. First derivatives are the model's Jacobian; higher ones are finite
+/// differences of it.
 class PlantCoefficients {
  public:
   PlantCoefficients(const NominalModel& nominal, const Eigen::VectorXd& theta);
@@ -25,7 +27,7 @@ class PlantCoefficients {
   Eigen::Index nb() const { return nb_; }
   Eigen::Index na() const { return na_; }
 
-  /// [b; a] differentiated (nb + na).
+  /// The derivative of [b; a] (nb + na entries).
   Eigen::VectorXd derivative(const DerivativeIndex& index);
 
  private:
@@ -38,18 +40,20 @@ class PlantCoefficients {
   std::map<DerivativeIndex, Eigen::MatrixXd> jacobians_;
 };
 
-/// Derivatives of x = Go u to theta, in each lane at a theta of its own. From A x = B u follows for
-/// every list S of parameters, with S split into T and the rest in all ways,
-///   A x_S = B_S u - sum over T not empty of A_T x_(S less T).
+/// Derivatives of x = Go u with respect to theta; each lane may have its own theta. For every list
+/// S of parameters, A x = B u implies
+///   A x_S = B_S u - sum over T not empty of A_T x_(S without T),
+/// where T runs over all ways to split S into T and the rest.
 class PlantDerivatives {
  public:
-  /// One PlantCoefficients per lane, or one for all; they and `input` must outlive this object.
+  /// Takes one PlantCoefficients per lane, or one for all lanes. They and `input` must outlive this
+  /// object.
   PlantDerivatives(std::vector<PlantCoefficients>* lanes, const Signals& input);
 
-  /// x_S.
+  /// The derivative x_S.
   const Signals& signal(const DerivativeIndex& index);
 
-  /// q^-k summed over k with the coefficients of A_S, applied to x.
+  /// sum_k (coefficient k of A_S) q^-k x.
   Signals timesA(const DerivativeIndex& index, const Signals& x);
 
   /// x/A.

@@ -9,7 +9,7 @@ using Eigen::VectorXd;
 
 RationalBasis::RationalBasis(const ErrorBasis& basis)
     : denominator(basis.denominator()), taps(basis.taps()) {
-  // A numerator is the denominator times the impulse response, which ends at its degree.
+  // A numerator is the denominator times the filter's impulse response, cut off at its degree.
   const Index length = std::max<Index>(denominator.size(), taps - 1) + 1;
   Signals impulse = Signals::Zero(kLanes, length);
   impulse(0, 0) = 1;

@@ -7,7 +7,7 @@
 
 namespace uncertainty_identification {
 
-/// The error model's filters sum_k T_ki F_k, i = 1..n, as rational functions of q^-1.
+/// The filters sum_k T_ki F_k, i = 1..n, of the error model as rational functions of q^-1.
 struct RationalBasis {
   explicit RationalBasis(const ErrorBasis& basis);
 

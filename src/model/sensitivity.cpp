@@ -12,14 +12,14 @@
 namespace uncertainty_identification {
 namespace {
 
-/// Share of a first derivative below which a second one is rounding.
+/// A second derivative smaller than this share of the first is rounding.
 constexpr double kVanishing = 1e-8;
 
 using Eigen::ArrayXcd;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Names of theta's entries that B or A depend on.
+/// Names of the entries of theta on which B or A depend.
 std::vector<std::string> namesThatMoveGo(const NominalModel& nominal) {
   const std::vector<std::string> names = nominal.names();
   const VectorXd anywhere =
@@ -39,7 +39,7 @@ std::string listed(const std::vector<std::string>& names) {
   return all.empty() ? "none" : all;
 }
 
-/// Frequency responses of Go and its derivatives, by the recursion of PlantDerivatives.
+/// Frequency responses of Go and of its derivatives, by the recursion of PlantDerivatives.
 class PlantResponses {
  public:
   PlantResponses(const NominalModel& nominal, const VectorXd& theta, const VectorXd& omega)
@@ -81,7 +81,8 @@ void subtract(const VectorXd& term, VectorXd* from) {
   from->head(term.size()) -= term;
 }
 
-/// Numerators over A^(n + 1) of Go's n-th derivatives, by the recursion of PlantDerivatives.
+/// Numerators of the derivatives of Go, by the recursion of PlantDerivatives. Those of order n have
+/// the denominator A^(n + 1).
 class PlantNumerators {
  public:
   PlantNumerators(const NominalModel& nominal, const VectorXd& theta)
@@ -140,7 +141,7 @@ SensitivityTerms sensitivityTerms(const NominalModel& nominal, const ErrorModelO
   std::vector<int> varied;
   for (const std::string& name : options.parameters) {
     require(std::find(moving.begin(), moving.end(), name) != moving.end(), "error_model.parameters",
-            name, "parameters that the nominal model's Go has: " + listed(moving));
+            name, "a parameter of Go: " + listed(moving));
     varied.push_back(static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin()));
   }
   SensitivityTerms terms;
@@ -164,18 +165,18 @@ void completeErrorModel(const NominalModel& nominal, ErrorModelOptions* options)
   if (!variesParameters(options->basis) || options->taps == 0) return;
   if (options->parameters.empty()) {
     const std::vector<std::string> moving = namesThatMoveGo(nominal);
-    require(!moving.empty(), "error_model.basis", "one that varies Go's parameters",
-            "fir, laguerre or kautz where Go has none of its own (fit: simulation holds it)");
+    require(!moving.empty(), "error_model.basis", "one that varies parameters of Go",
+            "fir, laguerre or kautz where Go has no free parameters (fit: simulation fixes it)");
     require(options->basis == BasisKind::sensitivity || moving.size() == 1,
             "error_model.parameters", "nothing",
-            "the names of those that vary from experiment to experiment, of " + listed(moving));
+            "the names of the parameters that vary between experiments, from " + listed(moving));
     options->parameters = moving;
   }
   const int count = sensitivityTerms(nominal, *options).count();
   require(count <= kMaxErrorParameters, "error_model.parameters",
           std::to_string(count) + " regressors",
           "at most " + std::to_string(kMaxErrorParameters) +
-              "; name fewer parameters, or take sensitivity_order 1");
+              "; name fewer parameters, or use sensitivity_order 1");
   options->taps = count;
 }
 

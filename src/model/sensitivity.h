@@ -8,38 +8,39 @@
 
 namespace uncertainty_identification {
 
-/// Whether the error model varies Go's parameters rather than adding filters:
+/// Whether the error model varies parameters of Go instead of adding filters in series:
 /// BasisKind::sensitivity or parameter_spread.
 bool variesParameters(BasisKind basis);
 
-/// The regressors of an error model that varies parameters of Go (docs/method.md, section on
-/// parameters that vary), one per multiset of the varied parameters:
+/// The regressors of an error model that varies parameters theta of Go (docs/method.md, section on
+/// parameters that vary), one for each combination of one or two of the varied parameters:
 ///   R_j = theta_j dGo/dtheta_j u,
-/// and, of order 2, R_jk = theta_j theta_k d2Go/dtheta_j dtheta_k u, halved where j = k.
-/// Second derivatives that vanish everywhere (Go is linear in its gain, or in b) are left out.
+/// and, with order 2, R_jk = theta_j theta_k d2Go/dtheta_j dtheta_k u, halved if j = k.
+/// Second derivatives that are identically zero (Go is linear in its gain and in b) are left out.
 struct SensitivityTerms {
-  std::vector<std::vector<int>> indices;  ///< of theta, sorted; one list per regressor
+  std::vector<std::vector<int>> indices;  ///< indices of theta, sorted; one list per regressor
 
   int count() const { return static_cast<int>(indices.size()); }
 
-  /// Factor of the derivative in regressor i: the parameters' product, halved for a square.
+  /// The factor of the derivative in regressor i: the product of the parameters, halved for a
+  /// square.
   double scale(int i, const Eigen::VectorXd& theta) const;
 
-  /// Its derivative to theta_l.
+  /// Derivative of scale() with respect to theta_l.
   double scaleDerivative(int i, int l, const Eigen::VectorXd& theta) const;
 };
 
-/// The terms that options (with `parameters` given) name. Throws ConfigurationError for a name that
-/// is none of the model's, or of a parameter that does not move Go.
+/// The terms for `options`, whose `parameters` must be filled. Throws ConfigurationError for a name
+/// that the model does not have, or of a parameter that Go does not depend on.
 SensitivityTerms sensitivityTerms(const NominalModel& nominal, const ErrorModelOptions& options);
 
-/// Fills what the options leave open where the basis varies parameters: their names (default: all
-/// that move Go; parameter_spread: only where there is one) and the number of taps, which is that
-/// of the latent parameters. Throws ConfigurationError, also where there are more than 10 of them.
+/// If the basis varies parameters, fills in what the options leave open: the names (default: all
+/// parameters of Go; with parameter_spread only if there is just one) and the number of taps, which
+/// equals the number of terms. Throws ConfigurationError also if there are more than 10.
 void completeErrorModel(const NominalModel& nominal, ErrorModelOptions* options);
 
-/// Frequency responses of the terms' regressors, omega.size() x count(): G = Go + sum_i xi_i R_i.
-/// `omega` in [rad/sample].
+/// Frequency responses R_i of the terms at `omega` [rad/sample], omega.size() x count(): G = Go +
+/// sum_i xi_i R_i.
 Eigen::MatrixXcd sensitivityResponses(const NominalModel& nominal, const SensitivityTerms& terms,
                                       const Eigen::VectorXd& theta, const Eigen::VectorXd& omega);
 

@@ -13,21 +13,21 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Where a block's plants stand.
+/// The plants of a block: at the common theta, or each at the point of its experiment.
 struct LanePlants {
-  VectorXd theta;                        ///< common
+  VectorXd theta;                        ///< the common parameters
   MatrixXd points;                       ///< t_r of each lane (n x lanes); empty: all at theta
-  std::vector<PlantCoefficients> lanes;  ///< at t_r
+  std::vector<PlantCoefficients> lanes;  ///< coefficients at theta or t_r
 
   bool areApart() const { return points.cols() > 0; }
 
-  /// Whether the plants have a theta_l of their own, which does not move with the common one.
+  /// Whether theta_l has its own value in each lane, which does not change with the common theta.
   bool areApart(const SensitivityTerms& terms, int l) const {
     return areApart() && std::any_of(terms.indices.begin(), terms.indices.end(),
                                      [l](const auto& term) { return term.front() == l; });
   }
 
-  /// theta_j - t_rj, where term i is that of theta_j.
+  /// theta_j - t_rj, if term i is that of theta_j.
   Lanes distance(int i, int j) const {
     Lanes values = Lanes::Zero();
     values.head(points.cols()) = theta[j] - points.row(i).transpose().array();
@@ -35,7 +35,8 @@ struct LanePlants {
   }
 };
 
-/// The response in the coordinates of theta, H's parameters included, which do not move it.
+/// The response with theta as coordinates. theta includes the parameters of H, on which it does not
+/// depend.
 class SensitivityResponse : public PlantResponse {
  public:
   SensitivityResponse(const SensitivityTerms& terms, LanePlants* at, const Signals& input)
@@ -75,7 +76,7 @@ class SensitivityResponse : public PlantResponse {
 
   bool isApart(int l) const { return at_.areApart(terms_, l); }
 
-  /// x_S of the linearisation, at theta: x_S + sum_j x_Sj (theta_j - t_rj).
+  /// The linearised x_S at theta: x_S + sum_j x_Sj (theta_j - t_rj), with x_S and x_Sj at t_r.
   Signals expanded(const DerivativeIndex& index) {
     Signals sum = plant_.signal(index);
     for (int i = 0; at_.areApart() && i < terms_.count(); ++i) {
@@ -90,10 +91,10 @@ class SensitivityResponse : public PlantResponse {
   PlantDerivatives plant_;
 };
 
-/// In the coordinates [theta; c; d]: theta as far as it moves Go.
+/// Evaluation with [theta; c; d] as coordinates; theta acts here through Go only.
 class SensitivityEvaluation : public Evaluation {
  public:
-  /// `power` of A in the denominator of what the error model lets an initial state do.
+  /// The free response has the denominator A^power.
   SensitivityEvaluation(const Polynomials& p, const SensitivityTerms& terms, LanePlants* at,
                         int power, const EstimationOptions& options, const Block& block,
                         bool derivatives)
@@ -107,7 +108,8 @@ class SensitivityEvaluation : public Evaluation {
     return std::make_unique<SensitivityResponse>(terms_, at_, input);
   }
 
-  /// q^-k/A^power, k = 0, 1, ...: whatever xi, to the order of the terms.
+  /// The columns q^-k/A^power, k = 0, 1, ... span the free responses for every xi, up to the order
+  /// of the terms.
   void addFreeResponse(Response* response) const override {
     const PlantCoefficients& go = at_->lanes.front();
     const int na = static_cast<int>(go.na()), nb = static_cast<int>(go.nb());
@@ -159,7 +161,7 @@ SensitivityModel::SensitivityModel(std::shared_ptr<const NominalModel> nominal,
       terms_(sensitivityTerms(this->nominal(), error_model)),
       points_(std::move(points)) {}
 
-/// Theta with the entries that vary at a point.
+/// theta with the varied entries replaced by those of a point.
 VectorXd SensitivityModel::at(const VectorXd& point, const VectorXd& theta) const {
   VectorXd own = theta;
   for (int i = 0; i < terms_.count(); ++i)

@@ -8,19 +8,22 @@
 
 namespace uncertainty_identification {
 
-/// The model whose error is that of Go's parameters, instead of filters behind Go.
-///   sensitivity:       y = (Go + sum_i xi_i R_i) u + H omega, R_i of SensitivityTerms;
-///   parameter_spread:  y = Go(theta (1 + xi_r)) u + H omega, linear in xi_r only about a point t_r
-///                      of each experiment: with theta (1 + xi_r) near t_r,
+/// A model whose plants differ in the parameters theta of Go instead of by filters in series with
+/// Go.
+///   sensitivity:       y = (Go + sum_i xi_i R_i) u + H omega, with R_i of SensitivityTerms;
+///   parameter_spread:  y = Go(theta (1 + xi_r)) u + H omega, linearised in xi_r about a point t_r
+///   of
+///                      each experiment: for theta (1 + xi_r) near t_r,
 ///                      y = Go(t_r) u + sum_j (theta_j (1 + xi_rj) - t_rj) dGo(t_r)/dtheta_j u +
 ///                      ...
-/// H stays at theta, whichever parameters it shares with Go. The points stay where they are while
-/// theta moves: the derivatives are the experiment's, no property of theta.
+/// H uses theta in both cases, even for parameters that it shares with Go. The points t_r are
+/// constants: they do not change when theta is optimised. (Notation: docs/notation.md.)
 class SensitivityModel : public LinearModel {
  public:
-  /// `error_model` completed by completeErrorModel(). `points`: t_r as columns in the order of the
-  /// data set (n x M), parameter_spread only; none: theta, a start. Throws ConfigurationError for
-  /// names that the model lacks.
+  /// `error_model` must have been completed by completeErrorModel(). `points` holds t_r as columns
+  /// in the order of the data set (n x M), for parameter_spread only; if empty, theta is used, as
+  /// at the start of the fixed-point iteration. Throws ConfigurationError for names that the model
+  /// lacks.
   SensitivityModel(std::shared_ptr<const NominalModel> nominal,
                    const ErrorModelOptions& error_model, const EstimationOptions& options,
                    Eigen::MatrixXd points = {});
@@ -32,7 +35,7 @@ class SensitivityModel : public LinearModel {
   bool fusedStatistics(const Block& block, const Eigen::VectorXd& parameters, bool derivatives,
                        Statistics* statistics) const override;
 
-  /// Also theta with every experiment's t_r must be admissible.
+  /// Every experiment's t_r, inserted in theta, must be admissible, too.
   bool admissible(const Eigen::VectorXd& parameters) const override;
 
   bool isLocallyLinear() const override;
@@ -48,7 +51,8 @@ class SensitivityModel : public LinearModel {
   Eigen::MatrixXd points_;
 };
 
-/// The model that the options name, about zero where it is linear only locally.
+/// The model that the options describe; a model that is only locally linear is linearised about
+/// zero error parameters.
 std::unique_ptr<LinearModel> makeLinearModel(std::shared_ptr<const NominalModel> nominal,
                                              const ErrorModelOptions& error_model,
                                              const EstimationOptions& options);

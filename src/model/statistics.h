@@ -4,11 +4,12 @@
 
 namespace uncertainty_identification {
 
-/// What one sweep over the samples leaves of every experiment r, and its derivatives to the model's
-/// p parameters: the Gram matrix of [Phi e] after random-effect columns have been absorbed,
+/// Sufficient statistics of every experiment r, computed in one sweep over the samples: the Gram
+/// matrix of [Phi e] after random-effect columns have been integrated out,
 ///     [S v; v' s],  S = Phi'Phi (n x n), v = Phi'e (n), s = e'e,
-/// the number of samples N_r in the likelihood and its log-Jacobian. After it, mixture updates
-/// never see a sample.
+/// the number of samples N_r in the likelihood, its log-Jacobian, and the derivatives of all of
+/// these with respect to the p model parameters. Mixture updates need these statistics only, and no
+/// samples. (Phi: regressors, e: residual; docs/notation.md.)
 class Statistics {
  public:
   Statistics() = default;
@@ -24,7 +25,7 @@ class Statistics {
   int experiments() const { return static_cast<int>(samples_.size()); }
   int regressors() const { return regressors_; }
 
-  /// Number p of parameters that derivatives are kept for; 0 when only values were asked for.
+  /// Number p of parameters with derivatives; 0 if only values were requested.
   int parameters() const { return parameters_; }
 
   using Gram = Eigen::Map<Eigen::MatrixXd>;
@@ -34,7 +35,7 @@ class Statistics {
   Gram gram(int r) { return {grams_.col(r).data(), regressors_ + 1, regressors_ + 1}; }
   ConstGram gram(int r) const { return {grams_.col(r).data(), regressors_ + 1, regressors_ + 1}; }
 
-  /// Its derivative to parameter j.
+  /// Derivative of gram(r) with respect to parameter j.
   Gram gramDerivative(int r, int j) {
     return {gram_derivatives_.col(r).data() + entries() * j, regressors_ + 1, regressors_ + 1};
   }

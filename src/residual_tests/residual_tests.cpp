@@ -24,12 +24,13 @@ constexpr double kUndetermined = 1e4;
 // Relative eigenvalue of the input's covariance below which the input hardly moves in a direction.
 constexpr double kHardlyMoved = 1e-9;
 
-/// Residuals of one experiment at its samples, zero where there is none; `valid` is 1 where one is.
+/// Residuals of one experiment at its samples, zero where there is none. `valid` is 1 at samples
+/// with a residual.
 struct Residuals {
   VectorXd values, valid;
 };
 
-/// Whitened [Z Phi] of a lane, each column scaled to a mean square of 1.
+/// Whitened [Z Phi] of a lane, with columns scaled to mean square 1.
 MatrixXd columnsOf(const Response& response, int lane, Index samples) {
   const WhitenedSignals& value = response.value;
   MatrixXd columns =
@@ -74,10 +75,10 @@ Residuals residualsOf(const Response& response, const Block& block, int lane) {
 
 /// Sums over all experiments.
 struct Sums {
-  VectorXd products = VectorXd::Zero(kLags + 1);          ///< of residuals k samples apart
-  VectorXd pairs = VectorXd::Zero(kLags + 1);             ///< their number
-  VectorXd cross = VectorXd::Zero(kLags + 1);             ///< of the input and the residual k later
-  MatrixXd input = MatrixXd::Zero(kLags + 1, kLags + 1);  ///< of inputs, where a residual is
+  VectorXd products = VectorXd::Zero(kLags + 1);  ///< of residuals with distance k
+  VectorXd pairs = VectorXd::Zero(kLags + 1);     ///< number of these products
+  VectorXd cross = VectorXd::Zero(kLags + 1);     ///< of the input and the residual k samples later
+  MatrixXd input = MatrixXd::Zero(kLags + 1, kLags + 1);  ///< of inputs at samples with a residual
 
   void add(const Residuals& residuals, const VectorXd& u) {
     const Index samples = u.size();

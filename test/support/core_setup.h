@@ -14,10 +14,10 @@
 #include "support/random_system.h"
 #include "uncertainty_identification/configuration.h"
 
-/// What tests of models and likelihoods need around a random system or golden data.
+/// Helpers for tests of models and likelihoods with a random system or golden data.
 namespace uncertainty_identification::test {
 
-/// A model, experiments and their likelihood, kept together.
+/// A model, experiments and their likelihood.
 class CoreSetup {
  public:
   CoreSetup(const Configuration& configuration, std::vector<Experiment> experiments,

@@ -40,7 +40,7 @@ struct Model {
   double noise_variance = 1;  ///< sigma^2
 };
 
-/// How an experiment starts and what else enters its output.
+/// How an experiment starts, and what else is part of its output.
 struct Options {
   NoiseStart noise_start = NoiseStart::zero;
   /// zero: Go at rest before sample 0. discard: the same, and the first samples count as not
@@ -52,7 +52,7 @@ struct Options {
   bool diffuse_offset = false;  ///< an output offset per experiment, with a flat prior
 };
 
-/// What the model says of one experiment.
+/// What the model says about one experiment.
 struct Evaluation {
   double log_likelihood = 0;
   int degrees_of_freedom = 0;                ///< N_obs - p

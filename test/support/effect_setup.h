@@ -11,7 +11,7 @@
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/effects/catalogue.h"
 
-/// What tests of effects need around them.
+/// Helpers for tests of effects.
 namespace uncertainty_identification::test {
 
 /// Eleven experiments (two blocks, the second not full) of 35 to 50 samples at 0.5 s, with all that

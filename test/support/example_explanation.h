@@ -7,7 +7,7 @@
 
 namespace uncertainty_identification::test {
 
-/// What an engine would say of a dead zone: every field filled, made up by hand.
+/// An explanation of a dead zone, written by hand with every field filled.
 inline Explanation exampleExplanation() {
   using Eigen::Vector2d;
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();

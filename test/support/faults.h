@@ -8,12 +8,12 @@
 #include "simulation/truth.h"
 #include "uncertainty_identification/estimation/estimate.h"
 
-/// Experiments with faults in them, and what a detector makes of them.
+/// Simulates experiments with faults and runs a detector on them.
 namespace uncertainty_identification::test {
 
 enum class FaultKind { none, effectiveness, bias, delay };
 
-/// A fault that begins at a sample and stays.
+/// A fault that begins at a sample and persists.
 struct Fault {
   FaultKind kind = FaultKind::none;
   double size = 0;  ///< effectiveness: share of the input lost; bias: added to the output [unit of
@@ -21,7 +21,7 @@ struct Fault {
   int onset = 0;    ///< [sample] the first with the fault
 };
 
-/// The model that the truth is, as an identification without errors would give it.
+/// The truth as an estimate without errors.
 Estimate estimateOf(const Truth& truth);
 
 /// Simulates experiments of a truth one by one, with any fault: input, system and noise are those

@@ -5,7 +5,7 @@
 #include "explanation/candidates.h"
 #include "support/core_setup.h"
 
-/// Fits of known systems, for tests of what is made of them.
+/// Fits of known systems, for tests of functions that use fits.
 namespace uncertainty_identification::test {
 
 /// The system that simulated some experiments, as a fit of them.

@@ -13,7 +13,7 @@
 /// sample.
 namespace uncertainty_identification::test {
 
-/// A parameter point and what is known there.
+/// A parameter point and the values known for it.
 struct GoldenPoint {
   Eigen::VectorXd theta;      ///< b, a, c, d concatenated
   Mixture mixture;            ///< of xi

@@ -7,7 +7,7 @@
 
 #include "simulation/simulate.h"
 
-/// Truths whose every signal is known, to see single effects in.
+/// Truths whose signals are all known, so that single effects can be seen.
 namespace uncertainty_identification::test {
 
 inline Eigen::VectorXd vector(std::initializer_list<double> values) {

@@ -42,7 +42,7 @@ struct TableParameter {
   double mean() const;
   double deviation() const;  ///< standard deviation of the estimates
 
-  /// Share of the runs whose 95 % interval, value +- 1.96 standard errors, holds the truth.
+  /// Share of the runs whose 95 % interval, value +- 1.96 standard errors, contains the truth.
   double coverage(const std::vector<double>& standard_errors) const;
 };
 

@@ -16,7 +16,7 @@ struct ProcessResult {
   std::string errors;  ///< standard error
 };
 
-/// A program that runs beside the test, neither of its outputs being a terminal.
+/// A program that runs in parallel to the test; its outputs are not terminals.
 class Process {
  public:
   /// Starts `command`: a path, then its arguments.

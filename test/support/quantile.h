@@ -6,7 +6,7 @@
 
 namespace uncertainty_identification {
 
-/// The value that a share of all lies below or at; NaN of none.
+/// The smallest value such that a given share of all values is not above it; NaN if there are none.
 inline double quantile(std::vector<double> values, double share) {
   if (values.empty()) return std::nan("");
   const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));

@@ -8,7 +8,7 @@
 
 namespace uncertainty_identification {
 
-/// A folder of its own below the system's temporary one, removed with all it holds.
+/// A new folder below the system's temporary folder, removed with its contents at the end.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

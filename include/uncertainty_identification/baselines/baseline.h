@@ -8,34 +8,34 @@
 
 namespace uncertainty_identification {
 
-/// Methods that the stochastic embedding is compared with.
+/// Methods that stochastic embedding is compared with.
 enum class BaselineMethod {
-  pem,  ///< prediction-error estimates of each experiment by itself
-  mem   ///< model error modelling: FIR models of what their mean leaves of each experiment
+  pem,  ///< a prediction-error estimate of every experiment separately
+  mem   ///< model error modelling: FIR models of each experiment's residual from the mean model
 };
 
 const EnumNames<BaselineMethod>& enumNames(BaselineMethod);
 
-/// What a baseline makes of the experiments.
+/// The result of a baseline method.
 struct Baseline {
   BaselineMethod method = BaselineMethod::pem;
-  std::vector<ExperimentFit> fits;          ///< of each experiment by itself
-  Eigen::VectorXd mean, deviation;          ///< of their parameters
+  std::vector<ExperimentFit> fits;          ///< one per experiment
+  Eigen::VectorXd mean, deviation;          ///< mean and standard deviation of the fits' parameters
   std::vector<ExperimentFit> error_models;  ///< mem: b holds e1, e2, ...
   Eigen::VectorXd omega;                    ///< [rad/s]
-  /// Of |G|: pem, the experiments' own plants; mem, the mean plus their error models. Holds the
-  /// levels that so many experiments can tell.
+  /// Bands of |G|. pem: over the plants of the experiments. mem: over the mean plus each error
+  /// model. Contains only those levels for which there are enough experiments.
   Bands magnitude_bands;
 };
 
-/// A baseline's result: the mean of the fits as a model without error model, and the rest.
+/// The result as an estimate (the mean of the fits, without error model) and in detail.
 struct BaselineResult {
   Estimate estimate;
   Baseline baseline;
 };
 
-/// Experiments that fail the checks are left out. Throws ConfigurationError for orders: auto,
-/// DataError where the experiments cannot be fitted by themselves.
+/// Runs a baseline method. Experiments that fail the checks are left out. Throws ConfigurationError
+/// for `orders: auto`, DataError where the experiments cannot be fitted separately.
 BaselineResult identifyBaseline(BaselineMethod method, const Configuration& configuration,
                                 const std::vector<Experiment>& experiments);
 

@@ -14,45 +14,44 @@
 
 namespace uncertainty_identification {
 
-/// The prediction-error estimate of one experiment by itself: maximum likelihood without an error
-/// model.
+/// The prediction-error estimate from one experiment alone: maximum likelihood without error model.
 struct ExperimentFit {
   std::string id;
   std::vector<ParameterEstimate> parameters;  ///< theta with standard errors
   int delay = 0;                              ///< [samples]
   Eigen::VectorXd b, a, c, d;                 ///< as in NominalModelEstimate
-  double offset = 0;                          ///< common offset, where one is estimated
+  double offset = 0;                          ///< common offset, if one is estimated
   double noise_variance = 0;
   double log_likelihood = 0;
 };
 
-/// The experiments' fits and what they are in the mean.
+/// The fits of all experiments and their mean.
 struct PredictionErrorFits {
   std::shared_ptr<const NominalModel> nominal;
   std::vector<ExperimentFit> fits;
-  std::vector<RejectedExperiment> failed;  ///< no estimate could be found
-  Eigen::VectorXd mean;                    ///< of theta
-  Eigen::MatrixXd covariance;              ///< of theta over the experiments (sample covariance)
+  std::vector<RejectedExperiment> failed;  ///< experiments for which no estimate was found
+  Eigen::VectorXd mean;                    ///< mean of theta
+  Eigen::MatrixXd covariance;              ///< sample covariance of theta over the experiments
   double offset = 0, noise_variance = 0;   ///< means
 };
 
-/// Fits each of the experiments by itself (they have passed the checks). The structure and the
-/// nuisances are those of the configuration, the orders given. Throws DataError when fewer than two
-/// experiments can be fitted, ConfigurationError for orders: auto.
+/// Fits each experiment separately (the experiments have passed the checks). Structure and nuisance
+/// options are those of the configuration; the orders must be given. Throws DataError when fewer
+/// than two experiments can be fitted, ConfigurationError for `orders: auto`.
 PredictionErrorFits fitExperiments(const Configuration& configuration,
                                    std::shared_ptr<const NominalModel> nominal,
                                    const std::vector<Experiment>& experiments);
 
-/// The fits' plants, without error model.
+/// The plants of the fits, without error model.
 PlantSamples plantsOf(const PredictionErrorFits& fits, double sample_time);
 
 /// The mean of the fits as an estimate without error model: parameters with the standard errors of
-/// a mean, and the likelihood of all experiments there.
+/// the mean, and the likelihood of all experiments at this mean.
 Estimate meanEstimate(const Configuration& configuration, const PredictionErrorFits& fits,
                       const std::vector<Experiment>& experiments);
 
-/// Bands of |G| over omega [rad/s] that hold a share of given plants; of the levels those that so
-/// many plants can tell.
+/// Bands of |G| over omega [rad/s] that contain a given share of the plants. Only those of the
+/// levels for which there are enough plants.
 Bands magnitudeBands(const PlantSamples& plants, const Eigen::VectorXd& omega,
                      const std::vector<double>& levels);
 

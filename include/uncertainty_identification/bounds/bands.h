@@ -5,8 +5,8 @@
 
 namespace uncertainty_identification {
 
-/// Limits at each point of a grid (frequencies, times) between which a share `level` of the plants
-/// lies.
+/// For every point of a grid (frequencies or times): the limits between which a share `level` of
+/// the plants lies.
 struct Band {
   double level = 0;
   Eigen::VectorXd lower, upper;
@@ -14,40 +14,42 @@ struct Band {
 
 /// The bands of one quantity, in the order of the levels.
 struct Bands {
-  std::vector<Band> pointwise;     ///< hold at each point for itself
-  std::vector<Band> simultaneous;  ///< hold at all points at once
-  /// Standard deviation of a pointwise limit that comes from its having been found by drawing, as a
-  /// share of the band's width: of each level, the mean over every tenth point.
+  std::vector<Band> pointwise;     ///< each holds at one point at a time
+  std::vector<Band> simultaneous;  ///< each holds at all points together
+  /// Standard deviation of a pointwise limit that is due to the finite number of draws, as a share
+  /// of the band's width. One entry per level: the mean over every tenth point of the grid.
   std::vector<double> monte_carlo_error;
 
   bool empty() const { return pointwise.empty(); }
 };
 
-enum class Sides { two, upper };  ///< upper: the lower limit is 0
+enum class Sides { two, upper };  ///< upper: only the upper limit is computed, the lower one is 0
 
-/// Bands from draws, one point of the grid after the other.
+/// Builds the bands from draws of the plant, one point of the grid after the other.
 ///
-/// Pointwise limits are order statistics: of S draws the k-th smallest is exceeded by a further
-/// plant with probability 1 - k/(S + 1), whatever the distribution. Simultaneous bands have one
-/// shape, the pointwise band of the level nearest 0.9, stretched about the median by the same
-/// factor at all points until a share `level` of the draws never leaves it, and are nowhere
-/// narrower than the pointwise band: so higher levels hold lower ones.
+/// Pointwise limits are order statistics: a further plant exceeds the k-th smallest of S draws with
+/// probability 1 - k/(S + 1), whatever the distribution.
+/// A simultaneous band is the pointwise band of the level nearest 0.9, stretched about the median
+/// by one factor for all points. The factor is the smallest one for which a share `level` of the
+/// draws stays inside everywhere. The band is never narrower than the pointwise band of its own
+/// level. So the band of a higher level always contains that of a lower one.
 class BandBuilder {
  public:
-  /// Differences below `resolution` count as none: rounding must not stretch a band where all
-  /// plants agree. Throws ConfigurationError when the draws are too few for a level.
+  /// Differences below `resolution` are treated as zero, so that rounding does not stretch a band
+  /// where all plants agree. Throws ConfigurationError when there are too few draws for a level.
   BandBuilder(std::vector<double> levels, int draws, Eigen::Index points, Sides sides,
               float resolution);
 
-  /// The values of all draws at the next point; those that are not finite count as very large.
+  /// Adds the values of all draws at the next point. Values that are not finite count as very
+  /// large.
   void add(const Eigen::ArrayXf& values);
 
-  /// After all points.
+  /// The bands of all points. To be called after the last add().
   Bands bands() const;
 
  private:
   struct Limit {
-    int lower, upper;  ///< ranks, from 0
+    int lower, upper;  ///< ranks of the order statistics, counted from 0
   };
 
   void addError();
@@ -57,12 +59,13 @@ class BandBuilder {
   float resolution_;
   Eigen::Index point_ = 0;
   int draws_;
-  std::vector<Limit> limits_;           ///< of each level
-  std::vector<int> ranks_, all_ranks_;  ///< ascending: of the limits and the median; and errors'
+  std::vector<Limit> limits_;           ///< the ranks of each level's limits
+  std::vector<int> ranks_, all_ranks_;  ///< ascending: those of the limits and the median; and
+                                        ///< those that monte_carlo_error needs
   Eigen::ArrayXXf lower_, upper_;       ///< levels x points
-  Eigen::ArrayXf center_;               ///< of each point
-  std::size_t shape_ = 0;               ///< the level whose band gives the shape
-  Eigen::ArrayXf stretch_;              ///< what each draw needs
+  Eigen::ArrayXf center_;               ///< median at each point
+  std::size_t shape_ = 0;               ///< index of the level whose band gives the shape
+  Eigen::ArrayXf stretch_;              ///< factor at which a draw stays inside everywhere
   std::vector<double> error_;
   int error_points_ = 0;
   Eigen::ArrayXf sorted_;

@@ -12,22 +12,23 @@
 
 namespace uncertainty_identification {
 
-/// How sure an identified model is: everything of configuration.bounds in one value.
+/// The uncertainty of an identified model: everything that configuration.bounds asks for.
 struct Bounds {
   std::vector<double> levels;
-  int samples = 0;         ///< plants drawn
-  std::uint64_t seed = 0;  ///< they were drawn with
+  int samples = 0;         ///< number of plants drawn
+  std::uint64_t seed = 0;  ///< seed of these draws
   FrequencyBounds frequency;
   StepBounds step;
-  std::vector<ComplexRegion> regions;               ///< at some of the frequencies
-  std::optional<UncertaintyWeight> weight;          ///< none where the plants do not differ
-  std::optional<PredictionCalibration> prediction;  ///< where Identifier::calibrate() was asked
+  std::vector<ComplexRegion> regions;               ///< at a subset of the frequencies
+  std::optional<UncertaintyWeight> weight;          ///< absent where the plants do not differ
+  std::optional<PredictionCalibration> prediction;  ///< only after Identifier::calibrate()
   std::vector<std::string> warnings;
-  double seconds = 0;  ///< [s] wall time that computing them took
+  double seconds = 0;  ///< [s] wall time of the computation
 };
 
-/// Bounds of an estimate, by its own configuration.bounds and seed. Throws DataError when the
-/// nominal model is not stable, ConfigurationError for a grid above the Nyquist frequency.
+/// Computes the bounds of an estimate with the options in its configuration.bounds and its seed.
+/// Throws DataError when the nominal model is not stable, ConfigurationError for a grid that
+/// exceeds the Nyquist frequency.
 Bounds computeBounds(const Estimate& estimate);
 
 }  // namespace uncertainty_identification

@@ -19,36 +19,38 @@ struct PlantSamples {
   int delay = 0;            ///< [samples]
   Eigen::MatrixXd b;        ///< draws x nb
   Eigen::MatrixXd a;        ///< draws x na, without the leading 1, stable
-  Eigen::MatrixXd eta;      ///< draws x taps; no columns = no error model
-  ErrorModelOptions basis;  ///< what the filters F_k are
+  Eigen::MatrixXd eta;      ///< draws x taps; without columns there is no error model
+  ErrorModelOptions basis;  ///< defines the filters F_k
 
   int count() const { return static_cast<int>(b.rows()); }
 };
 
-/// What the draws differ by.
+/// Which uncertainty the draws contain.
 enum class Uncertainty {
-  mixture,  ///< the spread of the plant, with nominal model and mixture as estimated
-  total     ///< the errors of these estimates too (Estimate::joint_covariance)
+  mixture,  ///< only the spread of the plant, with nominal model and mixture as estimated
+  total     ///< also the errors of these estimates (Estimate::joint_covariance)
 };
 
-/// The distribution of the plant that an estimate stands for: what the next experiment's G may be.
+/// The distribution of the plant according to an estimate: which G the next experiment may have.
+/// theta, xi, eta and Go are explained in docs/notation.md.
 class PlantDistribution {
  public:
-  /// Throws DataError when the estimate's plant is not stable. `nominal_model` is needed where the
-  /// error model varies the parameters of a nominal model of the caller's own.
+  /// Throws DataError when the estimate's plant is not stable. `nominal_model` is needed only if
+  /// the error model varies parameters of a nominal model that the caller has defined.
   explicit PlantDistribution(const Estimate& estimate,
                              std::shared_ptr<const NominalModel> nominal_model = nullptr);
 
-  /// Go as the only row, without error model.
+  /// Go as a single row, without error model.
   const PlantSamples& nominal() const { return nominal_; }
 
-  /// Whether the estimate's errors are known, which Uncertainty::total needs.
+  /// Whether the estimation errors are known. Uncertainty::total needs them.
   bool hasEstimationErrors() const { return root_.size() > 0; }
 
-  /// A Latin hypercube of `count` draws, each exactly distributed, together more even than
-  /// independent ones; the same seed gives the same draws. Throws DataError when the estimate's
-  /// errors are asked for but not known. Where parameters of Go vary, each draw is a rational
-  /// function without eta, and what lies outside the parameters' domain is drawn again.
+  /// Draws `count` plants as a Latin hypercube: each draw has the exact distribution, and together
+  /// they cover it more evenly than independent draws. The same seed gives the same draws. Throws
+  /// DataError when the estimation errors are asked for but not known. Where parameters of Go vary,
+  /// each draw is a rational function without eta, and draws outside the parameters' domain are
+  /// replaced.
   PlantSamples draw(int count, Uncertainty uncertainty, std::uint64_t seed) const;
 
  private:
@@ -57,12 +59,13 @@ class PlantDistribution {
                  PlantSamples* drawn) const;
 
   PlantSamples nominal_;
-  std::shared_ptr<const VaryingPlant> varying_;  ///< null: filters behind Go
+  std::shared_ptr<const VaryingPlant>
+      varying_;  ///< null if the error model is filters in series with Go
   ErrorModelOptions basis_;
   Eigen::MatrixXd T_;
   MixtureCoordinates mixture_coordinates_;
-  Eigen::VectorXd center_;  ///< plant and mixture in unbounded coordinates
-  Eigen::MatrixXd root_;    ///< of their covariance; empty = not known
+  Eigen::VectorXd center_;  ///< estimate of plant and mixture in unbounded coordinates
+  Eigen::MatrixXd root_;    ///< square root of its covariance; empty if it is not known
 };
 
 /// Real and imaginary parts, draws x frequencies.
@@ -70,14 +73,16 @@ struct ComplexResponses {
   Eigen::MatrixXd real, imaginary;
 };
 
-/// Frequency responses of the same plants, some frequencies at a time, without allocations.
+/// Computes frequency responses of the same plants for a few frequencies at a time, without
+/// allocating memory.
 class ResponseSweep {
  public:
   /// `plants` must outlive this object.
   explicit ResponseSweep(const PlantSamples& plants) : plants_(plants), basis_(plants.basis) {}
 
-  /// G(e^(j omega Ts))/e^(-j omega Ts delay) of every draw, omega [rad/s]: the delay, which all
-  /// have in common, turns the phase of all alike. Valid until the next call.
+  /// G(e^(j omega Ts)) of every draw without its delay, that is times e^(j omega Ts delay); omega
+  /// in [rad/s]. The delay is common to all draws and would only turn all phases by the same angle.
+  /// The reference stays valid until the next call.
   const ComplexResponses& at(const Eigen::VectorXd& omega);
 
  private:
@@ -87,19 +92,19 @@ class ResponseSweep {
   Eigen::ArrayXXd scale_;
 };
 
-/// The same at once.
+/// The responses at all frequencies at once, likewise without the delay.
 ComplexResponses frequencyResponses(const PlantSamples& plants, const Eigen::VectorXd& omega);
 
-/// G = q^-delay num/den of every draw, draws x coefficients of the powers of q^-1 from 0 on; the
-/// first of den is 1.
+/// G = q^-delay num/den of every draw. The rows hold the coefficients of q^0, q^-1, ...; the first
+/// coefficient of den is 1.
 struct TransferFunctions {
   Eigen::MatrixXd num, den;
 };
 
-/// The error model multiplied out.
+/// The plants as transfer functions, with the error model multiplied out.
 TransferFunctions transferFunctions(const PlantSamples& plants);
 
-/// Responses of the output to a unit step of the input, from rest: draws x steps samples.
+/// Responses of the output to a unit step of the input, starting from rest: draws x steps samples.
 Eigen::ArrayXXd stepResponses(const PlantSamples& plants, int steps);
 
 }  // namespace uncertainty_identification

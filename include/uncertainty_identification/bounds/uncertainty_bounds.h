@@ -8,8 +8,8 @@
 
 namespace uncertainty_identification {
 
-/// The bands of one quantity: of the mixture alone, and with the estimates' errors (empty where
-/// these are not known).
+/// The bands of one quantity: from the mixture alone, and with the estimation errors included
+/// (empty where these are not known).
 struct UncertaintyBands {
   Bands mixture, total;
 };
@@ -20,8 +20,9 @@ struct FrequencyBounds {
   Eigen::VectorXd magnitude;         ///< |Go| [unit of y / unit of u]
   Eigen::VectorXd phase;             ///< of Go, unwrapped, the delay included [rad]
   UncertaintyBands magnitude_bands;  ///< [unit of y / unit of u]
-  UncertaintyBands phase_bands;      ///< [rad]; a plant's phase counts within half a turn of Go's
-  UncertaintyBands relative_error;   ///< |G/Go - 1| [1]: the multiplicative uncertainty; upper only
+  UncertaintyBands phase_bands;      ///< [rad]; a plant's phase is taken within half a turn of Go's
+  UncertaintyBands
+      relative_error;  ///< |G/Go - 1|, the multiplicative uncertainty; upper limit only
 };
 
 /// Bands of the response to a unit step.
@@ -31,8 +32,8 @@ struct StepBounds {
   UncertaintyBands bands;
 };
 
-/// Throws ConfigurationError for a grid above the Nyquist frequency. The same estimate, options and
-/// seed give the same bounds.
+/// Throws ConfigurationError for a grid that exceeds the Nyquist frequency. The same estimate,
+/// options and seed give the same bounds.
 FrequencyBounds frequencyBounds(const PlantDistribution& plants, const Eigen::VectorXd& omega,
                                 const BoundsOptions& options, std::uint64_t seed);
 

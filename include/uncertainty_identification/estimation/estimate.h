@@ -15,36 +15,37 @@ namespace uncertainty_identification {
 /// Why an estimation ended.
 enum class Termination { not_run, converged, iteration_limit, stalled, cancelled };
 
-/// "converged", "iteration_limit", ... as in result.json.
+/// The word used in result.json: "converged", "iteration_limit", ...
 std::string toString(Termination termination);
 
-/// A scalar parameter with its uncertainty.
+/// A scalar parameter with its standard errors.
 struct ParameterEstimate {
   std::string
       name;  ///< "b1", "tau1", "weight2", "mean1[1]", "covariance2[1,1]", "noise_variance", ...
-  std::string unit;  ///< empty when it follows from the units of u and y
+  std::string unit;  ///< empty if it follows from the units of u and y
   double value = 0;
   double standard_error = 0;  ///< from the observed information; NaN where it is singular
   double robust_standard_error =
       0;  ///< sandwich form from per-experiment scores; valid when the model is wrong
 };
 
-/// Go = q^-delay B/A and H = C/D as polynomials in q^-1, and where they come from.
+/// Go = q^-delay B/A and H = C/D as polynomials in q^-1, and the parameters theta that they were
+/// computed from.
 struct NominalModelEstimate {
-  std::string structure;                      ///< as in the configuration
-  double sample_time = 0;                     ///< [s]
-  int delay = 0;                              ///< nk [samples]
-  Eigen::VectorXd b;                          ///< b1..b_nb: B = b1 + b2 q^-1 + ... behind the delay
-  Eigen::VectorXd a, c, d;                    ///< without the leading 1
+  std::string structure;    ///< as in the configuration
+  double sample_time = 0;   ///< [s]
+  int delay = 0;            ///< nk [samples]
+  Eigen::VectorXd b;        ///< b1..b_nb: B = b1 + b2 q^-1 + ..., without the delay
+  Eigen::VectorXd a, c, d;  ///< without the leading 1
   std::vector<ParameterEstimate> parameters;  ///< theta
   Eigen::MatrixXd covariance;                 ///< of `parameters`, from the observed information
 };
 
-/// The relative error model GDelta(eta) = sum_k eta_k F_k, eta = T xi.
+/// The relative error model GDelta(eta) = sum_k eta_k F_k, eta = T xi (docs/notation.md).
 struct ErrorModelEstimate {
-  ErrorModelOptions options;  ///< basis and constraint; taps as used
+  ErrorModelOptions options;  ///< basis and constraint, with the number of taps used
   Eigen::MatrixXd T;          ///< taps x n
-  Mixture mixture;            ///< of xi, components in order
+  Mixture mixture;            ///< of xi, components sorted
   std::vector<ParameterEstimate>
       parameters;  ///< weights, means, covariance entries with standard errors
 };
@@ -55,28 +56,29 @@ struct EffectEstimate {
   std::vector<ParameterEstimate> parameters;
 };
 
-/// What the model says of one experiment it was fitted to.
+/// What the model infers about one experiment that it was fitted to.
 struct ExperimentEstimate {
   std::string id;
-  int samples = 0;  ///< measured ones
+  int samples = 0;  ///< number of measured samples
   std::vector<double>
       responsibilities;        ///< posterior probability of each component, zeta_ir of (23)
   Eigen::VectorXd error_mean;  ///< posterior mean of xi, from (31)
   double log_likelihood = 0;
 };
 
-/// A candidate tried by an automatic choice.
+/// A candidate of an automatic choice.
 struct Candidate {
   std::string choice;                    ///< "orders", "components", "taps"
   std::string description;               ///< e.g. "output_error nb=2 na=2 delay=1"
   int parameters = 0;                    ///< number of free parameters
-  std::optional<double> log_likelihood;  ///< absent where the candidate could not be fitted
+  std::optional<double> log_likelihood;  ///< absent if the candidate could not be fitted
   std::optional<double> bic;             ///< likewise
-  std::optional<double> validation_fit;  ///< held-out simulation fit [%]; absent where not used
+  std::optional<double>
+      validation_fit;  ///< simulation fit on held-out data [%]; absent if not used
   bool chosen = false;
 };
 
-/// Fit on experiments not used for fitting; `experiments` is empty where there are none.
+/// Fit on held-out experiments; `experiments` is empty if there are none.
 struct Validation {
   std::vector<std::string> experiments;  ///< ids
   std::vector<double>
@@ -85,52 +87,54 @@ struct Validation {
   double log_density_per_experiment = 0;     ///< mean log predictive density [nats]
 };
 
-/// Whether the residuals are white and hold nothing of the input, over all experiments
-/// (residual_tests/residual_tests.h). Empty where there are too few residuals, or not computed.
+/// Tests whether the residuals are white and uncorrelated with the input, pooled over all
+/// experiments (residual_tests/residual_tests.h). Empty if there are too few residuals or the tests
+/// were not computed.
 struct ResidualTests {
-  long samples = 0;                       ///< residuals
-  std::vector<double> autocorrelation;    ///< at lags 1, 2, ...; standard deviation 1/sqrt(samples)
-  std::vector<double> cross_correlation;  ///< with the input 0, 1, ... samples before; likewise
-  double whiteness_p_value = 0;           ///< of a portmanteau test of the autocorrelation
-  double independence_p_value = 0;        ///< of a test of all cross-correlations together
+  long samples = 0;                     ///< number of residuals
+  std::vector<double> autocorrelation;  ///< at lags 1, 2, ...; standard deviation 1/sqrt(samples)
+  std::vector<double>
+      cross_correlation;  ///< with the input k = 0, 1, ... samples earlier; same standard deviation
+  double whiteness_p_value = 0;     ///< of a portmanteau test of the autocorrelation
+  double independence_p_value = 0;  ///< of a test of all cross-correlations together
 };
 
-/// The step of an iteration, in the coordinates that the method steps in.
+/// The step of one iteration, in the coordinates that the method uses.
 struct StepSummary {
-  double norm = 0;  ///< Euclidean norm; 0 where none was found or L-BFGS evaluates its start
-  double gradient_norm = 0;  ///< of the log-likelihood, where the step begins
-  bool accepted = false;     ///< false: the point before it is kept
+  double norm = 0;  ///< Euclidean norm; 0 if no step was found or L-BFGS evaluates its start
+  double gradient_norm = 0;  ///< of the log-likelihood, at the point before the step
+  bool accepted = false;     ///< false: the step was rejected and the point did not change
   double seconds = 0;        ///< [s] wall time
 };
 
-/// One iteration.
+/// The state of the optimisation after one iteration.
 struct TracePoint {
   int iteration = 0;
   int passes = 0;             ///< sweeps over all samples so far
   double log_likelihood = 0;  ///< highest so far
-  /// Absent where there was no step: at the start of L-BFGS, and in results of older versions.
+  /// Absent if there was no step: at the start of L-BFGS, and in results of older versions.
   std::optional<StepSummary> step{};
 };
 
-/// The result of an identification: a value that carries what is needed to use and to reproduce it.
+/// The result of an identification, with all that is needed to use and reproduce it.
 struct Estimate {
-  Configuration configuration;  ///< as used: automatic choices replaced by what was chosen
+  Configuration configuration;  ///< as used: automatic choices are replaced by their results
   std::string version;
-  std::string data_fingerprint;  ///< of the experiments used, independent of their order
-  int experiment_count = 0;      ///< M, experiments used
+  std::string data_fingerprint;  ///< hash of the experiments used, independent of their order
+  int experiment_count = 0;      ///< number M of experiments used
   long sample_count = 0;         ///< measured output samples used
   std::vector<RejectedExperiment> rejected;
 
   NominalModelEstimate nominal_model;
   ErrorModelEstimate error_model;
   std::vector<EffectEstimate> effects;
-  /// Covariance of the plant's and the mixture's estimation errors in unbounded coordinates:
-  /// [plantCoordinates(b, a); MixtureCoordinates]; where the error model varies parameters of Go,
-  /// [NominalModel::toUnbounded(theta); MixtureCoordinates]. What bounds that count these errors in
-  /// rest on. Empty when the estimation was cancelled.
+  /// Covariance of the estimation errors of plant and mixture in unbounded coordinates:
+  /// [plantCoordinates(b, a); MixtureCoordinates]; if the error model varies parameters of Go,
+  /// [NominalModel::toUnbounded(theta); MixtureCoordinates]. Bounds that include estimation errors
+  /// use it. Empty if the estimation was cancelled.
   Eigen::MatrixXd joint_covariance;
   ParameterEstimate noise_variance{"noise_variance", "", 0, 0, 0};
-  double offset_u = 0, offset_y = 0;  ///< common offsets (0 where not estimated)
+  double offset_u = 0, offset_y = 0;  ///< common offsets; 0 if not estimated
 
   double log_likelihood = 0;  ///< observed, without penalty
   double bic = 0;             ///< -2 log-likelihood + penalty (docs/method.md)
@@ -146,8 +150,8 @@ struct Estimate {
   ResidualTests residual_tests;
   std::vector<std::string> warnings;
 
-  /// Whether the model may be used: it converged, or stopped at the iteration limit with finite
-  /// parameters.
+  /// Whether the model can be used: the estimation converged, or stopped at the iteration limit
+  /// with finite parameters.
   bool usable() const;
 };
 

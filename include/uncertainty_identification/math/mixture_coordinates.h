@@ -6,13 +6,13 @@
 
 namespace uncertainty_identification {
 
-/// Unbounded coordinates of a mixture: the logarithms of the weights' ratios to the last; the means
-/// (under zero_mean the last follows from the others); the lower triangles L_i of
-/// Gamma_i = floor + L_i L_i'.
+/// Unbounded coordinates of a mixture: the logarithms of the ratios of the weights to the last one;
+/// the means (with zero_mean the last mean follows from the others); the lower triangular matrices
+/// L_i in Gamma_i = floor + L_i L_i'.
 class MixtureCoordinates {
  public:
-  /// `floor` (n x n, positive semidefinite; empty = zero) is the smallest covariance a component
-  /// may take.
+  /// `floor` (n x n, positive semidefinite; empty = zero) is the smallest covariance that a
+  /// component may have.
   MixtureCoordinates(int components, int dimension, bool zero_mean,
                      const Eigen::MatrixXd& floor = {});
 
@@ -29,12 +29,12 @@ class MixtureCoordinates {
   Eigen::MatrixXd floor_;
 };
 
-/// The lower triangle's entries row by row, and the triangle of such entries.
+/// The entries of the lower triangle, row by row, and the triangular matrix with given entries.
 Eigen::VectorXd lowerEntries(const Eigen::MatrixXd& matrix);
 Eigen::MatrixXd lowerTriangle(const Eigen::VectorXd& entries, Eigen::Index n);
 
-/// A lower triangular L with L L' = A for positive semidefinite A (what is lost to rounding counts
-/// as zero).
+/// A lower triangular L with L L' = A for positive semidefinite A. Pivots that are zero up to
+/// rounding count as zero.
 Eigen::MatrixXd lowerRoot(const Eigen::MatrixXd& A);
 
 }  // namespace uncertainty_identification

@@ -8,8 +8,8 @@
 
 namespace uncertainty_identification {
 
-/// Experiments computed side by side: recursive filters are sequential in time but independent
-/// across experiments.
+/// Number of experiments that are computed side by side. Recursive filters must step through time,
+/// but experiments are independent of each other, so one vector instruction can serve several.
 constexpr int kLanes = 8;
 
 /// One value per experiment of a block.
@@ -18,21 +18,22 @@ using Lanes = Eigen::Array<double, kLanes, 1>;
 /// One signal of a block: row = experiment (lane), column = sample.
 using Signals = Eigen::Array<double, kLanes, Eigen::Dynamic>;
 
-/// Up to kLanes experiments of similar length, samples interleaved. Lanes and samples not in use
-/// hold zeros.
+/// Up to kLanes experiments of similar length with interleaved samples. Unused lanes and samples
+/// are zero.
 struct Block {
-  int lanes = 0;                                        ///< experiments in use
-  int samples = 0;                                      ///< of the longest
-  std::array<int, kLanes> lengths{};                    ///< of each experiment
-  std::array<int, kLanes> index{};                      ///< each experiment's place in the data set
-  std::array<const Experiment*, kLanes> experiments{};  ///< for covariates; outlive the block
-  bool gaps = false;    ///< some output before an experiment's end is missing
-  bool ragged = false;  ///< the experiments in use differ in length
-  Signals u, y;         ///< y is 0 where missing
-  Signals weight;       ///< 1 where y was measured, else 0
+  int lanes = 0;                      ///< experiments in use
+  int samples = 0;                    ///< length of the longest experiment
+  std::array<int, kLanes> lengths{};  ///< length of each experiment
+  std::array<int, kLanes> index{};    ///< index of each experiment in the data set
+  std::array<const Experiment*, kLanes>
+      experiments{};    ///< needed for covariates; must outlive the block
+  bool gaps = false;    ///< whether an output is missing before the end of an experiment
+  bool ragged = false;  ///< whether the experiments differ in length
+  Signals u, y;         ///< y is 0 where it was not measured
+  Signals weight;       ///< 1 where y was measured, otherwise 0
 };
 
-/// Packs experiments into blocks, grouped by length. The experiments must outlive the blocks.
+/// Packs experiments into blocks of similar length. The experiments must outlive the blocks.
 std::vector<Block> makeBlocks(const std::vector<Experiment>& experiments);
 
 }  // namespace uncertainty_identification

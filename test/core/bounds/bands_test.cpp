@@ -58,7 +58,8 @@ TEST(Bands, UpperLimitsAreOrderStatistics) {
   EXPECT_EQ(bands.pointwise[0].lower[4], 0);
 }
 
-/// The share of draws that never leave the band, which is not much larger than needed.
+/// The share of draws that stay inside the band everywhere is at least the level and not much
+/// larger.
 TEST(Bands, SimultaneousBandsHoldTheirShare) {
   const ArrayXXf values = walks(999, 30);
   for (Sides sides : {Sides::two, Sides::upper}) {
@@ -102,7 +103,8 @@ TEST(Bands, RoundingDoesNotStretchThem) {
   EXPECT_LT(bands.simultaneous[0].upper[3], 1e-4);
 }
 
-/// Errors of an estimate may be so large that responses overflow: such draws lie at the far end.
+/// Errors of an estimate can be so large that responses overflow. Such draws must count as very
+/// large.
 TEST(Bands, TakeWhatIsNotFinite) {
   ArrayXXf values = walks(999, 3);
   const float infinite = std::numeric_limits<float>::infinity();

@@ -46,7 +46,8 @@ TEST(ComputeBounds, SayWhatTheyCannotCount) {
   EXPECT_NE(certain.warnings[0].find("no robust-control weight"), std::string::npos);
 }
 
-/// A pole near 1 known so badly that the static gain, 1/(1 - p), is nearly always smaller.
+/// The uncertainty of a pole near 1 is so large that nearly all draws have a smaller static gain
+/// 1/(1 - p) than the estimate.
 TEST(ComputeBounds, SayWhenErrorsAreTooLargeForThem) {
   Estimate estimate = test::estimateWithoutErrorModel(vectorOf({0.1}), vectorOf({-0.9}), 1e-6);
   EXPECT_TRUE(computeBounds(estimate).warnings.empty());

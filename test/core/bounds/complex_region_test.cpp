@@ -11,7 +11,7 @@
 namespace uncertainty_identification {
 namespace {
 
-/// On the left of every side of an anticlockwise polygon.
+/// A point is inside a polygon with counterclockwise corners if it lies to the left of all sides.
 bool holds(const ComplexRegion& region, double re, double im) {
   const Eigen::Index corners = region.real.size();
   for (Eigen::Index k = 0; k < corners; ++k) {
@@ -52,7 +52,7 @@ TEST(ComplexRegions, HoldTheirShareOfOtherPlants) {
   }
 }
 
-/// Responses on a line have a region too: a thin one.
+/// Responses on a line have a thin region.
 TEST(ComplexRegions, OfResponsesOnALine) {
   Estimate estimate = test::plainEstimate(test::vectorOf({1.0}), test::vectorOf({0.5}));
   estimate.joint_covariance.resize(0, 0);

@@ -55,7 +55,8 @@ TEST(PredictionCalibration, GuaranteesAsTheTheoremsSay) {
   EXPECT_EQ(guaranteedCoverage(0.5, 100, 100), 0);
 }
 
-/// Where the mixture is wrong the calibrated interval holds, and the model's is found out.
+/// If the mixture is wrong, the calibrated interval is still valid, and a warning says that the
+/// model's interval is not.
 TEST(PredictionCalibration, HoldsWhereTheMixtureIsWrong) {
   const Identifier identifier(configuration(50, 1));
   const std::vector<Experiment> experiments = heavyTailed(50, 1);
@@ -111,7 +112,8 @@ TEST(PredictionCalibration, ScoresWhatIsNotRejected) {
   EXPECT_EQ(calibration.scores.size(), estimate.experiments.size());
 }
 
-/// Only the first fold's experiments have an input that moves: without them nothing can be fitted.
+/// Only the experiments of the first fold have an input that varies. Without them nothing can be
+/// fitted.
 TEST(PredictionCalibration, LeavesOutAFoldThatCannotBeFitted) {
   constexpr int kFolds = 4;
   const Identifier identifier(configuration(kFolds, 1));

@@ -23,7 +23,7 @@ VectorXd logSpaced(double low, double high, int count) {
   return VectorXd::LinSpaced(count, std::log(low), std::log(high)).array().exp();
 }
 
-/// A rational bound of the fit's own order is met everywhere.
+/// A rational bound of the fit's order is reproduced at all frequencies.
 TEST(FitAbove, FindsARationalBoundAgain) {
   const MinimumPhase truth{0.3, vectorOf({-1.9, 0.905}), vectorOf({-1.1, 0.6})};
   const VectorXd angles = logSpaced(1e-3, 3.14, 200);
@@ -36,7 +36,7 @@ TEST(FitAbove, FindsARationalBoundAgain) {
   EXPECT_LT(excess.mean(), (first.logMagnitude(angles) - bound.array()).mean());
 }
 
-/// Roots on the unit circle, as rounding may leave them, give no start for a higher order.
+/// Roots on the unit circle, which can result from rounding, give no start for a higher order.
 TEST(FitAbove, KeepsTheLowerOrderWhereNoStartIsStable) {
   const VectorXd angles = logSpaced(1e-3, 3.14, 50), bound = VectorXd::Zero(50);
   const MinimumPhase lower{1, vectorOf({-0.5}), vectorOf({-1.0})};
@@ -108,7 +108,8 @@ TEST(UncertaintyWeight, TakesTheOrderAskedFor) {
   EXPECT_EQ(weightOf(estimate, options).order, 3);
 }
 
-/// Without errors of the estimate |GDelta| vanishes towards zero frequency: the floor.
+/// Without estimation errors |GDelta| tends to zero at low frequency, and the floor of the bound
+/// applies.
 TEST(UncertaintyWeight, KeepsAFloor) {
   Estimate estimate = test::plainEstimate(vectorOf({1.0}), vectorOf({0.5}));
   estimate.joint_covariance.resize(0, 0);

@@ -71,7 +71,7 @@ TEST(VaryingPlant, SpreadDrawsTheParameters) {
   EXPECT_NEAR(deviation(gain), kGain * kSpread, tolerance * kGain * kSpread);
 }
 
-/// Errors of theta are those of the nominal model's unbounded coordinates: log tau.
+/// Estimation errors of theta are drawn in the nominal model's unbounded coordinates, here log tau.
 TEST(VaryingPlant, SpreadDrawsTheErrorsOfTheEstimateToo) {
   Estimate estimate = circuit(BasisKind::parameter_spread, 1, 0);
   estimate.joint_covariance(1, 1) = 0.01;
@@ -91,7 +91,7 @@ TEST(VaryingPlant, WhatIsOutsideTheDomainIsDrawnAgain) {
 
 class SensitivityDraws : public testing::TestWithParam<int> {};
 
-/// Every draw is Go plus a combination of the sensitivities, spread as the mixture is.
+/// Every draw is Go plus a combination of the sensitivities, with the distribution of the mixture.
 TEST_P(SensitivityDraws, AreGoAndItsSensitivities) {
   Estimate estimate = circuit(BasisKind::sensitivity, GetParam());
   const auto nominal = makeNominalModel(estimate.configuration.nominal_model, kSampleTime);

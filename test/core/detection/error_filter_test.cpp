@@ -66,7 +66,7 @@ TEST(ErrorFilter, ScoresByThePredictiveDistribution) {
   EXPECT_LT(ErrorFilter(mixture, 0, 0, 1.0).update(observation).value, -30);
 }
 
-/// e = 1000 c + omega: nothing is known of c until it has been seen once.
+/// e = 1000 c + omega: before the first sample nothing is known about c.
 TEST(ErrorFilter, ASampleThatDeterminesADiffuseCoefficientIsNoScore) {
   WhitenedObservation observation;
   observation.regressors = VectorXd(0);

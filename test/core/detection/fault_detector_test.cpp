@@ -57,8 +57,9 @@ TEST_P(FaultDetectorRate, IsAsConfigured) {
 
 INSTANTIATE_TEST_SUITE_P(Rates, FaultDetectorRate, testing::Values(0.01, 0.05));
 
-// Few experiments: what an estimate does not know must not be taken for a fault. Unknown initial
-// state, missing samples, offset and noise that was running: everything that real records have.
+// After few experiments the estimation errors are large, and must not be detected as a fault. The
+// records have unknown initial states, missing samples, an offset and noise before the first
+// sample, as real ones do.
 TEST(FaultDetector, CountsWithWhatTheEstimateDoesNotKnow) {
   Truth truth = test::example1Truth(8, 50);
   truth.noise.start = NoiseStart::stationary;
@@ -150,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, FaultDetectorFaults,
                                          FaultCase{{FaultKind::bias, 0.2, 0}, WindowTest::mean},
                                          FaultCase{{FaultKind::delay, 1, 0}, WindowTest::energy}));
 
-// A nominal model and its white residual see the model's errors as faults.
+// With the nominal model alone and a white residual, the model's errors are detected as faults.
 TEST(FaultDetector, WithoutTheErrorModelNearlyEveryWindowIsAFalseAlarm) {
   Estimate nominal = estimateOf(test::example1Truth());
   nominal.error_model = ErrorModelEstimate();
@@ -175,7 +176,8 @@ TEST(FaultDetector, AFaultThatGoesAwayIsForgotten) {
   EXPECT_EQ(differing, 0) << "the fault was learned as an error of the model";
 }
 
-// Part of the effect of this fault looks like another xi, and little is known of xi when it begins.
+// Part of this fault's effect looks like a different xi, and xi is not known well yet when the
+// fault begins.
 TEST(FaultDetector, AFaultIsNotLearned) {
   const Truth truth = test::example1Truth(1, 1000);
   FaultDetector detector(estimateOf(test::example1Truth()));

@@ -1,5 +1,5 @@
-// The stream against LinearModel, which sees the whole experiment at once: random systems with
-// gaps, all starts, all offsets and a recursive basis.
+// Compares the stream with LinearModel, which processes the whole experiment at once: random
+// systems with gaps, all starts, all offsets and a recursive basis.
 #include "detection/whitened_stream.h"
 
 #include <gtest/gtest.h>

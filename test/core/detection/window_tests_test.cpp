@@ -1,4 +1,4 @@
-// Sizes of the tests on simulated noise, and what each answers to.
+// False-alarm rates of the tests on simulated noise, and the changes that each is sensitive to.
 #include "detection/window_tests.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Checks of the reference that the fast likelihood is judged by: golden values, and cases with a
+// Checks of the reference to which the fast likelihood is compared: golden values, and cases with a
 // known answer.
 #include "support/dense_likelihood.h"
 
@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 
 const double kLogTwoPi = std::log(2.0 * std::acos(-1.0));
 
-/// Go = 0 driven by nothing: the outputs are noise C/D alone.
+/// Go = 0, so the outputs are the noise C/D alone.
 Model noiseModel(const VectorXd& c, const VectorXd& d, double noise_variance) {
   Model model;
   model.b = VectorXd::Zero(1);

@@ -43,7 +43,8 @@ std::vector<const Experiment*> pointersTo(const std::vector<Experiment>& experim
   return all;
 }
 
-/// The pooled fit takes the mean error for part of Go; the experiments' own numerators tell it.
+/// A fit pooled over all experiments includes the mean error in Go. The numerators of single
+/// experiments tell them apart.
 TEST(EmbeddedStart, FindsGoWhereThePooledFitDoesNot) {
   const test::RandomSystem system = clustered();
   const LeastSquaresModel pooled =

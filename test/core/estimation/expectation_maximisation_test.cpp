@@ -1,5 +1,5 @@
-// The paper's Algorithm 1: it never descends, ends where the gradient vanishes, and says how it
-// ended.
+// The paper's Algorithm 1: the likelihood never decreases, the gradient vanishes at the end, and
+// the result tells how it ended.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct Problem {
   ModelParameters start;
 };
 
-/// Data of a random system that obeys the constraint, and a start beside the truth.
+/// Data of a random system that satisfies the constraint, and a start near the truth.
 Problem problemOf(Constraint constraint, int components, int dimension, std::uint64_t seed) {
   test::RandomSystemOptions options;
   options.zero_static_gain = constraint == Constraint::zero_static_gain;
@@ -78,7 +78,7 @@ TEST_P(Monotone, NeverDescends) {
   }
 }
 
-/// Covariances that start at rank one, or next to nothing, without a floor to hold them up.
+/// Covariances that are nearly zero or of rank one at the start, without a floor.
 TEST_P(Monotone, NeverDescendsNearSingularCovariances) {
   const auto [constraint, components, dimension] = GetParam();
   Problem problem = problemOf(constraint, components, dimension, 5);
@@ -154,7 +154,7 @@ TEST(ExpectationMaximisation, SaysHowItEnded) {
   EXPECT_EQ(cancelled.iterations, 2);
 }
 
-/// A component that explains no experiment is removed, and the optimisation goes on.
+/// A component that explains no experiment is removed, and the optimisation continues.
 TEST(ExpectationMaximisation, PrunesEmptyComponents) {
   Problem problem = problemOf(Constraint::zero_static_gain, 2, 1, 3);
   Mixture& mixture = problem.start.mixture;

@@ -133,8 +133,8 @@ TEST(SquareRoot, OfSingularCovariances) {
   }
 }
 
-/// Rounding can leave a Gram matrix that no signals have: what Phi explains exceeds e'e. There the
-/// likelihood would be without bound; there is none.
+/// Rounding can give a Gram matrix that no signals have, in which Phi explains more than e'e. The
+/// likelihood would be unbounded there, so it must not be finite.
 TEST(Expectation, HasNoLikelihoodWhereRoundingLeftMoreExplainedThanThereIs) {
   Statistics statistics(1, 1, 0);
   statistics.samples()[0] = 100;

@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 
 class Example1 : public testing::TestWithParam<std::uint64_t> {};
 
-/// From no start at all the identification ends at the optimum that is reached from the truth.
+/// Without a given start the identification ends at the optimum that is reached from the truth.
 TEST_P(Example1, AutomaticStartReachesTheOptimumNextToTheTruth) {
   const auto system = test::example1(GetParam());
   const Configuration configuration = test::example1Configuration();
@@ -65,7 +65,7 @@ TEST(NominalStarts, HoldTheOffset) {
   EXPECT_NEAR(starts[0][4], 5, 0.5);
 }
 
-/// Of few experiments, with gaps, of unequal length: some start must be found.
+/// A start must be found also for few experiments of different length with gaps.
 TEST(NominalStarts, AreFoundForShortAndSpoiledRecords) {
   test::RandomSystemOptions options;
   options.na = options.nb = options.nc = options.nd = 2;

@@ -1,5 +1,6 @@
-// The likelihood through sufficient statistics against the N x N reference, for all that a record
-// can hold: noise that was running, unknown initial states, offsets, gaps, unequal lengths.
+// Compares the likelihood from sufficient statistics with the N x N reference, for everything that
+// a record can contain: noise before the first sample, unknown initial states, offsets, gaps,
+// different lengths.
 #include "estimation/likelihood.h"
 
 #include <gtest/gtest.h>
@@ -136,7 +137,8 @@ std::vector<Case> stateCases() {
   return cases;
 }
 
-/// Missing samples hide initial-state directions: what is left of them is linearly dependent.
+/// If samples are missing, the data do not depend on some directions of the initial state, and the
+/// remaining columns are linearly dependent.
 std::vector<Case> hiddenStateCases() {
   std::vector<Case> cases = {caseOf("hiddenFirstSamples"), caseOf("hiddenByLongGap")};
   for (Case& one : cases) {

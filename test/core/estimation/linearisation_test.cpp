@@ -53,7 +53,7 @@ TEST(Linearisation, FindsEveryExperimentsOwnTimeConstant) {
   }
   EXPECT_LT(std::sqrt(squares / truth().experiments), 0.015);
   EXPECT_NEAR(sum, drawn, 0.01 * drawn);
-  // zero_mean: the nominal value is the mean of the experiments' own
+  // With zero_mean the nominal value is the mean over the experiments.
   EXPECT_NEAR(tau.value, sum / truth().experiments, 2e-3 * tau.value);
   EXPECT_NEAR(tau.value, 0.01, 4 * tau.standard_error);
   EXPECT_NEAR(tau.standard_error, 0.01 * 0.4 / std::sqrt(3.0 * 60), 0.0001);
@@ -70,7 +70,7 @@ TEST(Linearisation, EndsWhereThePointsAreThePosteriorMeans) {
   at_estimate.initial.mixture = estimate.error_model.mixture;
   at_estimate.initial.noise_variance = estimate.noise_variance.value;
   const Estimate evaluated = identified(at_estimate);
-  // the points iterated from zero are those that the optimisation ended with
+  // The fixed-point iteration from zero ends at the same points as the optimisation.
   EXPECT_NEAR(evaluated.log_likelihood, estimate.log_likelihood, 1e-3);
   for (std::size_t r = 0; r < estimate.experiments.size(); ++r) {
     EXPECT_NEAR(evaluated.experiments[r].error_mean[0], estimate.experiments[r].error_mean[0],

@@ -1,4 +1,5 @@
-// The quasi-Newton optimisation: same optimum as Algorithm 1, few sweeps, and it says how it ended.
+// The quasi-Newton optimisation finds the same optimum as Algorithm 1 in few sweeps, and tells how
+// it ended.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -115,7 +116,7 @@ TEST(MaximumLikelihood, EndsAtAMaximum) {
   EXPECT_LT(0.5 * top.gradient.dot(factor.solve(top.gradient)), 1e-7);  // gain left [nats]
 }
 
-/// From starts where a full step overshoots, too.
+/// Also from starts from which a full step overshoots.
 TEST(ScoringSteps, NeverDescend) {
   for (Constraint constraint : {Constraint::zero_static_gain, Constraint::zero_mean}) {
     for (double distance : {0.9, 0.5, 0.1}) {
@@ -164,7 +165,7 @@ TEST(MaximumLikelihood, SaysHowItEnded) {
   EXPECT_GT(cancelled.log_likelihood, setup.logLikelihood(problem.start));
 }
 
-/// One `false` is enough, also when it is said during the first scoring steps.
+/// Returning `false` once is enough to cancel, also during the first scoring steps.
 TEST(MaximumLikelihood, IsCancelledAtItsFirstIterate) {
   const Problem problem = problemOf(Constraint::zero_static_gain, false);
   const test::CoreSetup setup(problem.configuration, problem.experiments);
@@ -176,7 +177,7 @@ TEST(MaximumLikelihood, IsCancelledAtItsFirstIterate) {
   EXPECT_EQ(cancelled.termination, Termination::cancelled);
 }
 
-/// What cannot be evaluated is told, not thrown.
+/// If the likelihood cannot be evaluated, the result says so; nothing is thrown.
 TEST(MaximumLikelihood, StallsWhereTheLikelihoodIsNotFinite) {
   Problem problem = problemOf(Constraint::zero_static_gain, false);
   for (Experiment& experiment : problem.experiments) experiment.y *= 1e200;

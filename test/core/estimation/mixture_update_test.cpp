@@ -124,8 +124,8 @@ TEST_P(ZeroMean, SolvesTheConstrainedProblem) {
 
 INSTANTIATE_TEST_SUITE_P(Components, ZeroMean, testing::Values(2, 3, 4));
 
-/// Experiments whose errors all lie on one side of zero: whatever the update makes of them must be
-/// a distribution with zero mean. (All weights tending to zero would balance the means, too.)
+/// The errors of all experiments lie on one side of zero. The updated mixture must still be a
+/// distribution with zero mean. (All weights tending to zero would give zero mean, too.)
 TEST_P(ZeroMean, KeepsADistributionWhereTheDataContradictIt) {
   for (double shift : {0.5, 1.0, 3.0, 10.0}) {
     for (int draw = 0; draw < 20; ++draw) {
@@ -199,8 +199,8 @@ TEST(Prune, KeepsZeroMean) {
   EXPECT_NEAR(mixture.mean()[0], 0, 1e-15);
 }
 
-/// Two experiments that are the same, far from all others, attract a component; it must not
-/// collapse onto them, where the likelihood would grow without bound.
+/// Two identical experiments far from all others attract a component. It must not collapse onto
+/// them, because the likelihood is unbounded there.
 class CollapseGuard : public testing::TestWithParam<bool> {};
 
 TEST_P(CollapseGuard, HoldsComponentsAboveTheFloor) {

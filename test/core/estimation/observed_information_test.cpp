@@ -52,7 +52,7 @@ TEST_F(ObservedInformation, IsTheHessianOfTheLogLikelihood) {
   const auto value = [&](const VectorXd& there) {
     return setup.logLikelihood(parametrisation.fromCoordinates(there));
   };
-  // second differences of the value alone, which know nothing of the gradient
+  // second differences of the value, which do not use the gradient
   const Eigen::Index size = z.size();
   const MatrixXd information =
       observedInformation(setup.likelihood(), parametrisation, point, true);

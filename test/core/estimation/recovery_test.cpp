@@ -69,8 +69,8 @@ void expectTruth(const Estimate& estimate, const dense::Model& truth) {
   expectNear({estimate.noise_variance}, VectorXd::Constant(1, truth.noise_variance), family);
 }
 
-/// Three components in two dimensions, lengths 50 to 500, missing samples, delay 2, a plant and a
-/// noise that were running before the record began, and a sensor with an offset.
+/// Three components in two dimensions, lengths 50 to 500, missing samples, delay 2, plant and noise
+/// not at rest at the first sample, and a sensor with an offset.
 TEST(Recovery, OfAMixtureOfThreeInTwoDimensions) {
   test::RandomSystemOptions options;
   options.nb = options.na = 2;

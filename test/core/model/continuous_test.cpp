@@ -29,7 +29,7 @@ NominalModelOptions options(int time_constants, int resonances, int zeros, bool 
   return made;
 }
 
-/// What the polynomials answer to a unit step of the input at sample 0.
+/// Response of the polynomials to a unit step of the input at sample 0.
 VectorXd stepResponse(const Polynomials& p, int samples) {
   const dense::Vector h = dense::impulseResponse(p.b, dense::monic(p.a), p.delay, samples);
   VectorXd response(samples);
@@ -38,7 +38,7 @@ VectorXd stepResponse(const Polynomials& p, int samples) {
   return response;
 }
 
-/// A held step is a step: the samples must be those of the continuous step response.
+/// The hold does not change a step, so the samples must be those of the continuous step response.
 void expectStepResponse(const NominalModel& model, const VectorXd& theta, double late,
                         const std::function<double(double)>& continuous) {
   const VectorXd found = stepResponse(model.polynomials(theta), 60);

@@ -26,7 +26,7 @@ ErrorModelOptions options(BasisKind basis, int taps, Constraint constraint = Con
   return made;
 }
 
-/// Impulse responses of F_k (samples x taps), as the first lane answers.
+/// Impulse responses of F_k (samples x taps), from the first lane.
 MatrixXd impulseResponses(const ErrorBasis& basis, int samples) {
   Signals impulse = Signals::Zero(kLanes, samples);
   impulse(0, 0) = 1;
@@ -52,7 +52,7 @@ TEST_P(OrthonormalBasis, StaticGainsAreSumsOfImpulseResponses) {
   EXPECT_LT((basis.staticGains() - sums).norm(), 1e-11);
 }
 
-/// What the common denominator leaves of a response is a polynomial of no higher degree.
+/// A response times the common denominator is a polynomial whose degree is not higher.
 TEST_P(OrthonormalBasis, DenominatorIsCommon) {
   for (int taps : {1, 2, 3, 4}) {
     const ErrorBasis basis(options(GetParam(), taps));

@@ -1,4 +1,5 @@
-// The fused sweep against the generic path through evaluate(): two programs for one result.
+// Compares the fused sweep with the generic path through evaluate(), which must give the same
+// result.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// The same model without its shortcut.
+/// The same model without its fused statistics.
 class Generic : public Model {
  public:
   explicit Generic(const Model& of) : of_(of) {}
@@ -53,7 +54,8 @@ void expectSame(const Statistics& one, const Statistics& other, const std::strin
   if (one.parameters() > 0) {
     EXPECT_EQ(one.logJacobianDerivatives(), other.logJacobianDerivatives()) << what;
   }
-  // a sum may cancel in one experiment: what it is compared with is its size in all of them
+  // Sums may cancel in one experiment, so the tolerance is relative to their size in all
+  // experiments.
   VectorXd scale = VectorXd::Zero(one.parameters() + 1);
   for (int r = 0; r < one.experiments(); ++r) {
     scale[0] = std::max(scale[0], other.gram(r).norm());
@@ -127,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Structures, FusedStructures,
                          testing::Values(Structure::output_error, Structure::arx, Structure::armax,
                                          Structure::box_jenkins, Structure::continuous));
 
-/// What the sweep cannot do it must leave alone.
+/// The sweep must decline what it does not support.
 TEST(FusedStatisticsLimits, AreRefusedWhereTheyWouldBeWrong) {
   test::RandomSystemOptions options;
   options.missing = 0.1;

@@ -1,4 +1,5 @@
-// What a model of one's own inherits: derivatives by differences, coordinates, admissibility.
+// What a user's own model inherits from NominalModel: derivatives by differences, coordinates,
+// admissibility.
 #include "uncertainty_identification/model/nominal_model.h"
 
 #include <gtest/gtest.h>
