@@ -1,16 +1,16 @@
 #include "uncertainty_identification/bounds/plant_distribution.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <numeric>
 #include <random>
 
 #include "bounds/varying_plant.h"
 #include "estimation/plant_coordinates.h"
+#include "math/distributions.h"
 #include "math/polynomial.h"
 #include "math/random_stream.h"
+#include "math/symmetric_eigen.h"
 #include "model/rational_basis.h"
 #include "uncertainty_identification/errors.h"
 
@@ -36,15 +36,9 @@ MatrixXd latinHypercube(int count, Index dimensions, std::mt19937_64* random) {
   return cube;
 }
 
-double normalQuantile(double probability) {
-  using boost::math::policies::policy;
-  using boost::math::policies::promote_double;
-  return -std::sqrt(2.0) * boost::math::erfc_inv(2 * probability, policy<promote_double<false>>());
-}
-
 /// A square root of a covariance. Negative eigenvalues are due to rounding and are set to zero.
 MatrixXd rootOf(const MatrixXd& covariance) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(covariance);
+  const SymmetricEigen eigen(covariance);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
 }
 
@@ -157,10 +151,10 @@ PlantSamples PlantDistribution::draw(int count, Uncertainty uncertainty, std::ui
   std::mt19937_64 random = randomStream(seed, 0, RandomPurpose::plant);
   // Drawn first, so that xi is the same with and without estimation errors.
   MatrixXd own = latinHypercube(count, n > 0 ? n + 1 : 0, &random);
-  if (n > 0) own.rightCols(n) = own.rightCols(n).unaryExpr(&normalQuantile);
+  if (n > 0) own.rightCols(n) = own.rightCols(n).unaryExpr(&fastNormalQuantile);
   MatrixXd errors;
   if (total)
-    errors = latinHypercube(count, center_.size(), &random).unaryExpr(&normalQuantile) *
+    errors = latinHypercube(count, center_.size(), &random).unaryExpr(&fastNormalQuantile) *
              root_.transpose();
   PlantSamples drawn{nominal_.sample_time,
                      nominal_.delay,

@@ -1,12 +1,12 @@
 #include "uncertainty_identification/bounds/prediction_calibration.h"
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
 #include "estimation/simulation_fit.h"
+#include "math/distributions.h"
 #include "math/polynomial.h"
 #include "math/random_stream.h"
 #include "model/fixed_plant.h"
@@ -63,9 +63,8 @@ Experiment withoutGaps(const Experiment& experiment) {
 
 /// Two-sided p-value: probability of a count at least as far from the expected one.
 double twoSided(int count, int trials, double probability) {
-  const boost::math::binomial_distribution<> expected(trials, probability);
-  const double below = cdf(expected, count);
-  const double above = count > 0 ? cdf(complement(expected, count - 1)) : 1.0;
+  const double below = binomialProbability(count, trials, probability);
+  const double above = count > 0 ? binomialTail(count - 1, trials, probability) : 1.0;
   return std::min(1.0, 2 * std::min(below, above));
 }
 

@@ -1,7 +1,6 @@
 #include "uncertainty_identification/control/robust_margin.h"
 
 #include <algorithm>
-#include <boost/math/distributions/beta.hpp>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -10,6 +9,7 @@
 
 #include "configuration/require.h"
 #include "math/constants.h"
+#include "math/distributions.h"
 #include "math/polynomial.h"
 #include "uncertainty_identification/errors.h"
 
@@ -149,10 +149,7 @@ void sampleStability(const PlantDistribution& plants, const RobustMarginOptions&
   margin->unstable_probability = share;
   margin->unstable_error = std::sqrt(share * (1 - share) / count);
   margin->unstable_upper =
-      unstable == samples
-          ? 1
-          : quantile(boost::math::beta_distribution<>(unstable + 1.0, count - unstable),
-                     kConfidence);
+      unstable == samples ? 1 : betaQuantile(kConfidence, unstable + 1.0, count - unstable);
 }
 
 }  // namespace

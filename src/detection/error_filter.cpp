@@ -1,13 +1,12 @@
 #include "detection/error_filter.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
-#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <limits>
 #include <optional>
 
 #include "math/constants.h"
+#include "math/distributions.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -24,9 +23,7 @@ constexpr double kLargestScore = 37.0;  // beyond it the normal tail underflows
 /// end keep their precision.
 double normalScore(double below, double above) {
   const double tail = std::min(below, above);
-  const double size =
-      tail < 1e-298 ? kLargestScore
-                    : boost::math::constants::root_two<double>() * boost::math::erfc_inv(2 * tail);
+  const double size = tail < 1e-298 ? kLargestScore : normalTailQuantile(tail);
   return above < below ? size : -size;
 }
 
@@ -112,7 +109,7 @@ Score ErrorFilter::update(const WhitenedObservation& observation) {
     Component& c = components_[i];
     const double weight = std::exp(logs[i]), deviation = std::sqrt(c.variance);
     const double standardised = c.innovation / deviation;
-    const double scaled = standardised / boost::math::constants::root_two<double>();
+    const double scaled = standardised / std::sqrt(2.0);
     below += weight * 0.5 * std::erfc(-scaled);
     above += weight * 0.5 * std::erfc(scaled);
     mean += weight * c.innovation;

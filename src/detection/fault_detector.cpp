@@ -1,12 +1,12 @@
 #include "detection/fault_detector.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 
 #include "configuration/require.h"
+#include "math/symmetric_eigen.h"
 #include "model/sensitivity.h"
 #include "uncertainty_identification/errors.h"
 
@@ -146,7 +146,7 @@ void FaultDetector::prepareParameters(const Estimate& estimate) {
         "neglected, and false alarms will be more frequent than configured");
     return;
   }
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(go.covariance);
+  const SymmetricEigen eigen(go.covariance);
   for (Index k = 0; k < theta.size(); ++k) {
     const double deviation = std::sqrt(std::max(eigen.eigenvalues()[k], 0.0));
     if (deviation == 0) continue;

@@ -2,10 +2,9 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <boost/math/distributions/beta.hpp>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
+
+#include "math/distributions.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -13,7 +12,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-namespace math = boost::math;
 
 constexpr int kLags = 4;
 constexpr double kManyDegrees = 1e6;  // above it F equals a chi-squared distribution
@@ -21,14 +19,14 @@ constexpr double kDependent = 1e-9;   // relative threshold for linear dependenc
 constexpr double kLeast = 1e-300;     // smallest probability whose logarithm is finite
 
 double energyProbability(double energy, double count, double degrees) {
-  if (!(degrees < kManyDegrees)) return cdf(complement(math::chi_squared(count), energy));
-  return cdf(complement(math::fisher_f(count, degrees), energy / count));
+  if (!(degrees < kManyDegrees)) return chiSquaredTail(energy, count);
+  return fisherTail(energy / count, count, degrees);
 }
 
 /// The probability that at least this share of the energy lies in `rank` of `count` dimensions.
 double shareProbability(double share, double rank, double count) {
   const double bounded = std::min(std::max(share, 0.0), 1.0);
-  return cdf(complement(math::beta_distribution<>(rank / 2, (count - rank) / 2), bounded));
+  return betaTail(bounded, rank / 2, (count - rank) / 2);
 }
 
 double correlationProbability(const VectorXd& z, double energy) {
@@ -38,7 +36,7 @@ double correlationProbability(const VectorXd& z, double energy) {
     const double r = z.tail(z.size() - lag).dot(z.head(z.size() - lag)) / energy;
     sum += count * (count + 2) * r * r / (count - lag);
   }
-  return cdf(complement(math::chi_squared(kLags), sum));
+  return chiSquaredTail(sum, kLags);
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 #include "estimation/expectation.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 
+#include "estimation/small_cholesky.h"
 #include "math/constants.h"
+#include "math/symmetric_eigen.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -16,15 +16,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMostRegressors = 11;
 constexpr double kRounding = 1e-3;  // tolerated per sample, see `lost` below
-
-/// Matrix types of fixed size for small n, which need no allocation.
-template <int n>
-using Square = Eigen::Matrix<double, n, n, 0, n == Dynamic ? kMostRegressors : n,
-                             n == Dynamic ? kMostRegressors : n>;
-template <int n>
-using Column = Eigen::Matrix<double, n, 1, 0, n == Dynamic ? kMostRegressors : n, 1>;
 
 template <int n>
 struct Component {
@@ -51,18 +43,18 @@ double expect(const Statistics& statistics, int r, const Component<n>& component
   const double q0 = s - component.mean.dot(v) - component.mean.dot(r0);
   Square<n> K = L.transpose() * S * L;
   K.diagonal().array() += noise_variance;
-  const Eigen::LLT<Square<n>> factor(K);
+  const SmallCholesky<n> factor(K);
   const Column<n> projected = L.transpose() * r0;
   const Column<n> solved = factor.solve(projected);
   const Column<n> mean = component.mean + L * solved;
-  const Square<n> covariance = noise_variance * L * factor.solve(Square<n>(L.transpose()));
+  const Square<n> covariance = noise_variance * L * factor.solveColumns(Square<n>(L.transpose()));
 
   double log_determinant = (samples - static_cast<double>(size)) * std::log(noise_variance);
-  for (Index k = 0; k < size; ++k) log_determinant += 2 * std::log(factor.matrixLLT()(k, k));
+  for (Index k = 0; k < size; ++k) log_determinant += 2 * std::log(factor.diagonal(k));
   const double quadratic = (q0 - projected.dot(solved)) / noise_variance;
   // `quadratic` is a sum of squares. If rounding makes it negative, the likelihood would appear
   // unbounded.
-  const bool lost = factor.info() != Eigen::Success || quadratic < -kRounding * samples;
+  const bool lost = !factor.succeeded() || quadratic < -kRounding * samples;
   out->means.col(column) = mean;
   Eigen::Map<Square<n>>(out->covariances.col(column).data(), size, size) = covariance;
   const Index kappa = out->misfits.rows();
@@ -172,7 +164,7 @@ MatrixXd squareRoot(const MatrixXd& covariance) {
   if (covariance.rows() == 1) return covariance.cwiseMax(0).cwiseSqrt();
   const Eigen::LLT<MatrixXd> cholesky(covariance);
   if (cholesky.info() == Eigen::Success) return cholesky.matrixL();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(covariance);
+  const SymmetricEigen eigen(covariance);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
 }
 

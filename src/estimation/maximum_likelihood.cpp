@@ -1,4 +1,3 @@
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 #include <nlopt.hpp>
@@ -6,6 +5,7 @@
 #include "estimation/observed_information.h"
 #include "estimation/scoring.h"
 #include "estimation/stopwatch.h"
+#include "math/symmetric_eigen.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 MatrixXd whitener(const MatrixXd& information) {
   const VectorXd scale = (information.diagonal().cwiseAbs().array() + 1e-12).rsqrt();
   const MatrixXd unit = scale.asDiagonal() * information * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit);
+  const SymmetricEigen eigen(unit);
   return scale.asDiagonal() * eigen.eigenvectors() *
          eigen.eigenvalues().cwiseAbs().cwiseMax(1e-4).cwiseSqrt().cwiseInverse().asDiagonal();
 }

@@ -1,11 +1,11 @@
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "estimation/optimisation.h"
+#include "math/symmetric_eigen.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -107,8 +107,8 @@ struct ZeroMean {
 /// are at least 1.
 MatrixXd floored(const MatrixXd& covariance, const MatrixXd& floor) {
   if (floor.size() == 0 || floor.isZero(0)) return covariance;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(covariance, floor);
-  if (eigen.info() != Eigen::Success || eigen.eigenvalues().minCoeff() >= 1) return covariance;
+  const SymmetricEigen eigen(covariance, floor);
+  if (!eigen.converged() || eigen.eigenvalues().minCoeff() >= 1) return covariance;
   const MatrixXd basis =
       floor * eigen.eigenvectors();  // covariance = basis diag(eigenvalues) basis'
   return basis * eigen.eigenvalues().cwiseMax(1.0).asDiagonal() * basis.transpose();

@@ -1,8 +1,9 @@
 #include "estimation/standard_errors.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
+
+#include "math/symmetric_eigen.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -87,7 +88,7 @@ StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisatio
   const MatrixXd information = observedInformation(likelihood, parametrisation, point, true);
   const VectorXd scale = (information.diagonal().cwiseAbs().array() + 1e-300).rsqrt();
   const MatrixXd unit = scale.asDiagonal() * information * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit);
+  const SymmetricEigen eigen(unit);
 
   MatrixXd inverse = MatrixXd::Zero(size, size);
   // Standard errors of the natural coordinates if all others were known: the unit of changes.

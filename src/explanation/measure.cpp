@@ -1,12 +1,12 @@
 #include "explanation/measure.h"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
 
 #include "estimation/simulation_fit.h"
 #include "explanation/bode_area.h"
+#include "math/distributions.h"
 #include "math/polynomial.h"
 #include "model/filter.h"
 
@@ -147,8 +147,7 @@ MeanGain meanGain(const PairedGains& gains) {
   if (freedom < 1) return mean;
   mean.standard_error =
       std::sqrt((squares(gains.held) + squares(gains.training)) / freedom / count);
-  const double half =
-      boost::math::quantile(boost::math::students_t(freedom), 0.95) * mean.standard_error;
+  const double half = studentQuantile(0.95, freedom) * mean.standard_error;
   mean.lower_90 = mean.value - half;
   mean.upper_90 = mean.value + half;
   return mean;

@@ -1,10 +1,10 @@
 #include "explanation/residual_distribution.h"
 
 #include <algorithm>
-#include <boost/math/distributions/poisson.hpp>
 #include <cmath>
 
 #include "math/constants.h"
+#include "math/distributions.h"
 #include "math/polynomial.h"
 #include "model/filter.h"
 
@@ -102,7 +102,7 @@ double clusteringOf(const std::vector<Signals>& marked, double samples) {
   }
   const double expected = kReach * samples * std::pow(count / samples, 2);
   if (pairs < 1 || expected <= 0) return 1;
-  return cdf(complement(boost::math::poisson(expected), pairs - 1));
+  return poissonTail(pairs - 1, expected);
 }
 
 /// Chen and Liu's search for additive outliers: residuals are correlated with the impulse response

@@ -1,7 +1,7 @@
-#include <Eigen/Eigenvalues>
 
 #include "estimation/linearisation.h"
 #include "identification/steps.h"
+#include "math/symmetric_eigen.h"
 #include "uncertainty_identification/errors.h"
 
 /// The optimisation of the likelihood. Models that are linear in the error parameters only near a
@@ -84,7 +84,7 @@ void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& opt
 
 void warnAboutFloor(const Mixture& mixture, const MatrixXd& floor, Journal* journal) {
   for (std::size_t i = 0; floor.size() > 0 && i < mixture.covariances.size(); ++i) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(mixture.covariances[i], floor);
+    const SymmetricEigen eigen(mixture.covariances[i], floor);
     if (eigen.eigenvalues().minCoeff() > 1.01) continue;
     journal->warnings.push_back(
         "the covariance of component " + std::to_string(i + 1) +

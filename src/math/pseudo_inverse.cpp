@@ -1,9 +1,10 @@
 #include "math/pseudo_inverse.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
+
+#include "math/symmetric_eigen.h"
 
 namespace uncertainty_identification {
 
@@ -25,7 +26,7 @@ PseudoInverse::PseudoInverse(const MatrixXd& matrix) : rank(matrix.rows()) {
     log_determinant = 2 * pivots.log().sum();
     return;
   }
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(matrix);
+  const SymmetricEigen eigen(matrix);
   const double threshold = 1e-12 * eigen.eigenvalues()[rank - 1];
   for (Eigen::Index k = rank - 1; k >= 0; --k) {
     if (eigen.eigenvalues()[k] <= threshold) {

@@ -1,10 +1,10 @@
 #include "residual_tests/test_statistics.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
+
+#include "math/distributions.h"
+#include "math/symmetric_eigen.h"
 
 namespace uncertainty_identification {
 
@@ -14,15 +14,13 @@ using Eigen::VectorXd;
 
 double chiSquaredTail(double sum, double degrees, double undefined) {
   if (!std::isfinite(sum) || degrees < 1) return undefined;
-  return cdf(complement(boost::math::chi_squared(degrees), std::max(0.0, sum)));
+  return chiSquaredTail(std::max(0.0, sum), degrees);
 }
 
-double twoSidedNormalTail(double z) {
-  return std::isfinite(z) ? 2 * cdf(complement(boost::math::normal(), std::abs(z))) : 1;
-}
+double twoSidedNormalTail(double z) { return std::isfinite(z) ? 2 * normalTail(std::abs(z)) : 1; }
 
 QuadraticForm quadraticForm(const MatrixXd& A, const VectorXd& x, double threshold) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> of_A(A);
+  const SymmetricEigen of_A(A);
   const VectorXd along = of_A.eigenvectors().transpose() * x;
   QuadraticForm form;
   for (Index k = 0; k < x.size(); ++k) {

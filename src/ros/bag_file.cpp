@@ -17,7 +17,7 @@ SerialisedMessage view(const std::vector<std::uint8_t>& bytes) {
   return {bytes.data(), bytes.size()};
 }
 
-std::string inRootNamespace(std::string_view topic) {
+std::string absoluteTopic(std::string_view topic) {
   return (topic.empty() || topic.front() != '/' ? "/" : "") + std::string(topic);
 }
 
@@ -109,7 +109,7 @@ void BagFile::readIndex(std::uint64_t position) {
 void BagFile::addConnection(const BagRecord& record) {
   const BagHeader fields(record.data);
   connections_[record.header.number<std::uint32_t>("conn")] = {
-      inRootNamespace(record.header.text("topic")), std::string(fields.text("type")),
+      absoluteTopic(record.header.text("topic")), std::string(fields.text("type")),
       std::string(fields.text("md5sum")), std::string(fields.text("message_definition")),
       std::string(fields.textOr("callerid", ""))};
 }

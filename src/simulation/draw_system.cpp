@@ -1,9 +1,9 @@
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <random>
 
 #include "math/constants.h"
 #include "math/random_stream.h"
+#include "math/symmetric_eigen.h"
 #include "simulation/simulate.h"
 #include "simulation/spread_plant.h"
 
@@ -17,7 +17,7 @@ Eigen::VectorXd drawFrom(const Mixture& mixture, std::mt19937_64& random,
   *component = pick(random);
   const auto i = static_cast<std::size_t>(**component);
   // Unlike a Cholesky factor, this square root also exists for a singular covariance.
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(mixture.covariances[i]);
+  const SymmetricEigen eigen(mixture.covariances[i]);
   const Eigen::VectorXd scale = eigen.eigenvalues().cwiseMax(0).cwiseSqrt();
   return mixture.means[i] +
          eigen.eigenvectors() * scale.cwiseProduct(gaussian(mixture.dimension(), 1, random));
