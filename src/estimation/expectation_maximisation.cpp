@@ -34,6 +34,19 @@ VectorXd stacked(const Likelihood& likelihood, const ModelParameters& point) {
       .natural(point);
 }
 
+/// Takes the step of theta if it is admissible and does not raise the cost (34); whether it did.
+bool lowersThetaCost(const Likelihood& likelihood, const LatentMoments& moments,
+                     const VectorXd& step, ModelParameters* point, Statistics* statistics) {
+  const VectorXd theta = point->parameters + step;
+  if (!likelihood.model().admissible(theta)) return false;
+  const double cost = thetaCost(*statistics, moments, point->noise_variance);
+  Statistics there = likelihood.statistics(theta, true);
+  if (!(thetaCost(there, moments, point->noise_variance) <= cost)) return false;
+  point->parameters = theta;
+  *statistics = std::move(there);
+  return true;
+}
+
 }  // namespace
 
 Optimum expectationMaximisation(const Likelihood& likelihood, const ModelParameters& start,
@@ -62,16 +75,9 @@ Optimum expectationMaximisation(const Likelihood& likelihood, const ModelParamet
       information = likelihood.information(point, moments).complete.topLeftCorner(p, p);
       age = 0;
     }
-    const double cost = thetaCost(statistics, moments, point.noise_variance);
     const VectorXd gradient = scores(statistics, point, e).rowwise().sum().head(p);
     const auto moved = damping.step(information, gradient, [&](const VectorXd& step) {  // (34)
-      const VectorXd theta = point.parameters + step;
-      if (!likelihood.model().admissible(theta)) return false;
-      Statistics there = likelihood.statistics(theta, true);
-      if (!(thetaCost(there, moments, point.noise_variance) <= cost)) return false;
-      point.parameters = theta;
-      statistics = std::move(there);
-      return true;
+      return lowersThetaCost(likelihood, moments, step, &point, &statistics);
     });
     age = moved ? age + 1 : kInformationAge;
     e = likelihood.expect(statistics, point);

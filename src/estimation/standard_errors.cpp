@@ -68,29 +68,22 @@ double curvature(const Likelihood& likelihood, const Parametrisation& parametris
   return (4 * difference(kStep / 2) - difference(kStep)) / 3;
 }
 
-}  // namespace
+/// The inverse of the observed information, without the directions that the data do not determine.
+struct InvertedInformation {
+  MatrixXd inverse;
+  std::vector<std::string> singular;  ///< a sentence for each direction left out
+  std::vector<bool> unknown;          ///< natural coordinates that these directions move
+};
 
-StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisation& parametrisation,
-                              const ModelParameters& at) {
-  const ScoredPoint point =
-      scoredPoint(likelihood, parametrisation, parametrisation.toCoordinates(at));
+InvertedInformation invert(const Likelihood& likelihood, const Parametrisation& parametrisation,
+                           const ScoredPoint& point, const MatrixXd& jacobian) {
   const Index natural = parametrisation.naturalSize(), size = parametrisation.size();
-  StandardErrors errors;
-  std::vector<bool> unknown(static_cast<std::size_t>(natural), false);
-  if (!std::isfinite(point.log_likelihood)) {
-    errors.covariance = errors.robust_covariance =
-        MatrixXd::Constant(natural, natural, std::numeric_limits<double>::quiet_NaN());
-    errors.coordinate_covariance = errors.robust_coordinate_covariance =
-        MatrixXd::Constant(size, size, std::numeric_limits<double>::quiet_NaN());
-    return errors;
-  }
-  MatrixXd jacobian = parametrisation.jacobian(point.coordinates);
+  InvertedInformation result{MatrixXd::Zero(size, size), {}, {}};
+  result.unknown.assign(static_cast<std::size_t>(natural), false);
   const MatrixXd information = observedInformation(likelihood, parametrisation, point, true);
   const VectorXd scale = (information.diagonal().cwiseAbs().array() + 1e-300).rsqrt();
   const MatrixXd unit = scale.asDiagonal() * information * scale.asDiagonal();
   const SymmetricEigen eigen(unit);
-
-  MatrixXd inverse = MatrixXd::Zero(size, size);
   // Standard errors of the natural coordinates if all others were known: the unit of changes.
   const VectorXd alone = (jacobian * scale.asDiagonal()).rowwise().norm().cwiseMax(1e-300);
   for (Index k = 0; k < size; ++k) {
@@ -100,17 +93,42 @@ StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisatio
       strength = curvature(likelihood, parametrisation, point, direction);
     }
     if (strength > kSingular) {
-      inverse += direction * direction.transpose() / strength;
+      result.inverse += direction * direction.transpose() / strength;
       continue;
     }
     const VectorXd moved = jacobian * direction;
     const VectorXd relative = moved.cwiseQuotient(alone);
-    errors.singular.push_back(sentence(relative, parametrisation.naturalNames()));
+    result.singular.push_back(sentence(relative, parametrisation.naturalNames()));
     for (Index i = 0; i < natural; ++i) {
       if (std::abs(relative[i]) > 1e-3 * relative.cwiseAbs().maxCoeff())
-        unknown[static_cast<std::size_t>(i)] = true;
+        result.unknown[static_cast<std::size_t>(i)] = true;
     }
   }
+  return result;
+}
+
+/// What is reported where the likelihood is not finite: no errors at all.
+StandardErrors noErrors(Index natural, Index size) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  StandardErrors errors;
+  errors.covariance = errors.robust_covariance = MatrixXd::Constant(natural, natural, kNone);
+  errors.coordinate_covariance = errors.robust_coordinate_covariance =
+      MatrixXd::Constant(size, size, kNone);
+  return errors;
+}
+
+}  // namespace
+
+StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisation& parametrisation,
+                              const ModelParameters& at) {
+  const ScoredPoint point =
+      scoredPoint(likelihood, parametrisation, parametrisation.toCoordinates(at));
+  const Index natural = parametrisation.naturalSize(), size = parametrisation.size();
+  if (!std::isfinite(point.log_likelihood)) return noErrors(natural, size);
+  MatrixXd jacobian = parametrisation.jacobian(point.coordinates);
+  InvertedInformation information = invert(likelihood, parametrisation, point, jacobian);
+  const MatrixXd& inverse = information.inverse;
+  std::vector<bool>& unknown = information.unknown;
   jacobian.row(natural - 1) *= at.noise_variance;  // from log sigma^2 to sigma^2
   for (Index i = 0; i < natural; ++i) {
     const bool fixed = jacobian.row(i).isZero(0);
@@ -120,6 +138,8 @@ StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisatio
   }
   const MatrixXd natural_scores =
       parametrisation.jacobian(point.coordinates).transpose() * point.natural_scores;
+  StandardErrors errors;
+  errors.singular = std::move(information.singular);
   errors.coordinate_covariance = inverse;
   errors.robust_coordinate_covariance =
       inverse * (natural_scores * natural_scores.transpose()) * inverse;

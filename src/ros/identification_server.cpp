@@ -71,6 +71,11 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                      [this](const messages::IdentifyBagsGoal& goal, const ProgressCallback& go_on) {
                        return answerIdentifyBags(goal, reconfiguration_.current(), go_on);
                      }) {
+  start(private_node);
+}
+
+/// Serves what was restored from the store, and from now on requests.
+void IdentificationServer::start(const ros::NodeHandle& private_node) {
   diagnostics_.add("explanation", [this](auto& status) {
     diagnoseExplanation(explanations_.last().get(), status);
   });

@@ -1,18 +1,13 @@
 #pragma once
 
-#include <ros/node_handle.h>
 #include <std_srvs/Trigger.h>
 
 #include <atomic>
-#include <memory>
-#include <string>
-#include <vector>
 
 #include "ros/action_thread.h"
 #include "ros/bounds_publisher.h"
 #include "ros/experiment_recorder.h"
 #include "ros/explanation_server.h"
-#include "ros/messages.h"
 #include "ros/node_diagnostics.h"
 #include "ros/report_writer.h"
 #include "ros/result_publisher.h"
@@ -22,7 +17,6 @@
 #include "session/reconfiguration.h"
 #include "session/saved_experiments.h"
 #include "session/store_writer.h"
-#include "uncertainty_identification/configuration.h"
 
 namespace uncertainty_identification {
 
@@ -48,6 +42,7 @@ class IdentificationServer {
  private:
   using Trigger = std_srvs::Trigger;
 
+  void start(const ros::NodeHandle& private_node);
   IdentificationWorker::Listener workerListener();
   WorkerStatus workerStatus() const;
   void restore();

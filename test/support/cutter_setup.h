@@ -34,10 +34,6 @@ inline void feed(ExperimentCutter& cutter, double from, double to) {
   }
 }
 
-inline bool mentions(const std::string& message, const std::string& part) {
-  return message.find(part) != std::string::npos;
-}
-
 inline void expectSpan(const StampedSignal& signal, double first, double last) {
   ASSERT_FALSE(signal.stamps.empty());
   EXPECT_EQ(signal.stamps.front(), first);

@@ -50,9 +50,5 @@ inline std::string messageOf(const Recording& recording, double sample_time,
   return "";
 }
 
-inline bool mentions(const std::string& message, const std::string& part) {
-  return message.find(part) != std::string::npos;
-}
-
 }  // namespace test
 }  // namespace uncertainty_identification

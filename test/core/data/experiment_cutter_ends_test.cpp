@@ -3,6 +3,7 @@
 
 #include "data/experiment_cutter.h"
 #include "support/cutter_setup.h"
+#include "support/mentions.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "support/mentions.h"
 #include "support/recording_setup.h"
 #include "uncertainty_identification/data/recording.h"
 #include "uncertainty_identification/errors.h"

@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kExperiments = 11;
+constexpr int kRuns = 11;
 
 /// 0.9 q^-1/(1 + a q^-1).
 VectorXd plant(const VectorXd& u, double a) {
@@ -28,15 +28,15 @@ double own(int r) { return -0.6 * (1 + 0.04 * (r - 5)); }
 
 /// Points of the model `of` at these values of a1, xi = 0.
 MatrixXd pointsAt(const ExtendedModel& of, const VectorXd& parameters, std::size_t spread) {
-  MatrixXd points = of.points(parameters, MatrixXd::Zero(of.regressors(), kExperiments));
-  for (int r = 0; r < kExperiments; ++r) points(of.pointRow(spread), r) = own(r);
+  MatrixXd points = of.points(parameters, MatrixXd::Zero(of.regressors(), kRuns));
+  for (int r = 0; r < kRuns; ++r) points(of.pointRow(spread), r) = own(r);
   return points;
 }
 
 /// The same point in each experiment: its error parameters, and the first effect's own.
 MatrixXd alike(const ExtendedModel& of, const VectorXd& xi, double own_point) {
-  MatrixXd points(of.regressors() + 1, kExperiments);
-  points.topRows(of.regressors()) = xi.replicate(1, kExperiments);
+  MatrixXd points(of.regressors() + 1, kRuns);
+  points.topRows(of.regressors()) = xi.replicate(1, kRuns);
   points.row(of.pointRow(0)).setConstant(own_point);
   return points;
 }
@@ -48,7 +48,7 @@ TEST(ParameterSpread, AtItsPointIsThePlantOfThatParameter) {
   const VectorXd at = setup.at(test::vectorOf({0.1, -0.02, 0})).parameters;
   const auto about = model->about(pointsAt(*model, at, 1));
   const auto found = setup.simulated(*about, at);
-  for (int r = 0; r < kExperiments; ++r) {
+  for (int r = 0; r < kRuns; ++r) {
     const auto i = static_cast<std::size_t>(r);
     const Eigen::ArrayXd x = plant(setup.experiments()[i].u, own(r)).array();
     const Eigen::ArrayXd expected = x + 0.1 * x.square() - 0.02 * x.cube();
@@ -65,7 +65,7 @@ TEST(ParameterSpread, SignalIsTheDerivativeBehindTheSensor) {
   const MatrixXd points = pointsAt(*model, at, 1);
   MatrixXd moved = points;
   moved.row(model->pointRow(1)).array() += -0.6 * kStep;  // by kStep, relative to a1
-  const MatrixXd none = MatrixXd::Zero(model->regressors(), kExperiments);
+  const MatrixXd none = MatrixXd::Zero(model->regressors(), kRuns);
   for (const Block& block : setup.blocks()) {
     const Chain chain = model->about(points)->simulated(block, at, none);
     const Chain there = model->about(moved)->simulated(block, at, none);
@@ -84,7 +84,7 @@ TEST(TimeConstantSpread, AtItsPointIsThePlantOfThatTimeConstantAndTheSameGain) {
   for (const double c : {0.0, 0.3, -0.4}) {
     const double a1 = -std::pow(0.6, 1 / (1 + c));
     const auto found = setup.simulated(*model->about(alike(*model, no_error, c)), at);
-    for (int r = 0; r < kExperiments; ++r) {
+    for (int r = 0; r < kRuns; ++r) {
       const auto i = static_cast<std::size_t>(r);
       const VectorXd expected = plant(setup.experiments()[i].u, a1) * (1 + a1) / (1 - 0.6);
       EXPECT_LT((found[i] - expected).cwiseAbs().maxCoeff(), 1e-9) << c << " " << r;
@@ -98,7 +98,7 @@ TEST(TimeConstantSpread, SignalIsTheDerivativeToIt) {
   const auto model = setup.extended({{"plant_parameter_spread", "time_constant"}});
   const VectorXd at = setup.at(test::vectorOf({0})).parameters;
   const VectorXd no_error = VectorXd::Zero(model->regressors());
-  const MatrixXd xi = no_error.replicate(1, kExperiments);
+  const MatrixXd xi = no_error.replicate(1, kRuns);
   for (const Block& block : setup.blocks()) {
     const auto of = [&](double c) {
       return model->about(alike(*model, no_error, c))->simulated(block, at, xi);
@@ -113,7 +113,7 @@ TEST(TimeConstantSpread, SignalIsTheDerivativeToIt) {
 /// Experiments with an a1 and a bias of their own.
 std::vector<Experiment> spreadAndBiased() {
   std::vector<Experiment> all = test::recordedForEffects();
-  for (int r = 0; r < kExperiments; ++r) {
+  for (int r = 0; r < kRuns; ++r) {
     Experiment& of = all[static_cast<std::size_t>(r)];
     of.y = plant(of.u, own(r)).array() + 0.1 * (r - 3);
   }
@@ -128,13 +128,13 @@ TEST(OwnPoints, AreFoundInTheData) {
   for (const bool first : {true, false}) {
     const auto model = first ? setup.extended({spread, bias}) : setup.extended({bias, spread});
     const VectorXd at = setup.at(test::vectorOf({8, 8})).parameters;
-    const MatrixXd none = MatrixXd::Zero(model->regressors(), kExperiments);
+    const MatrixXd none = MatrixXd::Zero(model->regressors(), kRuns);
     MatrixXd points = model->points(at, none);
     const Index row = model->pointRow(first ? 0 : 1);
-    EXPECT_EQ(points.row(row), Eigen::RowVectorXd::Constant(kExperiments, -0.6)) << "not yet";
+    EXPECT_EQ(points.row(row), Eigen::RowVectorXd::Constant(kRuns, -0.6)) << "not yet";
     for (int round = 0; round < 6; ++round)
       points = model->about(points)->pointsOf(setup.blocks(), at, none);
-    for (int r = 0; r < kExperiments; ++r) EXPECT_NEAR(points(row, r), own(r), 1e-3) << r;
+    for (int r = 0; r < kRuns; ++r) EXPECT_NEAR(points(row, r), own(r), 1e-3) << r;
   }
 }
 
@@ -147,8 +147,8 @@ TEST(OwnPoints, FollowTheirEffectIntoAnotherModel) {
   const Effects& effects = model->effects();
   const auto fewer = about->with({effects[2], effects[1]});
   const MatrixXd points = fewer->points(setup.at(test::vectorOf({0, 0})).parameters,
-                                        MatrixXd::Zero(fewer->regressors(), kExperiments));
-  for (int r = 0; r < kExperiments; ++r) {
+                                        MatrixXd::Zero(fewer->regressors(), kRuns));
+  for (int r = 0; r < kRuns; ++r) {
     EXPECT_EQ(points(fewer->pointRow(0), r), 0);
     EXPECT_EQ(points(fewer->pointRow(1), r), own(r));
   }

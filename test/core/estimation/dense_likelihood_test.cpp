@@ -15,15 +15,14 @@
 namespace uncertainty_identification {
 namespace {
 
-using dense::Model;
 using dense::Options;
 using Eigen::VectorXd;
 
 const double kLogTwoPi = std::log(2.0 * std::acos(-1.0));
 
 /// Go = 0, so the outputs are the noise C/D alone.
-Model noiseModel(const VectorXd& c, const VectorXd& d, double noise_variance) {
-  Model model;
+dense::Model noiseModel(const VectorXd& c, const VectorXd& d, double noise_variance) {
+  dense::Model model;
   model.b = VectorXd::Zero(1);
   model.c = c;
   model.d = d;
@@ -128,7 +127,7 @@ TEST(DenseLikelihood, WhiteNoise) {
   const VectorXd y = vector({0.3, -1.2, 0.7});
   double expected = 0;
   for (Eigen::Index k = 0; k < y.size(); ++k) expected += logNormal(y[k], 0.4);
-  const Model model = noiseModel({}, {}, 0.4);
+  const dense::Model model = noiseModel({}, {}, 0.4);
   EXPECT_NEAR(dense::logLikelihood({outputOnly(y)}, model), expected, 1e-13);
 }
 
@@ -137,7 +136,7 @@ TEST(DenseLikelihood, AutoregressionFromRestAndStationary) {
   const VectorXd y = vector({1.1, 0.4, -0.6, -0.9, 0.2});
   double transitions = 0;
   for (int k = 1; k < 5; ++k) transitions += logNormal(y[k] - pole * y[k - 1], variance);
-  const Model model = noiseModel({}, vector({-pole}), variance);
+  const dense::Model model = noiseModel({}, vector({-pole}), variance);
   Options options;
   EXPECT_NEAR(dense::logLikelihood({outputOnly(y)}, model, options),
               transitions + logNormal(y[0], variance), 1e-13);
@@ -153,7 +152,7 @@ TEST(DenseLikelihood, AutoregressionWithMissingSamples) {
   const double bridge = variance * (1 + std::pow(pole, 2) + std::pow(pole, 4));
   const double expected = logNormal(1.1, variance) + logNormal(0.4 - pole * 1.1, variance) +
                           logNormal(0.2 - std::pow(pole, 3) * 0.4, bridge);
-  const Model model = noiseModel({}, vector({-pole}), variance);
+  const dense::Model model = noiseModel({}, vector({-pole}), variance);
   const auto evaluation = dense::evaluate(experiment, model);
   EXPECT_NEAR(evaluation.log_likelihood, expected, 1e-13);
   EXPECT_EQ(evaluation.degrees_of_freedom, 3);
@@ -210,7 +209,7 @@ TEST(DenseLikelihood, DiffuseStateIsTheLimitOfAWidePrior) {
 
   const int samples = system.experiments[0].samples();
   const double wide = 1e9;
-  Model proper = system.truth;
+  dense::Model proper = system.truth;
   const dense::Matrix directions = dense::stateDirections(proper, samples);
   const dense::Matrix covariance =
       proper.noise_variance * dense::noiseCovariance(proper, NoiseStart::zero, samples) +
@@ -258,14 +257,14 @@ TEST(DenseLikelihood, StateDirectionsHoldTheEffectOfEarlierInputs) {
     options.min_samples = options.max_samples = 80;
     const auto system = test::randomSystem(options, 21);
     const auto& error = system.errors[0];
-    Model known = system.truth;
+    dense::Model known = system.truth;
     known.mixture = {{1.0}, {error}, {Eigen::MatrixXd::Zero(error.size(), error.size())}};
     Options diffuse;
     diffuse.initial_state = InitialState::estimate;
     const Experiment& experiment = system.experiments[0];
-    const auto quadratic = [&](const Model& model) {
+    const auto quadratic = [&](const dense::Model& model) {
       // what a larger sigma^2 gains, at fixed determinants, is the quadratic form
-      Model doubled = model;
+      dense::Model doubled = model;
       doubled.noise_variance *= 2;
       const auto one = dense::evaluate(experiment, model, diffuse);
       const auto two = dense::evaluate(experiment, doubled, diffuse);

@@ -1,5 +1,4 @@
-// The class that everything else is a front end of: what it refuses, what it leaves out, what it
-// chooses, and what it reports.
+// What Identifier chooses and what it reports.
 #include "uncertainty_identification/identifier.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +10,8 @@
 #include "data/experiment_checks.h"
 #include "support/core_setup.h"
 #include "support/error_message.h"
+#include "support/identify_example1.h"
+#include "support/mentions.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
@@ -18,117 +19,8 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-bool mentions(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
-}
-
-bool anyMentions(const std::vector<std::string>& texts, const std::string& word) {
-  return std::any_of(texts.begin(), texts.end(),
-                     [&](const std::string& text) { return mentions(text, word); });
-}
-
-std::vector<Experiment> example1(int experiments, std::uint64_t seed = 1) {
-  return test::example1(seed, experiments).experiments;
-}
-
-Estimate identify(const Configuration& configuration, const std::vector<Experiment>& experiments) {
-  return Identifier(configuration).identify(experiments);
-}
-
-TEST(IdentifierData, ListsRejectedExperimentsAndGoesOnWithTheOthers) {
-  const std::vector<Experiment> good = example1(12);
-  std::vector<Experiment> mixed = good;
-  Experiment broken = good[0], brief = good[1];
-  broken.id = "broken";
-  broken.u[3] = std::nan("");
-  brief.id = "brief";
-  brief.u.conservativeResize(9);
-  brief.y.conservativeResize(9);
-  mixed.insert(mixed.begin() + 4, broken);
-  mixed.push_back(brief);
-  const Configuration configuration = test::example1Configuration();
-  const Estimate estimate = identify(configuration, mixed);
-  ASSERT_EQ(estimate.rejected.size(), 2u);
-  EXPECT_EQ(estimate.rejected[0].id, "broken");
-  EXPECT_TRUE(mentions(estimate.rejected[0].reason, "sample 3")) << estimate.rejected[0].reason;
-  EXPECT_EQ(estimate.rejected[1].id, "brief");
-  EXPECT_EQ(estimate.experiment_count, 12);
-  EXPECT_EQ(estimate.sample_count, 1200);
-  EXPECT_EQ(estimate.data_fingerprint, dataFingerprint(good));
-  EXPECT_EQ(estimate.log_likelihood, identify(configuration, good).log_likelihood);
-}
-
-TEST(IdentifierData, RefusesWhenNoneIsLeft) {
-  const Identifier identifier(test::example1Configuration());
-  EXPECT_TRUE(mentions(messageOf<DataError>([&] { identifier.identify({}); }), "no experiments"));
-  std::vector<Experiment> broken = example1(2);
-  for (Experiment& experiment : broken) experiment.u[0] = INFINITY;
-  const std::string message = messageOf<DataError>([&] { identifier.identify(broken); });
-  EXPECT_TRUE(mentions(message, "no usable experiment")) << message;
-  EXPECT_TRUE(mentions(message, broken[1].id)) << message;
-}
-
-TEST(IdentifierData, OfOneExperimentGivesAPlainNominalModel) {
-  Configuration configuration = test::example1Configuration();
-  const Estimate estimate = identify(configuration, example1(1));
-  EXPECT_TRUE(estimate.usable()) << estimate.message;
-  EXPECT_EQ(estimate.error_model.options.taps, 0);
-  EXPECT_EQ(estimate.error_model.mixture.dimension(), 0);
-  EXPECT_TRUE(estimate.error_model.parameters.empty());
-  EXPECT_TRUE(anyMentions(estimate.warnings, "one experiment"));
-  EXPECT_GT(estimate.nominal_model.parameters[0].standard_error, 0);
-}
-
-TEST(IdentifierData, OfTwoOrThreeExperimentsGivesOneComponent) {
-  for (int experiments : {2, 3}) {
-    const Estimate estimate = identify(test::example1Configuration(), example1(experiments));
-    EXPECT_TRUE(estimate.usable()) << estimate.message;
-    EXPECT_EQ(estimate.error_model.mixture.components(), 1);
-    EXPECT_TRUE(anyMentions(estimate.warnings, std::to_string(experiments) + " experiments"));
-  }
-}
-
-TEST(IdentifierData, RefusesOrdersTooLargeForIt) {
-  Configuration configuration = test::example1Configuration();
-  configuration.nominal_model.nb = configuration.nominal_model.na = 15;
-  configuration.estimation.initial_state = InitialState::estimate;
-  std::vector<Experiment> brief = example1(3);
-  for (Experiment& experiment : brief) {
-    experiment.u.conservativeResize(25);
-    experiment.y.conservativeResize(25);
-  }
-  const std::string message = messageOf<DataError>([&] { identify(configuration, brief); });
-  EXPECT_TRUE(mentions(message, "orders are too large")) << message;
-  EXPECT_TRUE(mentions(message, "75 measured samples")) << message;
-}
-
-TEST(IdentifierConfiguration, IsValidated) {
-  Configuration configuration;
-  configuration.nominal_model.nb = 0;
-  EXPECT_THROW(Identifier{configuration}, ConfigurationError);
-  configuration = Configuration();
-  configuration.estimation.tolerance = -1;
-  EXPECT_THROW(Identifier{configuration}, ConfigurationError);
-}
-
-TEST(IdentifierConfiguration, RefusesAStartThatDoesNotFit) {
-  const std::vector<Experiment> experiments = example1(6);
-  Configuration configuration = test::example1Configuration();
-  configuration.initial.theta = test::vectorOf({1, 0.5, 0.1});
-  std::string message =
-      messageOf<ConfigurationError>([&] { identify(configuration, experiments); });
-  EXPECT_TRUE(mentions(message, "initial.theta")) << message;
-  EXPECT_TRUE(mentions(message, "b1, a1, c1, d1")) << message;
-  EXPECT_TRUE(mentions(message, "found 3")) << message;
-  configuration.initial.theta = test::vectorOf({1, 1.5, 0.1, 0.8});
-  message = messageOf<ConfigurationError>([&] { identify(configuration, experiments); });
-  EXPECT_TRUE(mentions(message, "unit circle")) << message;
-  configuration.initial.theta = test::vectorOf({1, 0.5, 0.1, 0.8});
-  configuration.initial.mixture = {{1.0}, {VectorXd::Zero(2)}, {MatrixXd::Identity(2, 2)}};
-  message = messageOf<ConfigurationError>([&] { identify(configuration, experiments); });
-  EXPECT_TRUE(mentions(message, "initial.means")) << message;
-}
+using test::anyMentions;
+using test::mentions;
 
 TEST(Identifier, EvaluatesAtTheStartWithoutIterations) {
   const auto system = test::example1(4, 10);
@@ -137,7 +29,7 @@ TEST(Identifier, EvaluatesAtTheStartWithoutIterations) {
   configuration.initial.theta = test::parametersOf(system.truth).parameters;
   configuration.initial.mixture = system.truth.mixture;
   configuration.initial.noise_variance = 0.1;
-  const Estimate estimate = identify(configuration, system.experiments);
+  const Estimate estimate = test::identified(configuration, system.experiments);
   EXPECT_NEAR(estimate.log_likelihood, dense::logLikelihood(system.experiments, system.truth),
               1e-9 * std::abs(estimate.log_likelihood));
   EXPECT_EQ(estimate.termination, Termination::not_run);
@@ -158,11 +50,11 @@ TEST(Identifier, GivesTheSameBitsWithAnyNumberOfThreads) {
   Configuration configuration = test::configurationOf(options);
   configuration.estimation = EstimationOptions();
   configuration.estimation.threads = 1;
-  const Estimate one = identify(configuration, system.experiments);
+  const Estimate one = test::identified(configuration, system.experiments);
   EXPECT_TRUE(one.usable()) << one.message;
   for (int threads : {2, 3}) {
     configuration.estimation.threads = threads;
-    const Estimate several = identify(configuration, system.experiments);
+    const Estimate several = test::identified(configuration, system.experiments);
     EXPECT_EQ(several.log_likelihood, one.log_likelihood);
     EXPECT_EQ(several.nominal_model.b, one.nominal_model.b);
     EXPECT_EQ(several.nominal_model.d, one.nominal_model.d);
@@ -189,7 +81,8 @@ TEST_P(Cancelled, InAnyPhaseEndsAndIsTold) {
     return at.phase != GetParam();
   };
   const Estimate estimate =
-      Identifier(configuration).identify(example1(20), example1(3, 9), progress);
+      Identifier(configuration)
+          .identify(test::example1Experiments(20), test::example1Experiments(3, 9), progress);
   ASSERT_TRUE(phases.count(GetParam()) > 0);
   EXPECT_EQ(estimate.termination, Termination::cancelled);
   EXPECT_FALSE(estimate.usable());
@@ -204,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Phases, Cancelled,
 TEST(Identifier, ReportsRisingProgress) {
   double last = 0;
   Configuration configuration = test::example1Configuration();
-  Identifier(configuration).identify(example1(20), {}, [&](const Progress& at) {
+  Identifier(configuration).identify(test::example1Experiments(20), {}, [&](const Progress& at) {
     EXPECT_GE(at.fraction, 0);
     EXPECT_LE(at.fraction, 1);
     EXPECT_FALSE(at.phase.empty());
@@ -215,7 +108,7 @@ TEST(Identifier, ReportsRisingProgress) {
 }
 
 TEST(Identifier, StartsWarmFromAnEarlierEstimate) {
-  const std::vector<Experiment> all = example1(60);
+  const std::vector<Experiment> all = test::example1Experiments(60);
   const std::vector<Experiment> first(all.begin(), all.begin() + 50);
   const Identifier identifier(test::example1Configuration());
   const Estimate before = identifier.identify(first);
@@ -228,19 +121,19 @@ TEST(Identifier, StartsWarmFromAnEarlierEstimate) {
 }
 
 TEST(Identifier, StartsColdFromAnUnusableEstimate) {
-  const std::vector<Experiment> experiments = example1(20);
+  const std::vector<Experiment> experiments = test::example1Experiments(20);
   const Identifier identifier(test::example1Configuration());
   EXPECT_EQ(identifier.reidentify(Estimate(), experiments).log_likelihood,
             identifier.identify(experiments).log_likelihood);
 }
 
 TEST(Identifier, BothAlgorithmsAgree) {
-  const std::vector<Experiment> experiments = example1(50);
+  const std::vector<Experiment> experiments = test::example1Experiments(50);
   Configuration configuration = test::example1Configuration();
-  const Estimate fast = identify(configuration, experiments);
+  const Estimate fast = test::identified(configuration, experiments);
   configuration.estimation.algorithm = Algorithm::em;
   configuration.estimation.tolerance = 1e-9;
-  const Estimate slow = identify(configuration, experiments);
+  const Estimate slow = test::identified(configuration, experiments);
   EXPECT_NEAR(fast.log_likelihood, slow.log_likelihood, 1e-4);
   EXPECT_NEAR(fast.nominal_model.b[0], slow.nominal_model.b[0], 1e-4);
 }
@@ -262,7 +155,7 @@ TEST(Identifier, FindsOrderAndDelayByItself) {
   configuration.nominal_model.orders_auto = true;
   configuration.nominal_model.max_order = 4;
   configuration.nominal_model.max_delay = 8;
-  const Estimate estimate = identify(configuration, system.experiments);
+  const Estimate estimate = test::identified(configuration, system.experiments);
   EXPECT_TRUE(estimate.usable()) << estimate.message;
   EXPECT_EQ(estimate.nominal_model.delay, 3);
   EXPECT_EQ(estimate.nominal_model.a.size(), 2);
@@ -275,16 +168,16 @@ TEST(Identifier, FindsOrderAndDelayByItself) {
 
 /// Go of least simulation error, the noise and the mixture around it.
 TEST(Identifier, FitsGoToItsSimulation) {
-  const std::vector<Experiment> experiments = example1(40);
+  const std::vector<Experiment> experiments = test::example1Experiments(40);
   Configuration configuration = test::example1Configuration();
   configuration.nominal_model.fit = PlantFit::simulation;
-  const Estimate held = identify(configuration, experiments);
+  const Estimate held = test::identified(configuration, experiments);
   EXPECT_TRUE(held.usable()) << held.message;
   Configuration plain = test::example1Configuration();
   plain.nominal_model.structure = Structure::output_error;
   plain.error_model.taps = 0;
   plain.error_model.components = 1;
-  const Estimate simulation = identify(plain, experiments);
+  const Estimate simulation = test::identified(plain, experiments);
   EXPECT_LT((held.nominal_model.b - simulation.nominal_model.b).norm(), 1e-5);
   EXPECT_LT((held.nominal_model.a - simulation.nominal_model.a).norm(), 1e-5);
   ASSERT_EQ(held.nominal_model.parameters.size(), 4u);
@@ -295,12 +188,13 @@ TEST(Identifier, FitsGoToItsSimulation) {
   }
   EXPECT_EQ(held.error_model.mixture.components(), 2);
   EXPECT_LT(held.log_likelihood,
-            identify(test::example1Configuration(), experiments).log_likelihood);
+            test::identified(test::example1Configuration(), experiments).log_likelihood);
 }
 
 /// What bounds rest on: the plant's part is the nominal model's covariance in other coordinates.
 TEST(Identifier, GivesTheJointCovarianceOfPlantAndMixture) {
-  const Estimate estimate = identify(test::example1Configuration(), example1(40));
+  const Estimate estimate =
+      test::identified(test::example1Configuration(), test::example1Experiments(40));
   const Eigen::MatrixXd& joint = estimate.joint_covariance;
   ASSERT_EQ(joint.rows(), 2 + 1 + 2 + 2);  // b1, a1; a weight, two means, two variances
   const Eigen::MatrixXd& covariance = estimate.nominal_model.covariance;
@@ -314,7 +208,7 @@ TEST(Identifier, GivesTheJointCovarianceOfPlantAndMixture) {
   }
   Configuration simulation = test::example1Configuration();
   simulation.nominal_model.fit = PlantFit::simulation;
-  const Estimate held = identify(simulation, example1(40));
+  const Estimate held = test::identified(simulation, test::example1Experiments(40));
   EXPECT_GT(held.joint_covariance(0, 0), 0);
   EXPECT_EQ(held.joint_covariance.rows(), joint.rows());
 }
@@ -332,7 +226,7 @@ TEST(Identifier, LeavesAStartWithoutDeadTime) {
   nominal.dead_time = true;
   nominal.max_delay = 3;
   configuration.initial.theta = test::vectorOf({1.0, 2.0, 0.0});
-  const Estimate estimate = identify(configuration, system.experiments);
+  const Estimate estimate = test::identified(configuration, system.experiments);
   EXPECT_TRUE(std::isfinite(estimate.log_likelihood)) << estimate.message;
   EXPECT_NEAR(estimate.nominal_model.parameters[0].value, 1, 0.05);
   EXPECT_NEAR(estimate.nominal_model.parameters[1].value, -1 / std::log(0.7), 0.1);
@@ -341,7 +235,7 @@ TEST(Identifier, LeavesAStartWithoutDeadTime) {
 TEST(Identifier, FindsTheNumberOfComponentsInClearCases) {
   Configuration configuration = test::example1Configuration();
   configuration.error_model.components = kAutomatic;
-  const Estimate two = identify(configuration, example1(80));
+  const Estimate two = test::identified(configuration, test::example1Experiments(80));
   EXPECT_EQ(two.error_model.mixture.components(), 2);
   EXPECT_EQ(two.configuration.error_model.components, 2);
   auto system = test::example1(1, 5);
@@ -349,7 +243,7 @@ TEST(Identifier, FindsTheNumberOfComponentsInClearCases) {
   test::RandomSystemOptions options;
   options.experiments = 80;
   system = test::simulateSystem(system.truth, options, 2);
-  const Estimate one = identify(configuration, system.experiments);
+  const Estimate one = test::identified(configuration, system.experiments);
   EXPECT_EQ(one.error_model.mixture.components(), 1);
   int tried = 0;
   for (const Candidate& candidate : one.candidates) tried += candidate.choice == "components";
@@ -360,7 +254,7 @@ TEST(Identifier, FindsTheNumberOfTaps) {
   Configuration configuration = test::example1Configuration();
   configuration.error_model.taps = kAutomatic;
   configuration.error_model.components = 1;
-  const Estimate estimate = identify(configuration, example1(60));
+  const Estimate estimate = test::identified(configuration, test::example1Experiments(60));
   EXPECT_EQ(estimate.error_model.options.taps, 2);
   EXPECT_EQ(estimate.error_model.T.rows(), 2);
 }
@@ -368,7 +262,7 @@ TEST(Identifier, FindsTheNumberOfTaps) {
 class OutputOffset : public testing::TestWithParam<OffsetSide> {};
 
 TEST_P(OutputOffset, IsRecovered) {
-  std::vector<Experiment> shifted = example1(40);
+  std::vector<Experiment> shifted = test::example1Experiments(40);
   const double gain = 1 / 1.5, offset = 2.5;
   const bool at_input = GetParam() == OffsetSide::input;
   for (Experiment& experiment : shifted) {
@@ -378,7 +272,7 @@ TEST_P(OutputOffset, IsRecovered) {
   configuration.estimation.initial_state = InitialState::estimate;
   configuration.estimation.offsets = Offsets::estimate;
   configuration.estimation.offset_side = GetParam();
-  const Estimate estimate = identify(configuration, shifted);
+  const Estimate estimate = test::identified(configuration, shifted);
   EXPECT_TRUE(estimate.usable()) << estimate.message;
   EXPECT_NEAR(at_input ? estimate.offset_u : estimate.offset_y, offset, 0.02);
   EXPECT_EQ(at_input ? estimate.offset_y : estimate.offset_u, 0);
@@ -392,7 +286,8 @@ INSTANTIATE_TEST_SUITE_P(Sides, OutputOffset,
 TEST(Identifier, MeasuresValidationExperiments) {
   const auto fresh = test::example1(8, 6);
   const Configuration configuration = test::example1Configuration();
-  const Estimate estimate = Identifier(configuration).identify(example1(30), fresh.experiments);
+  const Estimate estimate =
+      Identifier(configuration).identify(test::example1Experiments(30), fresh.experiments);
   const Validation& validation = estimate.validation;
   ASSERT_EQ(validation.simulation_fit_percent.size(), 6u);
   dense::Model found = fresh.truth;
@@ -415,13 +310,14 @@ TEST(Identifier, MeasuresValidationExperiments) {
   EXPECT_NEAR(validation.log_density_per_experiment,
               dense::logLikelihood(fresh.experiments, found) / 6, 1e-7);
   EXPECT_EQ(estimate.experiment_count, 30) << "validation experiments only measure";
-  EXPECT_THROW(Identifier(configuration).identify(example1(5), {Experiment()}), DataError);
+  EXPECT_THROW(Identifier(configuration).identify(test::example1Experiments(5), {Experiment()}),
+               DataError);
 }
 
 TEST(Identifier, DescribesWhatItFound) {
   const auto system = test::example1(2, 40);
   const Configuration configuration = test::example1Configuration();
-  const Estimate estimate = identify(configuration, system.experiments);
+  const Estimate estimate = test::identified(configuration, system.experiments);
   EXPECT_EQ(estimate.nominal_model.structure, "box_jenkins");
   EXPECT_EQ(estimate.nominal_model.sample_time, 1.0);
   EXPECT_EQ(estimate.nominal_model.delay, 1);
@@ -464,7 +360,7 @@ TEST(Identifier, ReportsAComponentAtItsFloor) {
     twin.id += "twin";
     system.experiments.push_back(twin);
   }
-  const Estimate estimate = identify(test::example1Configuration(), system.experiments);
+  const Estimate estimate = test::identified(test::example1Configuration(), system.experiments);
   ASSERT_EQ(estimate.error_model.mixture.components(), 2);
   EXPECT_NEAR(estimate.error_model.mixture.means[1][0], 8, 0.2);
   EXPECT_GT(estimate.error_model.mixture.covariances[1](0, 0), 1e-6);
@@ -478,7 +374,7 @@ TEST(Identifier, ReportsWhatTheDataCannotTellApart) {
   options.components = 1;
   options.experiments = 30;
   const auto system = test::randomSystem(options, 7);
-  const Estimate estimate = identify(test::configurationOf(options), system.experiments);
+  const Estimate estimate = test::identified(test::configurationOf(options), system.experiments);
   EXPECT_TRUE(anyMentions(estimate.warnings, "cannot be told apart"));
   EXPECT_TRUE(anyMentions(estimate.warnings, "b1"));
   EXPECT_TRUE(std::isnan(estimate.nominal_model.parameters[0].standard_error));
@@ -490,17 +386,17 @@ TEST(Identifier, SaysThatItDidNotConverge) {
   configuration.estimation.algorithm = Algorithm::em;
   configuration.estimation.max_iterations = 2;
   configuration.estimation.tolerance = 1e-12;
-  const Estimate estimate = identify(configuration, example1(20));
+  const Estimate estimate = test::identified(configuration, test::example1Experiments(20));
   EXPECT_EQ(estimate.termination, Termination::iteration_limit);
   EXPECT_TRUE(estimate.usable());
   EXPECT_TRUE(anyMentions(estimate.warnings, "did not converge"));
 }
 
 TEST(Identifier, IgnoresTheOrderOfTheExperiments) {
-  std::vector<Experiment> experiments = example1(24);
-  const Estimate one = identify(test::example1Configuration(), experiments);
+  std::vector<Experiment> experiments = test::example1Experiments(24);
+  const Estimate one = test::identified(test::example1Configuration(), experiments);
   std::reverse(experiments.begin(), experiments.end());
-  const Estimate other = identify(test::example1Configuration(), experiments);
+  const Estimate other = test::identified(test::example1Configuration(), experiments);
   EXPECT_NEAR(other.log_likelihood, one.log_likelihood, 1e-5);
   EXPECT_EQ(other.data_fingerprint, one.data_fingerprint);
 }

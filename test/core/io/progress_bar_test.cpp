@@ -8,7 +8,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 TEST(ProgressBar, ShowsPhaseShareAndLikelihoodAndClearsItself) {
   std::ostringstream out;
@@ -18,10 +18,10 @@ TEST(ProgressBar, ShowsPhaseShareAndLikelihoodAndClearsItself) {
     EXPECT_EQ(out.str(),
               "\r\x1b[K[############            ] 50 % optimising, log-likelihood -3092.533");
     out.str("");
-    bar.show({"choosing orders", kNan, kNan});
+    bar.show({"choosing orders", kNotANumber, kNotANumber});
     EXPECT_EQ(out.str(), "\r\x1b[K[                        ] 0 % choosing orders");
     out.str("");
-    bar.show({"done", 1.5, kNan});
+    bar.show({"done", 1.5, kNotANumber});
     EXPECT_EQ(out.str(), "\r\x1b[K[########################] 100 % done");
     out.str("");
   }

@@ -7,7 +7,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Estimate example() {
   Estimate estimate;
@@ -19,7 +19,7 @@ Estimate example() {
   nominal.delay = 2;
   nominal.b = Eigen::Vector2d(1.25, -0.5);
   nominal.a = nominal.c = Eigen::VectorXd::Constant(1, -0.5);
-  nominal.parameters = {{"b1", "V", 1.25, 0.01, kNan}};
+  nominal.parameters = {{"b1", "V", 1.25, 0.01, kNone}};
   estimate.error_model.T = Eigen::Vector2d(1, -1);
   estimate.error_model.mixture = {{0.25, 0.75},
                                   {Eigen::Vector2d(-1, 2), Eigen::Vector2d(1, 3)},

@@ -13,7 +13,7 @@ using nlohmann::json;
 
 const std::string kFile = std::string(PROJECT_FOLDER) + "/config/robust_margin.yaml";
 
-std::string complaint(const std::string& yaml) {
+std::string marginComplaint(const std::string& yaml) {
   return messageOf<ConfigurationError>([&] { parseRobustMargin(YAML::Load(yaml)); });
 }
 
@@ -39,12 +39,12 @@ TEST(RobustMarginYaml, ValuesArrive) {
 }
 
 TEST(RobustMarginYaml, BadKeysAreNamed) {
-  EXPECT_NE(complaint("{}").find("controller.num: needs"), std::string::npos);
-  EXPECT_EQ(complaint("controller: {nmu: [1]}"),
+  EXPECT_NE(marginComplaint("{}").find("controller.num: needs"), std::string::npos);
+  EXPECT_EQ(marginComplaint("controller: {nmu: [1]}"),
             "controller.nmu (line 1): unknown key; did you mean controller.num?");
-  EXPECT_NE(complaint("controller: {num: [1], den: [1, -1.2]}").find("a pole of magnitude 1.2"),
+  EXPECT_NE(marginComplaint("controller: {num: [1], den: [1, -1.2]}").find("a pole of magnitude 1.2"),
             std::string::npos);
-  EXPECT_EQ(complaint("{controller: {num: [1], den: [1]}, samples: 5}"),
+  EXPECT_EQ(marginComplaint("{controller: {num: [1], den: [1]}, samples: 5}"),
             "samples: found 5; allowed: 100 to 1000000");
 }
 

@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 
 constexpr int kExperiments = 11;  // two blocks, the second not full
 
-struct Case {
+struct VaryingCase {
   std::string name;
   BasisKind basis;
   int order;
@@ -27,7 +27,7 @@ struct Case {
   Offsets offsets;
 };
 
-std::vector<Case> cases() {
+std::vector<VaryingCase> varyingCases() {
   using B = BasisKind;
   return {
       {"FirstOrder",
@@ -62,10 +62,10 @@ std::vector<Case> cases() {
 }
 
 /// Nuisances of all kinds, experiments of several lengths with gaps; the data need not fit.
-class SensitivityModelTest : public testing::TestWithParam<Case> {
+class SensitivityModelTest : public testing::TestWithParam<VaryingCase> {
  protected:
   SensitivityModelTest() {
-    const Case& c = GetParam();
+    const VaryingCase& c = GetParam();
     Configuration configuration;
     NominalModelOptions& nominal = configuration.nominal_model;
     nominal.structure = c.structure;
@@ -185,7 +185,7 @@ TEST_P(SensitivityModelTest, AtThePointsTheOutputIsExact) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, SensitivityModelTest, testing::ValuesIn(cases()),
+INSTANTIATE_TEST_SUITE_P(Cases, SensitivityModelTest, testing::ValuesIn(varyingCases()),
                          [](const auto& info) { return info.param.name; });
 
 TEST(SensitivityModel, IsAdmissibleOnlyWhereEveryPlantIs) {

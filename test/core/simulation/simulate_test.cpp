@@ -58,7 +58,7 @@ Truth mixtureTruth() {
   return truth;
 }
 
-void expectNear(const VectorXd& actual, const VectorXd& expected, double tolerance) {
+void expectClose(const VectorXd& actual, const VectorXd& expected, double tolerance) {
   ASSERT_EQ(actual.size(), expected.size());
   EXPECT_LE((actual - expected).cwiseAbs().maxCoeff(), tolerance);
 }
@@ -79,7 +79,7 @@ TEST(Simulate, NoiseFreeOutputIsTheConvolution) {
   const Truth truth = plainTruth();
   const VectorXd g = impulseResponse(truth.plant.b, truth.plant.a, truth.plant.delay, 100);
   for (const Experiment& experiment : simulate(truth, 1)) {
-    expectNear(experiment.y, convolution(g, experiment.u, 100), 1e-12);
+    expectClose(experiment.y, convolution(g, experiment.u, 100), 1e-12);
     EXPECT_EQ(experiment.sample_time, truth.sample_time);
     EXPECT_EQ(experiment.validSamples(), 100);
   }
@@ -99,8 +99,8 @@ TEST(Simulate, RelativeErrorMultipliesThePlant) {
     for (int k = 0; k < 5; ++k) shifted.col(k).tail(100 - k) = nominal.head(100 - k);
     const VectorXd eta = shifted.colPivHouseholderQr().solve(relative);
     EXPECT_NEAR(eta.sum(), 0, 1e-9);
-    expectNear(eta.tail(2), VectorXd::Zero(2), 1e-9);
-    expectNear(eta.head(2), xi, 1e-9);  // T = [I; -1']
+    expectClose(eta.tail(2), VectorXd::Zero(2), 1e-9);
+    expectClose(eta.head(2), xi, 1e-9);  // T = [I; -1']
   }
 }
 
@@ -119,7 +119,7 @@ TEST(Simulate, LaguerreErrorIsTheConvolution) {
   const VectorXd g = impulseResponse(truth.plant.b, truth.plant.a, truth.plant.delay, 100);
   const Experiment experiment = simulateExperiment(truth, 1, 0);
   const VectorXd nominal = convolution(g, experiment.u, 100);
-  expectNear(experiment.y, nominal + convolution(error, nominal, 100), 1e-10);
+  expectClose(experiment.y, nominal + convolution(error, nominal, 100), 1e-10);
 }
 
 TEST(Simulate, FirstOrderStepResponse) {
@@ -219,7 +219,7 @@ TEST(Simulate, DrawsFollowTheirDistributions) {
   const Mixture& mixture = truth.error_model.mixture;
   // Four standard errors: 0.013 for the share, 0.03 for the means and covariances of xi.
   EXPECT_NEAR(first / double(kCount), 0.3, 0.013);
-  expectNear(mean.head(2).transpose(), mixture.mean(), 0.03);
+  expectClose(mean.head(2).transpose(), mixture.mean(), 0.03);
   EXPECT_LE((covariance.topLeftCorner(2, 2) - mixture.covariance()).cwiseAbs().maxCoeff(), 0.03);
   EXPECT_NEAR(mean(2), 2, 4 * 0.462 / std::sqrt(kCount));
   EXPECT_NEAR(covariance(2, 2), 0.64 / 3, 0.006);
