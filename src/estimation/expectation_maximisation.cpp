@@ -34,6 +34,12 @@ VectorXd stacked(const Likelihood& likelihood, const ModelParameters& point) {
       .natural(point);
 }
 
+Optimum ended(Optimum optimum, Termination termination, const std::string& message) {
+  optimum.termination = termination;
+  optimum.message = message;
+  return optimum;
+}
+
 /// Takes the step of theta if it is admissible and does not raise the cost (34); whether it did.
 bool lowersThetaCost(const Likelihood& likelihood, const LatentMoments& moments,
                      const VectorXd& step, ModelParameters* point, Statistics* statistics) {
@@ -83,19 +89,16 @@ Optimum expectationMaximisation(const Likelihood& likelihood, const ModelParamet
     e = likelihood.expect(statistics, point);
     ++optimum.iterations;
     optimum.log_likelihood = e.total();
-    optimum.trace.push_back({optimum.iterations, likelihood.passes(), optimum.log_likelihood,
-                             StepSummary{moved ? moved->norm() : 0.0, gradient.norm(),
-                                         moved.has_value(), watch.seconds()}});
-    if (options.on_iterate && !options.on_iterate(optimum.trace.back())) {
-      optimum.termination = Termination::cancelled;
-      optimum.message = "cancelled";
-      break;
-    }
+    const StepSummary step{moved ? moved->norm() : 0.0, gradient.norm(), moved.has_value(),
+                           watch.seconds()};
+    optimum.trace.push_back(
+        {optimum.iterations, likelihood.passes(), optimum.log_likelihood, step});
+    if (options.on_iterate && !options.on_iterate(optimum.trace.back()))
+      return ended(optimum, Termination::cancelled, "cancelled");
     const VectorXd now = stacked(likelihood, point);
     if (!pruned && (now - previous).norm() < options.tolerance * now.norm()) {
-      optimum.termination = Termination::converged;
-      optimum.message = "the relative change of all parameters fell below the tolerance";
-      break;
+      return ended(optimum, Termination::converged,
+                   "the relative change of all parameters fell below the tolerance");
     }
   }
   optimum.log_likelihood = e.total();

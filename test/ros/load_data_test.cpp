@@ -61,7 +61,8 @@ TEST(LoadData, WhatIsNoDataIsNamed) {
   EXPECT_NE(message(folder / "absent").find("absent' does not exist"), std::string::npos);
   EXPECT_NE(message(folder.path()).find("holds no .bag or .csv"), std::string::npos);
   std::ofstream(folder / "notes.txt") << "not data";
-  EXPECT_NE(message(folder / "notes.txt").find("neither a .bag nor a .csv"), std::string::npos);
+  EXPECT_NE(message(folder / "notes.txt").find("is not a .bag file, a .csv file or a folder"),
+            std::string::npos);
 }
 
 TEST(LoadData, ReasonsAreToldWhenNothingIsLeft) {

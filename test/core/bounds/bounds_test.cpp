@@ -56,7 +56,7 @@ TEST(ComputeBounds, SayWhenErrorsAreTooLargeForThem) {
   estimate.joint_covariance = 0.3 * Eigen::MatrixXd::Identity(4, 4);
   const std::vector<std::string> warnings = computeBounds(estimate).warnings;
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].find("rough"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("inaccurate"), std::string::npos) << warnings[0];
 }
 
 TEST(ComputeBounds, AreTheSameEveryTime) {

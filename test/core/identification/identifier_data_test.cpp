@@ -116,5 +116,14 @@ TEST(IdentifierConfiguration, RefusesAStartThatDoesNotFit) {
   EXPECT_TRUE(mentions(message, "initial.means")) << message;
 }
 
+TEST(IdentifierData, IgnoresTheOrderOfTheExperiments) {
+  std::vector<Experiment> experiments = test::example1Experiments(24);
+  const Estimate one = test::identified(test::example1Configuration(), experiments);
+  std::reverse(experiments.begin(), experiments.end());
+  const Estimate other = test::identified(test::example1Configuration(), experiments);
+  EXPECT_NEAR(other.log_likelihood, one.log_likelihood, 1e-5);
+  EXPECT_EQ(other.data_fingerprint, one.data_fingerprint);
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

@@ -392,14 +392,5 @@ TEST(Identifier, SaysThatItDidNotConverge) {
   EXPECT_TRUE(anyMentions(estimate.warnings, "did not converge"));
 }
 
-TEST(Identifier, IgnoresTheOrderOfTheExperiments) {
-  std::vector<Experiment> experiments = test::example1Experiments(24);
-  const Estimate one = test::identified(test::example1Configuration(), experiments);
-  std::reverse(experiments.begin(), experiments.end());
-  const Estimate other = test::identified(test::example1Configuration(), experiments);
-  EXPECT_NEAR(other.log_likelihood, one.log_likelihood, 1e-5);
-  EXPECT_EQ(other.data_fingerprint, one.data_fingerprint);
-}
-
 }  // namespace
 }  // namespace uncertainty_identification

@@ -42,8 +42,9 @@ TEST(RobustMarginYaml, BadKeysAreNamed) {
   EXPECT_NE(marginComplaint("{}").find("controller.num: needs"), std::string::npos);
   EXPECT_EQ(marginComplaint("controller: {nmu: [1]}"),
             "controller.nmu (line 1): unknown key; did you mean controller.num?");
-  EXPECT_NE(marginComplaint("controller: {num: [1], den: [1, -1.2]}").find("a pole of magnitude 1.2"),
-            std::string::npos);
+  EXPECT_NE(
+      marginComplaint("controller: {num: [1], den: [1, -1.2]}").find("a pole of magnitude 1.2"),
+      std::string::npos);
   EXPECT_EQ(marginComplaint("{controller: {num: [1], den: [1]}, samples: 5}"),
             "samples: found 5; allowed: 100 to 1000000");
 }
