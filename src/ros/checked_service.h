@@ -9,6 +9,7 @@
 #include <string>
 
 #include "ros/message_decoder.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 

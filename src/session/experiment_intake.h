@@ -53,7 +53,8 @@ class ExperimentIntake {
   /// intake but read from the store.
   void setFirstSampleTime(double sample_time);
 
-  /// The number of experiments that were added and are neither delivered nor dropped yet.
+  /// The number of experiments that were added and that the thread has not yet delivered or, after
+  /// clear(), passed over.
   int waiting() const { return waiting_; }
 
  private:
