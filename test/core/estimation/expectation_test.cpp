@@ -4,8 +4,10 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <random>
 #include <vector>
 
+#include "estimation/small_cholesky.h"
 #include "support/core_setup.h"
 
 namespace uncertainty_identification {
@@ -145,6 +147,38 @@ TEST(Expectation, HasNoLikelihoodWhereRoundingLeftMoreExplainedThanThereIs) {
     statistics.gram(0) << 1, std::sqrt(explained), std::sqrt(explained), 1;
     EXPECT_EQ(std::isfinite(expectation(statistics, mixture, 1e-6, &pool).total()), explained < 1);
   }
+}
+
+/// Bits equal those of Eigen's LLT, so that replacing it changed no result.
+template <int n>
+void expectBitsOfEigen() {
+  std::mt19937_64 engine(1);
+  std::normal_distribution<double> normal;
+  int failed = 0;
+  for (int draw = 0; draw < 2000; ++draw) {
+    const auto random = [&] { return normal(engine); };
+    const Square<n> root = Square<n>::NullaryExpr(random), B = Square<n>::NullaryExpr(random);
+    const Column<n> b = Column<n>::NullaryExpr(random);
+    Square<n> K = root * root.transpose();
+    if (draw % 7 == 0) K(0, 0) -= 1;  // some are not positive definite
+    const Eigen::LLT<Square<n>> expected(K);
+    const SmallCholesky<n> found(K);
+    ASSERT_EQ(found.succeeded(), expected.info() == Eigen::Success);
+    if (!found.succeeded()) {
+      ++failed;
+      continue;
+    }
+    EXPECT_EQ(found.solve(b), Column<n>(expected.solve(b)));
+    EXPECT_EQ(found.solveColumns(B), Square<n>(expected.solve(B)));
+    EXPECT_EQ(found.diagonal(n - 1), expected.matrixLLT()(n - 1, n - 1));
+  }
+  EXPECT_GT(failed, 10) << "no matrix tried the failure";
+}
+
+TEST(SmallCholesky, GivesTheBitsOfEigen) {
+  expectBitsOfEigen<1>();
+  expectBitsOfEigen<2>();
+  expectBitsOfEigen<3>();
 }
 
 }  // namespace
