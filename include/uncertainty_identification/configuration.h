@@ -16,7 +16,7 @@ namespace uncertainty_identification {
 enum class Structure { output_error, arx, armax, box_jenkins, continuous };
 enum class Focus { simulation, prediction };
 enum class PlantFit { likelihood, simulation };
-enum class BasisKind { fir, laguerre, kautz, sensitivity, parameter_spread };
+enum class BasisKind { fir, laguerre, kautz, sensitivity, parameter_spread, automatic };
 enum class Constraint { zero_static_gain, zero_mean, free, explicit_matrix };
 enum class Algorithm { em, maximum_likelihood };
 enum class InitialState { zero, discard, estimate };
@@ -33,13 +33,14 @@ constexpr int kMaxErrorParameters = 10;
 /// Nominal model Go = q^-delay B/A and noise model H = C/D, equations (6)-(11).
 struct NominalModelOptions {
   Structure structure = Structure::box_jenkins;
-  bool orders_auto =
-      false;  ///< choose nb, na, nc, nd and delay from the data (YAML: `orders: auto`)
+  /// choose nb, na, nc, nd and delay from the data, whatever is stated for them here (YAML:
+  /// `orders: auto`; `given` as soon as the structure or an order is)
+  bool orders_auto = true;
   Focus focus = Focus::simulation;  ///< purpose of the model: criterion of the choice of orders
   /// How Go is fitted. likelihood: jointly with H and the error model (as in the paper).
   /// simulation: Go minimises the error of its free simulation; then H and the error model are
-  /// estimated with this Go fixed. If the plant is not linear, the joint likelihood would accept a
-  /// worse simulation for a better prediction. `orders: auto` with focus simulation uses
+  /// estimated with this Go fixed. If the plant is not linear, the joint likelihood accepts a worse
+  /// simulation for a better prediction: `orders: auto` with focus simulation then falls back on
   /// `simulation`.
   PlantFit fit = PlantFit::likelihood;
   int max_order = 8;                   ///< largest order of A that is tried, 1 to 20
@@ -67,7 +68,9 @@ Constraint defaultConstraint(BasisKind basis);
 /// equations (4), (12). With basis sensitivity or parameter_spread, parameters of Go vary instead
 /// and xi holds their relative deviations (docs/method.md; notation in docs/notation.md).
 struct ErrorModelOptions {
-  BasisKind basis = BasisKind::fir;
+  /// automatic: basis, constraint and taps are chosen from the data, and what is stated here for
+  /// constraint and taps is not used.
+  BasisKind basis = BasisKind::automatic;
   int taps = 2;  ///< number of basis filters, 1 to 11, or kAutomatic; 0 = no error model. Where
                  ///< parameters of Go vary it follows from them
   Constraint constraint = Constraint::zero_static_gain;
@@ -84,6 +87,10 @@ struct ErrorModelOptions {
   void validate() const;
 };
 
+/// The error model of the paper's examples: two FIR filters without static gain (YAML:
+/// `error_model: paper`).
+ErrorModelOptions paperErrorModel();
+
 /// How the parameters are estimated.
 struct EstimationOptions {
   Algorithm algorithm = Algorithm::maximum_likelihood;
@@ -97,6 +104,13 @@ struct EstimationOptions {
   std::uint64_t seed = 1;
   InitialState initial_state = InitialState::estimate;
   int discard_samples = 50;  ///< initial_state: discard; leading samples kept out of the likelihood
+  /// initial_state: estimate. Precision of an unknown initial value or own output offset of an
+  /// experiment, relative to 1/sigma^2; kAutomatic: from initial_variance and a guess of sigma^2;
+  /// 0: a flat prior.
+  double initial_precision = kAutomatic;
+  /// [unit of y, squared] The same prior's variance, which does not depend on sigma^2; kAutomatic:
+  /// ten standard deviations of the outputs, squared.
+  double initial_variance = kAutomatic;
   NoiseStart noise_start = NoiseStart::stationary;
   Offsets offsets = Offsets::estimate;  ///< estimate: one offset common to all experiments;
                                         ///< per_experiment: one each

@@ -66,4 +66,8 @@ class Identifier {
   NominalModelFactory nominal_model_;  ///< empty: configuration_ defines the model
 };
 
+/// The trust in an estimate, given how well it predicted the experiments that were left out: none
+/// where their simulation errors are larger than the model expects.
+Trust trustAfterCalibration(Trust trust, const PredictionCalibration& calibration);
+
 }  // namespace uncertainty_identification

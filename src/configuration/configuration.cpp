@@ -86,6 +86,12 @@ Constraint defaultConstraint(BasisKind basis) {
   return varies ? Constraint::zero_mean : Constraint::zero_static_gain;
 }
 
+ErrorModelOptions paperErrorModel() {
+  ErrorModelOptions options;
+  options.basis = BasisKind::fir;
+  return options;
+}
+
 void NominalModelOptions::validate() const {
   require(fit == PlantFit::likelihood || structure == Structure::output_error ||
               structure == Structure::box_jenkins,
@@ -140,6 +146,9 @@ void EstimationOptions::validate() const {
   require(tolerance > 0 && tolerance < 1, at + "tolerance", tolerance, "above 0 and below 1");
   requireRange(at + "restarts", restarts, 0, 1000);
   requireRangeOrAutomatic(at + "threads", threads, 1, 1024);
+  if (initial_precision != kAutomatic)
+    requireNotNegative(at + "initial_precision", initial_precision);
+  if (initial_variance != kAutomatic) requirePositive(at + "initial_variance", initial_variance);
   requireRange(at + "discard_samples", discard_samples, 0, 1000000000);
 }
 

@@ -28,7 +28,8 @@ const EnumNames<BasisKind>& enumNames(BasisKind) {
                                            {BasisKind::laguerre, "laguerre"},
                                            {BasisKind::kautz, "kautz"},
                                            {BasisKind::sensitivity, "sensitivity"},
-                                           {BasisKind::parameter_spread, "parameter_spread"}};
+                                           {BasisKind::parameter_spread, "parameter_spread"},
+                                           {BasisKind::automatic, "auto"}};
   return kNames;
 }
 

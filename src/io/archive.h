@@ -30,6 +30,10 @@ class Archive {
   /// True when values are filled from the tree, false when they are written to it.
   virtual bool reads() const = 0;
 
+  /// Reading: whether the key is there, and whether its value is this word. Writing: neither.
+  virtual bool has(std::string_view key) const = 0;
+  virtual bool isWord(std::string_view key, const char* word) = 0;
+
   /// The whole document.
   template <class Value>
   void operator()(Value& value) {
@@ -50,6 +54,12 @@ class Archive {
     if (!enter(key, true)) return;
     visit(reads() ? value.value.emplace() : *value.value);
     leave();
+  }
+
+  /// A key that records of older versions lack: reading leaves `value` as it is then.
+  template <class Value>
+  void ifThere(std::string_view key, Value&& value) {
+    if (!reads() || has(key)) (*this)(key, std::forward<Value>(value));
   }
 
   /// Keys that stand one level deeper without a struct of their own.

@@ -83,6 +83,7 @@ void bind(Archive& archive, Bounds& bounds) {
   archive("step", bounds.step);
   archive("regions", bounds.regions);
   archive("warnings", bounds.warnings);
+  archive.ifThere("trust", bounds.trust);
   archive("seconds", bounds.seconds);
 }
 

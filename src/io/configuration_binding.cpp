@@ -1,10 +1,31 @@
 #include "io/configuration_binding.h"
 
+#include <algorithm>
+#include <initializer_list>
+
 #include "io/archive.h"
 
 namespace uncertainty_identification {
 
+namespace {
+
+bool hasAny(const Archive& archive, std::initializer_list<const char*> keys) {
+  return std::any_of(keys.begin(), keys.end(),
+                     [&archive](const char* key) { return archive.has(key); });
+}
+
+/// Whether a configuration states the key, and not as `auto`.
+bool states(Archive& archive, const char* key) {
+  return archive.has(key) && !archive.isWord(key, "auto");
+}
+
+}  // namespace
+
 void bind(Archive& archive, NominalModelOptions& options) {
+  if (archive.reads()) {  // who states a part of the form states all of it
+    options.orders_auto = !hasAny(archive, {"structure", "nb", "na", "nc", "nd", "delay", "zeros",
+                                            "time_constants", "resonances", "dead_time", "fixed"});
+  }
   archive("structure", options.structure);
   archive("orders", oneOf(options.orders_auto, {{false, "given"}, {true, "auto"}}));
   archive("focus", options.focus);
@@ -27,7 +48,7 @@ void bindBasis(Archive& archive, ErrorModelOptions& options) {
   archive("basis", options.basis);
   if (archive.reads()) options.constraint = defaultConstraint(options.basis);
   archive("taps", orAutomatic(options.taps, kAutomatic));
-  archive("constraint", options.constraint);
+  if (!archive.isWord("constraint", "auto")) archive("constraint", options.constraint);
   archive("T", options.T);
   archive("pole", options.pole);
   archive("pole_real", options.pole_real);
@@ -44,6 +65,11 @@ void bindErrorModel(Archive& archive, const char* parameters_key, ErrorModelOpti
 }
 
 void bind(Archive& archive, ErrorModelOptions& options) {
+  if (archive.reads()) {
+    const bool stated = states(archive, "basis") || states(archive, "constraint") ||
+                        states(archive, "taps") || hasAny(archive, {"T", "parameters"});
+    options.basis = stated ? BasisKind::fir : BasisKind::automatic;
+  }
   bindErrorModel(archive, "parameters", options);
 }
 
@@ -56,6 +82,8 @@ void bind(Archive& archive, EstimationOptions& options) {
   archive("seed", options.seed);
   archive("initial_state", options.initial_state);
   archive("discard_samples", options.discard_samples);
+  archive("initial_precision", orAutomatic(options.initial_precision, double{kAutomatic}));
+  archive("initial_variance", orAutomatic(options.initial_variance, double{kAutomatic}));
   archive("noise_start", options.noise_start);
   archive("offsets", options.offsets);
   archive("offset_side", options.offset_side);
@@ -143,7 +171,10 @@ void bind(Archive& archive, LimitOptions& options) {
 void bind(Archive& archive, Configuration& configuration) {
   archive("sample_time", orAutomatic(configuration.sample_time, 0.0));
   archive("nominal_model", configuration.nominal_model);
-  archive("error_model", configuration.error_model);
+  if (archive.isWord("error_model", "paper"))
+    configuration.error_model = paperErrorModel();
+  else
+    archive("error_model", configuration.error_model);
   archive("estimation", configuration.estimation);
   archive("initial", configuration.initial);
   archive("effects", configuration.effects);

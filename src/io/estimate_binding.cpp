@@ -103,12 +103,14 @@ void bind(Archive& archive, Candidate& candidate) {
   archive("bic", orNull(candidate.bic));
   archive("validation_fit", orNull(candidate.validation_fit));
   archive("chosen", candidate.chosen);
+  archive.ifThere("held_out_density", orNull(candidate.held_out_density));
 }
 
 void bind(Archive& archive, Validation& validation) {
   archive("experiments", validation.experiments);
   archive("simulation_fit_percent", validation.simulation_fit_percent);
   archive("simulation_fit_percent_pooled", validation.simulation_fit_percent_pooled);
+  archive.ifThere("at_rest_fit_percent_pooled", validation.at_rest_fit_percent_pooled);
   archive("log_density_per_experiment", validation.log_density_per_experiment);
 }
 
@@ -118,6 +120,11 @@ void bind(Archive& archive, ResidualTests& tests) {
   archive("cross_correlation", tests.cross_correlation);
   archive("whiteness_p_value", tests.whiteness_p_value);
   archive("independence_p_value", tests.independence_p_value);
+}
+
+void bind(Archive& archive, Trust& trust) {
+  archive("trusted", trust.trusted);
+  archive("reasons", trust.reasons);
 }
 
 void bind(Archive& archive, Estimate& estimate) {
@@ -154,6 +161,8 @@ void bind(Archive& archive, Estimate& estimate) {
   archive("validation", estimate.validation);
   archive("residual_tests", estimate.residual_tests);
   archive("candidates", estimate.candidates);
+  archive.ifThere("variation", estimate.variation);
+  archive.ifThere("trust", estimate.trust);
   archive("warnings", estimate.warnings);
 }
 

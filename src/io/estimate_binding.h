@@ -11,6 +11,7 @@ class Archive;
 
 const EnumNames<Termination>& enumNames(Termination);
 
+void bind(Archive& archive, Trust& trust);
 void bind(Archive& archive, Estimate& estimate);
 void bind(Archive& archive, ParameterEstimate& parameter);
 void bind(Archive& archive, Bands& bands);

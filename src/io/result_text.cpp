@@ -78,11 +78,13 @@ std::string fitText(const Estimate& estimate) {
 
 std::string candidatesText(const std::vector<Candidate>& candidates) {
   if (candidates.empty()) return "";
-  Rows rows{{"choice", "candidate", "parameters", "log-likelihood", "BIC", "held-out fit [%]", ""}};
+  Rows rows{{"choice", "candidate", "parameters", "log-likelihood", "BIC", "held-out fit [%]",
+             "held-out density", ""}};
   for (const Candidate& candidate : candidates) {
     rows.push_back({candidate.choice, candidate.description, std::to_string(candidate.parameters),
                     numberText(candidate.log_likelihood), numberText(candidate.bic),
-                    numberText(candidate.validation_fit), candidate.chosen ? "chosen" : ""});
+                    numberText(candidate.validation_fit), numberText(candidate.held_out_density),
+                    candidate.chosen ? "chosen" : ""});
   }
   return "Candidates\n" + textTable(rows);
 }
@@ -94,8 +96,16 @@ std::string validationText(const Validation& validation) {
     rows.push_back({validation.experiments[i], numberText(validation.simulation_fit_percent[i])});
   }
   rows.push_back({"pooled", numberText(validation.simulation_fit_percent_pooled)});
+  rows.push_back({"pooled, from rest", numberText(validation.at_rest_fit_percent_pooled)});
   return "Validation, log density per experiment " +
          numberText(validation.log_density_per_experiment) + "\n" + textTable(rows);
+}
+
+std::string trustText(const Trust& trust) {
+  if (trust.trusted) return "";
+  std::string text = "Do not rely on the uncertainty of this model:\n";
+  for (const std::string& reason : trust.reasons) text += "  - " + reason + "\n";
+  return text;
 }
 
 std::string findingsText(const Estimate& estimate) {
@@ -110,8 +120,10 @@ std::string findingsText(const Estimate& estimate) {
 }  // namespace
 
 std::string resultText(const Estimate& estimate) {
-  return nominalModelText(estimate) + errorModelText(estimate.error_model) +
-         parametersText(estimate) + fitText(estimate) + candidatesText(estimate.candidates) +
+  return trustText(estimate.trust) + nominalModelText(estimate) +
+         errorModelText(estimate.error_model) +
+         (estimate.variation.empty() ? "" : estimate.variation + "\n") + parametersText(estimate) +
+         fitText(estimate) + candidatesText(estimate.candidates) +
          validationText(estimate.validation) + findingsText(estimate);
 }
 

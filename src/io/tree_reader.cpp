@@ -45,6 +45,14 @@ std::string lineOf(const std::map<std::string, int>& lines, const std::string& p
 TreeReader::TreeReader(const json& tree, ReadingRule rule, std::map<std::string, int> lines)
     : lines_(std::move(lines)), frames_{{tree, rule, {}, {}, {}}} {}
 
+bool TreeReader::has(std::string_view key) const { return node().contains(std::string(key)); }
+
+bool TreeReader::isWord(std::string_view key, const char* word) {
+  if (!has(key) || node()[std::string(key)] != json(word)) return false;
+  frames_.back().known.emplace_back(key);
+  return true;
+}
+
 bool TreeReader::enter(std::string_view key, bool optional) {
   frames_.back().known.emplace_back(key);
   const ReadingRule rule = frames_.back().rule;

@@ -21,6 +21,8 @@ class TreeReader : public Archive {
   TreeReader(const nlohmann::json& tree, ReadingRule rule, std::map<std::string, int> lines = {});
 
   bool reads() const override { return true; }
+  bool has(std::string_view key) const override;
+  bool isWord(std::string_view key, const char* word) override;
 
  private:
   /// A node on the way from the root to where the reader stands.

@@ -14,6 +14,8 @@ class TreeWriter : public Archive {
   explicit TreeWriter(nlohmann::json& tree) : nodes_{&tree} {}
 
   bool reads() const override { return false; }
+  bool has(std::string_view /*key*/) const override { return false; }
+  bool isWord(std::string_view /*key*/, const char* /*word*/) override { return false; }
 
  private:
   bool enter(std::string_view key, bool optional) override;

@@ -93,6 +93,8 @@ messages::UncertaintyBounds toMessage(const Bounds& bounds, const ResultContext&
   message.step_upper = upper(widest(bounds.step.bands).pointwise);
   if (bounds.weight) fill(*bounds.weight, &message);
   message.warnings = bounds.warnings;
+  message.trusted = bounds.trust.trusted;
+  message.reasons = bounds.trust.reasons;
   message.seconds = bounds.seconds;
   return message;
 }

@@ -27,6 +27,7 @@ std::vector<messages::Parameter> toMessage(const std::vector<ParameterEstimate>&
 std::uint8_t toMessage(BasisKind basis) {
   switch (basis) {
     case BasisKind::fir:
+    case BasisKind::automatic:  // as ErrorBasis takes it
       return messages::ErrorModel::FIR;
     case BasisKind::laguerre:
       return messages::ErrorModel::LAGUERRE;

@@ -48,6 +48,8 @@ std::optional<ui::Bounds> boundsOf(const std::vector<ui::Experiment>& experiment
     bounds = ui::computeBounds(*estimate);
     auto prediction =
         ui::Identifier(estimate->configuration).calibrate(*estimate, experiments, progress);
+    estimate->trust = ui::trustAfterCalibration(std::move(estimate->trust), prediction);
+    bounds->trust = estimate->trust;
     if (!prediction.folds.empty()) bounds->prediction = std::move(prediction);
   } catch (const ui::DataError& error) {
     const std::string what = bounds ? "no calibrated prediction: " : "no bounds: ";

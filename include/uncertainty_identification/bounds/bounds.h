@@ -23,6 +23,7 @@ struct Bounds {
   std::optional<UncertaintyWeight> weight;          ///< absent where the plants do not differ
   std::optional<PredictionCalibration> prediction;  ///< only after Identifier::calibrate()
   std::vector<std::string> warnings;
+  Trust trust;         ///< whether these bounds can be relied on
   double seconds = 0;  ///< [s] wall time of the computation
 };
 

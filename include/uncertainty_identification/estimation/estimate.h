@@ -76,6 +76,8 @@ struct Candidate {
   std::optional<double>
       validation_fit;  ///< simulation fit on held-out data [%]; absent if not used
   bool chosen = false;
+  /// mean log density of experiments that it was not fitted to [nats]; absent if not used
+  std::optional<double> held_out_density{};
 };
 
 /// Fit on held-out experiments; `experiments` is empty if there are none.
@@ -84,7 +86,9 @@ struct Validation {
   std::vector<double>
       simulation_fit_percent;  ///< 100 (1 - |y - ysim| / |y - mean y|), free simulation of Go
   double simulation_fit_percent_pooled = 0;  ///< the same with the mean over all of them
-  double log_density_per_experiment = 0;     ///< mean log predictive density [nats]
+  double at_rest_fit_percent_pooled = 0;  ///< the same if every simulation starts at rest instead
+                                          ///< of the state that fits its first samples
+  double log_density_per_experiment = 0;  ///< mean log predictive density [nats]
 };
 
 /// Tests whether the residuals are white and uncorrelated with the input, pooled over all
@@ -114,6 +118,12 @@ struct TracePoint {
   double log_likelihood = 0;  ///< highest so far
   /// Absent if there was no step: at the start of L-BFGS, and in results of older versions.
   std::optional<StepSummary> step{};
+};
+
+/// Whether a result's distribution of plants, and so its bounds, can be relied on.
+struct Trust {
+  bool trusted = true;
+  std::vector<std::string> reasons;  ///< why not, one sentence each, the gravest first
 };
 
 /// The result of an identification, with all that is needed to use and reproduce it.
@@ -148,6 +158,8 @@ struct Estimate {
   std::vector<Candidate> candidates;
   Validation validation;
   ResidualTests residual_tests;
+  std::string variation;  ///< how the plants differ from experiment to experiment, in a sentence
+  Trust trust;
   std::vector<std::string> warnings;
 
   /// Whether the model can be used: the estimation converged, or stopped at the iteration limit
