@@ -258,9 +258,10 @@ void ExtendedModel::evaluate(const Block& block, const VectorXd& parameters, boo
   evaluate(block, parameters, all, response);
 }
 
-bool ExtendedModel::fusedStatistics(const Block& /*block*/, const VectorXd& /*parameters*/,
-                                    bool /*derivatives*/, Statistics* /*statistics*/) const {
-  return false;
+std::unique_ptr<const FusedSweep> ExtendedModel::prepare(const std::vector<Block>& /*blocks*/,
+                                                         const VectorXd& /*parameters*/,
+                                                         bool /*derivatives*/) const {
+  return nullptr;
 }
 
 bool ExtendedModel::admissible(const VectorXd& parameters) const {

@@ -7,6 +7,8 @@ namespace uncertainty_identification {
 using Eigen::MatrixXd;
 
 SymmetricEigen::SymmetricEigen(const MatrixXd& matrix) {
+  converged_ = true;
+  if (matrix.size() == 0) return;  // Eigen's solver reads the first entry
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(matrix);
   eigenvalues_ = solver.eigenvalues();
   eigenvectors_ = solver.eigenvectors();

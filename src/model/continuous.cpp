@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include "math/polynomial.h"
 #include "model/continuous_poles.h"
+#include "model/zero_order_hold.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
@@ -19,6 +19,13 @@ struct Physical {
   bool fixed;
 };
 
+/// Number of coefficients before the first that is not zero.
+double leadingZeros(const Eigen::VectorXd& b) {
+  const double* first =
+      std::find_if(b.data(), b.data() + b.size(), [](double value) { return value != 0; });
+  return first == b.data() + b.size() ? 0 : static_cast<double>(first - b.data());
+}
+
 /// The product of p, a polynomial in s with ascending powers, and 1 + f1 s + f2 s^2.
 Eigen::VectorXd times(const Eigen::VectorXd& p, double f1, double f2, Eigen::Index degree) {
   Eigen::VectorXd out = Eigen::VectorXd::Zero(p.size() + degree);
@@ -26,18 +33,6 @@ Eigen::VectorXd times(const Eigen::VectorXd& p, double f1, double f2, Eigen::Ind
   out.segment(1, p.size()) += f1 * p;
   if (degree == 2) out.segment(2, p.size()) += f2 * p;
   return out;
-}
-
-/// Zero-order hold over `time`, in sample times: e^(A time), and the integral of e^(A s) b over [0,
-/// time].
-std::pair<Eigen::MatrixXd, Eigen::VectorXd> hold(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
-                                                 double time) {
-  const Eigen::Index n = A.rows();
-  Eigen::MatrixXd augmented = Eigen::MatrixXd::Zero(n + 1, n + 1);
-  augmented.topLeftCorner(n, n) = time * A;
-  augmented.topRightCorner(n, 1) = time * b;
-  const Eigen::MatrixXd exponential = augmented.exp();
-  return {exponential.topLeftCorner(n, n), exponential.topRightCorner(n, 1)};
 }
 
 class Continuous : public NominalModel {
@@ -59,6 +54,14 @@ class Continuous : public NominalModel {
   }
 
   std::string structure() const override { return "continuous"; }
+
+  /// [samples]; 0 where the dead time is known or there is none.
+  int longestDeadTime() const {
+    const bool estimated = std::any_of(physical_.begin(), physical_.end(), [](const Physical& one) {
+      return one.kind == Physical::dead_time && !one.fixed;
+    });
+    return estimated ? extra_ - 1 : 0;
+  }
 
   std::vector<std::string> names() const override {
     std::vector<std::string> all;
@@ -112,7 +115,7 @@ class Continuous : public NominalModel {
     }
     Polynomials p;
     p.delay = delay_;
-    discretise(numerator, denominator, dead_samples, &p);
+    discretise(numerator, denominator, dead_samples, extra_, &p);
     p.c = theta.segment(theta.size() - nc_ - nd_, nc_);
     p.d = theta.tail(nd_);
     return p;
@@ -135,7 +138,8 @@ class Continuous : public NominalModel {
     return NominalModel::admissible(theta);
   }
 
-  /// Takes time constants and resonances from the poles of A, the gain from Go at frequency zero.
+  /// Takes time constants and resonances from the poles of A, the gain from Go at frequency zero,
+  /// and the dead time from the zeros that B starts with.
   Eigen::VectorXd fromPolynomials(const Polynomials& p) const override {
     ContinuousPoles poles = continuousPoles(p.a, sample_time_);
     Eigen::VectorXd theta(parameterCount());
@@ -196,7 +200,8 @@ class Continuous : public NominalModel {
         return std::max(-pair.real() / std::abs(pair), 1e-3);
       }
       case Physical::dead_time:
-        return std::min(0.5 * sample_time_, 0.5 * maxDeadTime());
+        return std::min((leadingZeros(p.b) + 0.5) * sample_time_,
+                        maxDeadTime() - 0.5 * std::min(sample_time_, maxDeadTime()));
       case Physical::zero:
         break;
     }
@@ -241,38 +246,6 @@ class Continuous : public NominalModel {
     return to;
   }
 
-  void discretise(const Eigen::VectorXd& numerator, const Eigen::VectorXd& denominator,
-                  double dead_samples, Polynomials* p) const {
-    const Eigen::Index n = order_;
-    Eigen::MatrixXd A =
-        Eigen::MatrixXd::Zero(n, n);  // controllable form, highest power scaled to 1
-    A.diagonal(1).setOnes();
-    A.row(n - 1) = -denominator.head(n).transpose() / denominator[n];
-    Eigen::VectorXd input = Eigen::VectorXd::Zero(n), output = Eigen::VectorXd::Zero(n);
-    input[n - 1] = 1 / denominator[n];
-    output.head(numerator.size()) = numerator;
-
-    const int whole = static_cast<int>(dead_samples);
-    const double fraction = dead_samples - whole;
-    // The previous input acts during the fraction of the dead time, the newest one after it.
-    const auto [unused, late] = hold(A, input, fraction);
-    const auto [remaining, newest] = hold(A, input, 1 - fraction);
-    const Eigen::VectorXd older = remaining * late;
-    const Eigen::MatrixXd transition = hold(A, input, 1).first;
-
-    p->a.resize(n);
-    p->b = Eigen::VectorXd::Zero(n + extra_);
-    Eigen::MatrixXd adjugate = Eigen::MatrixXd::Identity(n, n);
-    for (Eigen::Index k = 0; k < n; ++k) {
-      p->b[k + std::min(whole, std::max(extra_ - 1, 0))] += output.dot(adjugate * newest);
-      if (extra_ > 0) p->b[k + std::min(whole, extra_ - 1) + 1] += output.dot(adjugate * older);
-      const Eigen::MatrixXd product = transition * adjugate;
-      p->a[k] = -product.trace() / static_cast<double>(k + 1);
-      adjugate = product;
-      adjugate.diagonal().array() += p->a[k];
-    }
-  }
-
   double sample_time_;
   int delay_, order_, nc_, nd_, extra_;
   std::vector<Physical> physical_;
@@ -283,6 +256,11 @@ class Continuous : public NominalModel {
 std::shared_ptr<const NominalModel> makeContinuous(const NominalModelOptions& options,
                                                    double sample_time) {
   return std::make_shared<Continuous>(options, sample_time);
+}
+
+int longestDeadTime(const NominalModel& model) {
+  const auto* continuous = dynamic_cast<const Continuous*>(&model);
+  return continuous == nullptr ? 0 : continuous->longestDeadTime();
 }
 
 }  // namespace uncertainty_identification

@@ -17,4 +17,8 @@ namespace uncertainty_identification {
 std::shared_ptr<const NominalModel> makeContinuous(const NominalModelOptions& options,
                                                    double sample_time);
 
+/// Largest dead time [samples] that a continuous model can have; 0 where none is estimated, and for
+/// any other model.
+int longestDeadTime(const NominalModel& model);
+
 }  // namespace uncertainty_identification

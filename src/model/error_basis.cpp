@@ -60,6 +60,7 @@ Eigen::MatrixXd constraintMatrix(const ErrorModelOptions& options,
 }  // namespace
 
 ErrorBasis::ErrorBasis(const ErrorModelOptions& options) : options_(options), taps_(options.taps) {
+  if (options_.basis == BasisKind::automatic) options_.basis = BasisKind::fir;  // not yet chosen
   if (taps_ < 0) throw ConfigurationError("error_model.taps: found auto; the basis needs a number");
   if (isStable(denominator()) == false) {
     throw ConfigurationError("error_model: the basis' pole must lie inside the unit circle");

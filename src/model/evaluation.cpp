@@ -1,5 +1,9 @@
 #include "model/evaluation.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "math/constants.h"
 #include "model/filter.h"
 
 namespace uncertainty_identification {
@@ -38,6 +42,15 @@ std::shared_ptr<const NoiseWhitening> whiteningOf(const Polynomials& polynomials
                                           derivatives);
 }
 
+double samplesOfPrior(const EstimationOptions& options) {
+  return options.initial_variance > 0 && options.initial_precision > 0 ? 1 : 0;
+}
+
+double logOfPrior(const EstimationOptions& options) {
+  if (samplesOfPrior(options) == 0) return 0;
+  return 0.5 * std::log(2 * kPi * options.initial_variance * options.initial_precision);
+}
+
 Evaluation::Evaluation(const Polynomials& polynomials, int plant_coordinates,
                        const EstimationOptions& options, const Block& block, bool derivatives)
     : polynomials_(polynomials),
@@ -73,8 +86,14 @@ void Evaluation::run(double offset, Response* response) {
   if (options_.initial_state == InitialState::estimate) addFreeResponse(response);
   if (options_.offsets == Offsets::per_experiment) addOwnOffset(response);
   if (options_.offsets == Offsets::estimate && derivatives_) addCommonOffset(response);
+  const auto columns = static_cast<Eigen::Index>(response->value.columns.size());
   response->column_precision =
-      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(response->value.columns.size()));
+      Eigen::VectorXd::Constant(columns, std::max(0.0, options_.initial_precision));
+  if (at_input && options_.offsets == Offsets::per_experiment)
+    response->column_precision[columns - 1] = 0;  // in units of u: the prior is stated for y
+  const auto wide = static_cast<double>((response->column_precision.array() > 0).count());
+  response->effective_samples -= wide * samplesOfPrior(options_);
+  response->value.log_jacobian -= wide * logOfPrior(options_);
 }
 
 Signals* Evaluation::at(std::vector<Signals>* list, std::size_t k) {

@@ -34,6 +34,13 @@ std::shared_ptr<const NoiseWhitening> whiteningOf(const Polynomials& polynomials
                                                   const EstimationOptions& options,
                                                   const Block& block, bool derivatives);
 
+/// Columns of precision p have a prior of variance sigma^2/p. Where the prior's variance V is fixed
+/// (EstimationOptions::initial_variance), 1/2 log(sigma^2/p) of each column becomes 1/2 log V: the
+/// column takes up one sample, and logOfPrior() leaves the log-Jacobian. The determinant keeps p,
+/// which is small. 0 where V is not given.
+double samplesOfPrior(const EstimationOptions& options);
+double logOfPrior(const EstimationOptions& options);
+
 /// Computes the whitened response of a block and its derivatives with respect to [coordinates of
 /// the plant; c; d; common offset], including nuisances such as unknown initial states and offsets.
 /// Subclasses define the plant and the effect of its initial state.

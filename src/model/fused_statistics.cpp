@@ -1,172 +1,125 @@
 #include "model/fused_statistics.h"
 
 #include <algorithm>
-#include <array>
 
-#include "model/fused_sweep.h"
+#include "model/box_jenkins_sweep.h"
+#include "model/fused_at_rest.h"
 
 namespace uncertainty_identification {
-namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 
-typedef double Vector2 __attribute__((vector_size(2 * sizeof(double))));
-typedef double Vector4 __attribute__((vector_size(4 * sizeof(double))));
-typedef double Vector8 __attribute__((vector_size(8 * sizeof(double))));
-
-template <typename Vector, bool kDerivatives, int kOrder, int kRegressors>
-UI_INLINE void sweepAll(const FusedInput<kOrder, kRegressors>& in,
-                        FusedSums<kOrder, kRegressors>* sums) {
-  constexpr int kWidth = sizeof(Vector) / sizeof(double);
-  for (int lane = 0; lane < in.lanes; lane += kWidth) {
-    fusedSweep<Vector, kDerivatives>(in, lane, sums);
+bool BoxJenkinsSweep::statistics(const Block& block, Statistics* statistics) const {
+  if (block.gaps) return false;
+  const bool at_rest = columns_.count() == 0 && model_.offset == 0 && !step_;
+  if (at_rest && fusedAtRest(block, model_.p, T_, jacobian_, statistics)) return true;
+  SweepStart start = rest();
+  PiecewiseSweep sweep(model_, block, start);
+  InitialValues first = initialValues(block, &sweep);
+  start.values.swap(first.values.values());
+  sweep.restart();
+  Sums sums{LaneMatrix(size(), size()), LaneMatrix(derived() * size(), size()),
+            LaneMatrix(1, size())};
+  const SweepKernels& kernels = sweepKernels();
+  while (sweep.next()) {
+    const auto add = [&](const std::vector<const double*>& left, LaneMatrix* to) {
+      kernels.products(left.data(), static_cast<int>(left.size()), sweep.values().data(),
+                       static_cast<int>(size()), sweep.samples(), block.lanes, to->data());
+    };
+    add(sweep.values(), &sums.gram);
+    if (derived() == 0) continue;
+    sweep.differentiate(true);
+    add(sweep.derivatives(), &sums.derivatives);
+    if (!step_) continue;
+    const double* step = step_->delayed(0) + sweep.begin();
+    kernels.sharedProducts(&step, 1, sweep.values().data(), static_cast<int>(size()),
+                           sweep.samples(), block.lanes, sums.of_step.data());
   }
+  write(block, first, sums, statistics);
+  return true;
 }
 
-template <int kOrder, int kRegressors>
-using Sweep = void (*)(const FusedInput<kOrder, kRegressors>&, FusedSums<kOrder, kRegressors>*);
-
-// One version per vector unit. The vectors of each are as wide as its registers: wider ones would
-// be split into several registers, the sums would no longer fit into the registers, and the loop
-// would be five times slower.
-template <bool kDerivatives, int kOrder, int kRegressors>
-void sweepBaseline(const FusedInput<kOrder, kRegressors>& in,
-                   FusedSums<kOrder, kRegressors>* sums) {
-  sweepAll<Vector2, kDerivatives>(in, sums);
-}
-
-#if defined(__x86_64__)
-template <bool kDerivatives, int kOrder, int kRegressors>
-__attribute__((target("avx2,fma"))) void sweepAvx2(const FusedInput<kOrder, kRegressors>& in,
-                                                   FusedSums<kOrder, kRegressors>* sums) {
-  sweepAll<Vector4, kDerivatives>(in, sums);
-}
-
-template <bool kDerivatives, int kOrder, int kRegressors>
-__attribute__((target("avx512f"))) void sweepAvx512(const FusedInput<kOrder, kRegressors>& in,
-                                                    FusedSums<kOrder, kRegressors>* sums) {
-  sweepAll<Vector8, kDerivatives>(in, sums);
-}
-
-/// The version for the processor that the program runs on.
-template <bool kDerivatives, int kOrder, int kRegressors>
-Sweep<kOrder, kRegressors> chooseSweep() {
-  if (__builtin_cpu_supports("avx512f")) return sweepAvx512<kDerivatives, kOrder, kRegressors>;
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-    return sweepAvx2<kDerivatives, kOrder, kRegressors>;
-  }
-  return sweepBaseline<kDerivatives, kOrder, kRegressors>;
-}
-#else
-template <bool kDerivatives, int kOrder, int kRegressors>
-Sweep<kOrder, kRegressors> chooseSweep() {
-  return sweepBaseline<kDerivatives, kOrder, kRegressors>;
-}
-#endif
-
-template <int kOrder, int kRegressors>
-FusedInput<kOrder, kRegressors> inputOf(const Block& block, const Polynomials& p,
-                                        const MatrixXd& T) {
-  FusedInput<kOrder, kRegressors> in = {};
-  std::copy_n(p.b.data(), p.b.size(), in.b);
-  std::copy_n(p.a.data(), p.a.size(), in.a);
-  std::copy_n(p.c.data(), p.c.size(), in.c);
-  std::copy_n(p.d.data(), p.d.size(), in.d);
-  for (Index l = 0; l < T.rows(); ++l) {
-    for (Index i = 0; i < T.cols(); ++i) in.T[l][i] = T(l, i);
-  }
-  in.delay = p.delay;
-  in.samples = block.samples;
-  in.lanes = block.lanes;
-  in.full = block.lengths[static_cast<std::size_t>(block.lanes) - 1];
-  in.u = block.u.data();
-  in.y = block.y.data();
-  in.weight = block.weight.data();
-  return in;
-}
-
-/// Expands the upper triangles `pairs` of all lanes to full symmetric matrices. `matrix_of` gives
-/// the destination for an experiment.
-template <int kRegressors, typename MatrixOf>
-void expand(const Lanes* pairs, const Block& block, const MatrixOf& matrix_of) {
-  constexpr int kSize = kRegressors + 1;
+void BoxJenkinsSweep::write(const Block& block, const InitialValues& first, const Sums& sums,
+                            Statistics* statistics) const {
   for (int lane = 0; lane < block.lanes; ++lane) {
-    double* to = matrix_of(block.index[static_cast<std::size_t>(lane)]).data();
-    int pair = 0;
-    UI_UNROLL for (int i = 0; i < kSize; ++i) {
-      UI_UNROLL for (int j = i; j < kSize; ++j) {
-        to[i * kSize + j] = to[j * kSize + i] = pairs[pair++][lane];
+    const int r = block.index[static_cast<std::size_t>(lane)];
+    const int length = block.lengths[static_cast<std::size_t>(lane)];
+    statistics->samples()[r] = length;
+    statistics->logJacobian()[r] = 0;
+    statistics->logJacobianDerivatives().col(r).setZero();
+    for (Index i = 0; i < size(); ++i) {
+      for (Index j = 0; j < size(); ++j)
+        statistics->gram(r)(i, j) = sums.gram(i, j)[lane] + first.prior(i, j)[lane];
+    }
+    if (columns_.count() == 0) continue;
+    const Absorption& absorption = columns_.absorption(length);
+    statistics->samples()[r] -= absorption.lost_samples;
+    statistics->logJacobian()[r] = absorption.log_jacobian;
+    if (derived() == 0) continue;
+    statistics->logJacobianDerivatives().col(r).head(jacobian_.cols()).noalias() =
+        jacobian_.transpose() * absorption.log_jacobian_derivatives;
+  }
+  if (derived() > 0) writeDerivatives(block, first, sums, statistics);
+}
+
+void BoxJenkinsSweep::writeDerivatives(const Block& block, const InitialValues& first,
+                                       const Sums& sums, Statistics* statistics) const {
+  const LaneMatrix halves = halvesOf(first, sums.derivatives);
+  LaneMatrix half(size(), size());
+  for (Index j = 0; j < jacobian_.cols(); ++j) {
+    half.setZero();
+    for (Index k = 0; k < derived(); ++k) {
+      if (jacobian_(k, j) == 0) continue;
+      for (Index i = 0; i < size() * size(); ++i) half(0, i) += jacobian_(k, j) * halves(k, i);
+    }
+    writeDerivative(block, half, static_cast<int>(j), statistics);
+  }
+  if (!step_) return;
+  half.setZero();
+  for (Index i = 0; i < size(); ++i) half(size() - 1, i) = -sums.of_step(0, i);
+  writeDerivative(block, half, static_cast<int>(jacobian_.cols()), statistics);
+}
+
+/// d[Phi e]'[Phi e] for each coefficient (a row each): the derivative of the Gram matrix is the
+/// sum of this and its transpose.
+LaneMatrix BoxJenkinsSweep::halvesOf(const InitialValues& first,
+                                     const LaneMatrix& derivatives) const {
+  LaneMatrix halves(derived(), size() * size());
+  for (Index k = 0; k < derived(); ++k) {
+    for (Index i = 0; i < size(); ++i) {
+      const double sign = (i + 1 == size() ? residual_signs_ : regressor_signs_)[k];
+      for (Index j = 0; j < size(); ++j)
+        halves(k, i * size() + j) = sign * derivatives(i * derived() + k, j);
+    }
+  }
+  const Index first_of_noise = CoefficientLayout(model_.p).c;
+  const auto& changes = columns_.covarianceDerivatives();
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    const Index row = first_of_noise + static_cast<Index>(k);
+    for (Index l = 0; l < columns_.noise(); ++l) {
+      for (Index m = 0; m < columns_.noise(); ++m) {
+        const double change = -0.5 * changes[k](l, m);
+        if (change == 0) continue;
+        for (Index i = 0; i < size(); ++i) {
+          const Lanes left = change * first.noise_residual(l, i);
+          for (Index j = 0; j < size(); ++j)
+            halves(row, i * size() + j) += left * first.noise_residual(m, j);
+        }
       }
     }
   }
+  return halves;
 }
 
-/// Derivative of the Gram matrices with respect to one parameter, whose effect on the polynomials'
-/// coefficients is given.
-template <int kOrder, int kRegressors>
-void derivativeOf(const FusedSums<kOrder, kRegressors>& sums, const Polynomials& p,
-                  const double* of_coefficients, Lanes* pairs) {
-  constexpr int kPairs = FusedSums<kOrder, kRegressors>::kPairs;
-  const std::array<Index, 4> sizes{p.b.size(), p.a.size(), p.c.size(), p.d.size()};
-  std::fill_n(pairs, kPairs, Lanes(Lanes::Zero()));
-  for (int kind = 0; kind < 4; ++kind) {
-    for (Index k = 0; k < sizes[static_cast<std::size_t>(kind)]; ++k) {
-      const double factor = kFusedSigns[kind] * *of_coefficients++;
-      if (factor == 0) continue;
-      const Lanes* of_coefficient = sums.derivatives[kind * kOrder + k];
-      for (int pair = 0; pair < kPairs; ++pair) pairs[pair] += factor * of_coefficient[pair];
+void BoxJenkinsSweep::writeDerivative(const Block& block, const LaneMatrix& half, int parameter,
+                                      Statistics* statistics) const {
+  for (int lane = 0; lane < block.lanes; ++lane) {
+    Statistics::Gram to =
+        statistics->gramDerivative(block.index[static_cast<std::size_t>(lane)], parameter);
+    for (Index i = 0; i < size(); ++i) {
+      for (Index j = 0; j < size(); ++j) to(i, j) = half(i, j)[lane] + half(j, i)[lane];
     }
   }
-  int diagonal = 0;
-  for (int i = 0; i <= kRegressors; diagonal += kRegressors + 1 - i, ++i) pairs[diagonal] *= 2;
-}
-
-template <int kOrder, int kRegressors>
-void write(const FusedSums<kOrder, kRegressors>& sums, const Block& block, const Polynomials& p,
-           const MatrixXd& jacobian, Statistics* statistics) {
-  for (int lane = 0; lane < block.lanes; ++lane) {
-    const int r = block.index[static_cast<std::size_t>(lane)];
-    statistics->samples()[r] = block.lengths[static_cast<std::size_t>(lane)];
-    statistics->logJacobian()[r] = 0;
-    statistics->logJacobianDerivatives().col(r).setZero();
-  }
-  expand<kRegressors>(sums.gram, block, [&](int r) { return statistics->gram(r); });
-  Lanes pairs[FusedSums<kOrder, kRegressors>::kPairs];
-  for (int j = 0; j < static_cast<int>(jacobian.cols()); ++j) {
-    derivativeOf(sums, p, jacobian.col(j).data(), pairs);
-    expand<kRegressors>(pairs, block, [&](int r) { return statistics->gramDerivative(r, j); });
-  }
-}
-
-template <int kOrder, int kRegressors>
-void run(const Block& block, const Polynomials& p, const MatrixXd& T, const MatrixXd& jacobian,
-         Statistics* statistics) {
-  static const auto with_derivatives = chooseSweep<true, kOrder, kRegressors>();
-  static const auto without = chooseSweep<false, kOrder, kRegressors>();
-  const auto in = inputOf<kOrder, kRegressors>(block, p, T);
-  FusedSums<kOrder, kRegressors> sums;
-  (jacobian.cols() > 0 ? with_derivatives : without)(in, &sums);
-  write(sums, block, p, jacobian, statistics);
-}
-
-using Run = void (*)(const Block&, const Polynomials&, const MatrixXd&, const MatrixXd&,
-                     Statistics*);
-
-constexpr Run kRuns[3][3] = {{run<1, 0>, run<1, 1>, run<1, 2>},
-                             {run<2, 0>, run<2, 1>, run<2, 2>},
-                             {run<4, 0>, run<4, 1>, run<4, 2>}};
-
-}  // namespace
-
-bool fusedBoxJenkins(const Block& block, const Polynomials& p, const MatrixXd& T,
-                     const MatrixXd& jacobian, Statistics* statistics) {
-  const Index order = std::max({p.b.size(), p.a.size(), p.c.size(), p.d.size()});
-  const Index regressors = T.cols();
-  if (order > 4 || regressors > 2 || T.rows() > regressors + 1) return false;
-  const int row = order <= 1 ? 0 : (order == 2 ? 1 : 2);
-  kRuns[row][regressors](block, p, T, jacobian, statistics);
-  return true;
 }
 
 }  // namespace uncertainty_identification

@@ -12,7 +12,7 @@
 #define UI_INLINE inline __attribute__((always_inline))
 #define UI_UNROLL _Pragma("GCC unroll 8")
 
-/// The loop of fused_statistics.cpp, as a template over the vector type.
+/// The loop of fused_at_rest.cpp, as a template over the vector type.
 namespace uncertainty_identification {
 
 /// Polynomials padded with zeros to a common order, and the block's samples.

@@ -159,16 +159,22 @@ void LinearModel::evaluate(const Block& block, const VectorXd& parameters, bool 
   if (derivatives) applyJacobian(nominal_->jacobian(theta), &response->derivatives);
 }
 
-bool LinearModel::fusedStatistics(const Block& block, const VectorXd& parameters, bool derivatives,
-                                  Statistics* statistics) const {
-  if (options_.initial_state != InitialState::zero || options_.offsets != Offsets::none ||
-      basis_.kind() != BasisKind::fir || block.gaps) {
-    return false;
+std::unique_ptr<const FusedSweep> LinearModel::prepare(const std::vector<Block>& blocks,
+                                                       const VectorXd& parameters,
+                                                       bool derivatives) const {
+  const VectorXd theta = this->theta(parameters);
+  // The sweep takes an empty Jacobian for derivatives that are not wanted.
+  if (derivatives && theta.size() == 0) return nullptr;
+  FusedInput input;
+  input.polynomials = nominal_->polynomials(theta);
+  if (derivatives) input.jacobian = nominal_->jacobian(theta);
+  input.common_offset = commonOffset(parameters);
+  if (options_.initial_state == InitialState::estimate) {
+    int longest = 0;
+    for (const Block& block : blocks) longest = std::max(longest, block.samples);
+    input.states = freeResponseDirections(input.polynomials, basis_, longest);
   }
-  const Polynomials p = nominal_->polynomials(parameters);
-  if (options_.noise_start == NoiseStart::stationary && p.c.size() + p.d.size() > 0) return false;
-  return fusedBoxJenkins(block, p, basis_.T(),
-                         derivatives ? nominal_->jacobian(parameters) : MatrixXd(), statistics);
+  return fusedBoxJenkins(input, basis_, options_, blocks);
 }
 
 bool LinearModel::admissible(const VectorXd& parameters) const {

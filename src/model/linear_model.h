@@ -48,8 +48,9 @@ class LinearModel : public Model {
   int regressors() const override { return basis_.dimension(); }
   void evaluate(const Block& block, const Eigen::VectorXd& parameters, bool derivatives,
                 Response* response) const override;
-  bool fusedStatistics(const Block& block, const Eigen::VectorXd& parameters, bool derivatives,
-                       Statistics* statistics) const override;
+  std::unique_ptr<const FusedSweep> prepare(const std::vector<Block>& blocks,
+                                            const Eigen::VectorXd& parameters,
+                                            bool derivatives) const override;
   bool admissible(const Eigen::VectorXd& parameters) const override;
   Eigen::VectorXd toUnbounded(const Eigen::VectorXd& parameters) const override;
   Eigen::VectorXd fromUnbounded(const Eigen::VectorXd& unbounded) const override;

@@ -165,10 +165,8 @@ void write(const Response& response, const Block& block, Statistics* statistics)
 
 void computeStatistics(const Model& model, const Block& block, const VectorXd& parameters,
                        Statistics* statistics, Response* response) {
-  const bool derivatives = statistics->parameters() > 0;
   *response = Response();
-  if (model.fusedStatistics(block, parameters, derivatives, statistics)) return;
-  model.evaluate(block, parameters, derivatives, response);
+  model.evaluate(block, parameters, statistics->parameters() > 0, response);
   write(*response, block, statistics);
 }
 

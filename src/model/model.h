@@ -35,6 +35,23 @@ struct Response {
   Lanes effective_samples = Lanes::Zero();  ///< measured samples that count in the likelihood
 };
 
+/// A model at given parameters, prepared to compute the statistics of blocks without evaluate().
+/// Immutable; may be called from several threads.
+class FusedSweep {
+ public:
+  virtual ~FusedSweep() = default;
+
+  /// Computes the statistics of the experiments in a block, with derivatives if these were asked
+  /// for. Returns false if this block needs the general path.
+  virtual bool statistics(const Block& block, Statistics* statistics) const = 0;
+
+  /// The same for what a scoring step needs of each lane: the Gram matrix of [Phi d], with
+  /// random-effect columns integrated out. d are the derivatives of e - Phi m - Z zeta with respect
+  /// to the parameters, m the means of xi (n x M), zeta the most likely coefficients.
+  virtual bool sensitivities(const Block& block, const Eigen::MatrixXd& means,
+                             std::vector<Eigen::MatrixXd>* products) const = 0;
+};
+
 /// The interface of all models. Input: parameters (theta of the nominal model, and those of
 /// nuisances and effects). Output for a block of experiments: residual, regressors, random-effect
 /// columns, log-Jacobian, number of effective samples, and their derivatives. An effect is a model
@@ -54,11 +71,12 @@ class Model {
   virtual void evaluate(const Block& block, const Eigen::VectorXd& parameters, bool derivatives,
                         Response* response) const = 0;
 
-  /// Computes the statistics without evaluate() if the model has a faster method for this block;
-  /// otherwise returns false.
-  virtual bool fusedStatistics(const Block& /*block*/, const Eigen::VectorXd& /*parameters*/,
-                               bool /*derivatives*/, Statistics* /*statistics*/) const {
-    return false;
+  /// Prepares a faster method for the statistics of these blocks, which must outlive the result, or
+  /// returns null if the model has none.
+  virtual std::unique_ptr<const FusedSweep> prepare(const std::vector<Block>& /*blocks*/,
+                                                    const Eigen::VectorXd& /*parameters*/,
+                                                    bool /*derivatives*/) const {
+    return nullptr;
   }
 
   /// Whether the likelihood is defined at these parameters (stable, minimum phase, finite).
@@ -73,9 +91,9 @@ class Model {
   int parameterCount() const { return static_cast<int>(names().size()); }
 };
 
-/// Computes the statistics of the experiments in a block and stores them in `statistics`;
-/// statistics->parameters() tells whether derivatives are needed. Leaves the model's response in
-/// `response`, or nothing if fusedStatistics() was used.
+/// Computes the statistics of the experiments in a block by the general path and stores them in
+/// `statistics`; statistics->parameters() tells whether derivatives are needed. Leaves the model's
+/// response in `response`.
 void computeStatistics(const Model& model, const Block& block, const Eigen::VectorXd& parameters,
                        Statistics* statistics, Response* response);
 

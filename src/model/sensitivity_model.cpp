@@ -191,9 +191,10 @@ void SensitivityModel::evaluate(const Block& block, const VectorXd& parameters, 
     applyJacobian(withNoise(nominal().jacobian(plants.theta), p), &response->derivatives);
 }
 
-bool SensitivityModel::fusedStatistics(const Block& /*block*/, const VectorXd& /*parameters*/,
-                                       bool /*derivatives*/, Statistics* /*statistics*/) const {
-  return false;
+std::unique_ptr<const FusedSweep> SensitivityModel::prepare(const std::vector<Block>& /*blocks*/,
+                                                            const VectorXd& /*parameters*/,
+                                                            bool /*derivatives*/) const {
+  return nullptr;
 }
 
 bool SensitivityModel::admissible(const VectorXd& parameters) const {

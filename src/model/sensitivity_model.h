@@ -32,8 +32,9 @@ class SensitivityModel : public LinearModel {
 
   void evaluate(const Block& block, const Eigen::VectorXd& parameters, bool derivatives,
                 Response* response) const override;
-  bool fusedStatistics(const Block& block, const Eigen::VectorXd& parameters, bool derivatives,
-                       Statistics* statistics) const override;
+  std::unique_ptr<const FusedSweep> prepare(const std::vector<Block>& blocks,
+                                            const Eigen::VectorXd& parameters,
+                                            bool derivatives) const override;
 
   /// Every experiment's t_r, inserted in theta, must be admissible, too.
   bool admissible(const Eigen::VectorXd& parameters) const override;
