@@ -20,13 +20,11 @@ std::string toString(Termination termination) {
 }
 
 bool Estimate::usable() const {
-  const bool ended = termination == Termination::converged ||
-                     termination == Termination::iteration_limit ||
-                     termination == Termination::stalled;
+  // An estimation that was not run leaves no model, but max_iterations 0 evaluates one.
   const NominalModelEstimate& m = nominal_model;
-  return ended && std::isfinite(log_likelihood) && noise_variance.value > 0 &&
-         std::isfinite(noise_variance.value) && m.b.size() > 0 && m.b.allFinite() &&
-         m.a.allFinite() && m.c.allFinite() && m.d.allFinite();
+  return termination != Termination::cancelled && std::isfinite(log_likelihood) &&
+         noise_variance.value > 0 && std::isfinite(noise_variance.value) && m.b.size() > 0 &&
+         m.b.allFinite() && m.a.allFinite() && m.c.allFinite() && m.d.allFinite();
 }
 
 }  // namespace uncertainty_identification

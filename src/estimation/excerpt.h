@@ -13,6 +13,10 @@ constexpr int kEnoughSamples = 15000;
 /// `count` samples of an experiment from sample `first` on, without its per-sample covariates.
 Experiment excerpt(const Experiment& whole, int first, int count);
 
+/// The output with its gaps bridged by linear interpolation, for starts that need every sample.
+Eigen::VectorXd bridgedOutput(const Experiment& experiment);
+std::vector<Experiment> bridged(std::vector<Experiment> experiments);
+
 /// About `enough` samples: the beginning of each experiment, or a subset of whole experiments if
 /// there are many short ones.
 std::vector<Experiment> thinned(const std::vector<Experiment>& experiments, int enough);

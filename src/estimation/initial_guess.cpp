@@ -3,13 +3,13 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <random>
+#include <map>
 
 #include "estimation/embedded_start.h"
+#include "estimation/excerpt.h"
 #include "estimation/least_squares_start.h"
-#include "estimation/scoring.h"
 #include "math/polynomial.h"
+#include "model/continuous.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -36,6 +36,7 @@ bool medianOfExperiments(const std::vector<Experiment>& experiments, const Polyn
     const LeastSquaresModel one =
         LeastSquaresStart({&experiments[r]}, with_constant, 2000)
             .steiglitzMcBride(static_cast<int>(nb), static_cast<int>(na), sizes.delay, sizes.delay);
+    if (one.polynomials.b.size() != nb || one.polynomials.a.size() != na) continue;  // overflow
     VectorXd all(nb + na + 1);
     all << one.polynomials.b, one.polynomials.a, one.offset;
     if (!all.allFinite()) continue;
@@ -137,6 +138,26 @@ void addStarts(const LinearModel& model, const LeastSquaresModel& go,
 
 constexpr std::size_t kArx = 1;  // index of the ARX model in leastSquaresModels()
 
+/// Least-squares models of Go at the dead times about that of the best one. The numerator is as
+/// long as a fraction of a sample needs, and moved to its place in B.
+std::vector<LeastSquaresModel> modelsOfDeadTimes(const LeastSquaresStart& pooled,
+                                                 const Polynomials& sizes, int longest) {
+  const int na = static_cast<int>(sizes.a.size()), last = sizes.delay + longest;
+  const int best = pooled.steiglitzMcBride(na + 1, na, sizes.delay, last).polynomials.delay;
+  std::vector<LeastSquaresModel> models;
+  for (int delay = std::max(best - 1, sizes.delay); delay <= std::min(best + 2, last); ++delay) {
+    LeastSquaresModel model = pooled.steiglitzMcBride(na + 1, na, delay, delay);
+    Polynomials& p = model.polynomials;
+    if (p.b.size() != na + 1) continue;  // the regression overflowed
+    VectorXd b = VectorXd::Zero(sizes.b.size());
+    b.segment(delay - sizes.delay, na + 1) = p.b;
+    p.b = b;
+    p.delay = sizes.delay;
+    models.push_back(std::move(model));
+  }
+  return models;
+}
+
 /// Least-squares models of Go: pooled by Steiglitz-McBride, pooled as ARX, the median of single
 /// experiments, and with an error model of each experiment.
 std::vector<LeastSquaresModel> leastSquaresModels(const LinearModel& model,
@@ -148,6 +169,8 @@ std::vector<LeastSquaresModel> leastSquaresModels(const LinearModel& model,
   all.reserve(experiments.size());
   for (const Experiment& experiment : experiments) all.push_back(&experiment);
   const LeastSquaresStart pooled(all, with_constant);
+  const int dead_time = longestDeadTime(model.nominal());
+  if (dead_time > 0) return modelsOfDeadTimes(pooled, sizes, dead_time);
   std::vector<LeastSquaresModel> models{pooled.steiglitzMcBride(nb, na, sizes.delay, sizes.delay),
                                         pooled.arx(nb, na, sizes.delay)};
   models[kArx].polynomials.a = stabilised(models[kArx].polynomials.a, 0.9995);
@@ -169,17 +192,32 @@ Mixture singleComponent(int n) {
   return mixture;
 }
 
+/// The first `wanted` of the ranked starts, no more than two of them with the same Go: those differ
+/// in the noise model alone, and mostly lead to the same optimum.
+std::vector<SingleComponent> ofDifferentPlants(const std::vector<SingleComponent>& ranked,
+                                               std::size_t wanted) {
+  constexpr int kMostOfOne = 2;
+  std::map<double, int> taken;  // by the first parameter, which belongs to Go
+  std::vector<SingleComponent> chosen;
+  for (const SingleComponent& one : ranked) {
+    if (chosen.size() == wanted) break;
+    const VectorXd& parameters = one.point.parameters;
+    if (parameters.size() == 0 || ++taken[parameters[0]] <= kMostOfOne) chosen.push_back(one);
+  }
+  return chosen;
+}
+
 }  // namespace
 
 std::vector<VectorXd> nominalStarts(const LinearModel& model, const NominalModelOptions& options,
                                     const std::vector<Experiment>& experiments) {
-  const bool of_equation =
-      options.structure == Structure::arx || options.structure == Structure::armax;
-  const std::vector<LeastSquaresModel> models = leastSquaresModels(model, experiments);
+  const bool all = options.structure == Structure::arx || options.structure == Structure::armax ||
+                   longestDeadTime(model.nominal()) > 0;
+  const std::vector<Experiment> whole = bridged(experiments);
+  const std::vector<LeastSquaresModel> models = leastSquaresModels(model, whole);
   std::vector<VectorXd> starts;
   for (std::size_t k = 0; k < models.size(); ++k) {
-    if (k != kArx || of_equation || starts.empty())
-      addStarts(model, models[k], experiments, &starts);
+    if (k != kArx || all || starts.empty()) addStarts(model, models[k], whole, &starts);
   }
   return starts;
 }
@@ -206,7 +244,7 @@ std::vector<SingleComponent> rankedSingleComponents(const Likelihood& likelihood
                                                     const std::vector<VectorXd>& starts,
                                                     std::size_t wanted,
                                                     OptimisationOptions options) {
-  constexpr int kRankingSteps = 20, kFirstSteps = 3;
+  constexpr int kRankingSteps = 20, kFirstTurns = 1;
   std::vector<SingleComponent> ranked;
   for (const VectorXd& start : starts) {  // each takes one sweep
     ModelParameters point{start, singleComponent(likelihood.model().regressors()), 1.0};
@@ -219,40 +257,28 @@ std::vector<SingleComponent> rankedSingleComponents(const Likelihood& likelihood
     const double reached = fitMixture(likelihood, statistics, options, kRankingSteps, 1e-2, &point);
     if (std::isfinite(reached)) ranked.push_back({point, reached});
   }
-  const auto sort = [&ranked] {
-    std::stable_sort(ranked.begin(), ranked.end(),
-                     [](const SingleComponent& left, const SingleComponent& right) {
-                       return left.log_likelihood > right.log_likelihood;
-                     });
-  };
-  sort();
-  ranked.resize(std::min(ranked.size(), wanted));
-  if (ranked.size() < 2) return ranked;
-  for (SingleComponent& finalist : ranked) {
-    options.floor = covarianceFloor(finalist.point.mixture);
-    finalist.point = scoringSteps(likelihood, finalist.point, options, kFirstSteps, 1e-2);
-    const double reached =
-        likelihood.expect(likelihood.statistics(finalist.point.parameters, false), finalist.point)
-            .total();
-    finalist.log_likelihood =
-        std::isfinite(reached) ? reached : -std::numeric_limits<double>::infinity();
-  }
-  sort();
-  return ranked;
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const SingleComponent& left, const SingleComponent& right) {
+                     return left.log_likelihood > right.log_likelihood;
+                   });
+  return climbTogether(likelihood, ofDifferentPlants(ranked, wanted), options, kFirstTurns);
+}
+
+std::vector<SingleComponent> singleComponentOptima(const Likelihood& likelihood,
+                                                   const std::vector<VectorXd>& starts,
+                                                   const OptimisationOptions& options) {
+  constexpr std::size_t kFinalists = 3;
+  constexpr int kTurns = 7;
+  return climbTogether(likelihood, rankedSingleComponents(likelihood, starts, kFinalists, options),
+                       options, kTurns);
 }
 
 std::optional<ModelParameters> bestSingleComponent(const Likelihood& likelihood,
                                                    const std::vector<VectorXd>& starts,
                                                    OptimisationOptions options) {
-  constexpr std::size_t kFinalists = 3;
-  constexpr int kLastSteps = 20;
-  const std::vector<SingleComponent> ranked =
-      rankedSingleComponents(likelihood, starts, kFinalists, options);
-  if (ranked.empty()) return {};
-  const SingleComponent& best = ranked.front();
-  if (!std::isfinite(best.log_likelihood)) return best.point;
-  options.floor = covarianceFloor(best.point.mixture);
-  return scoringSteps(likelihood, best.point, options, kLastSteps, 1e-3);
+  const std::vector<SingleComponent> optima = singleComponentOptima(likelihood, starts, options);
+  if (optima.empty()) return {};
+  return optima.front().point;
 }
 
 }  // namespace uncertainty_identification

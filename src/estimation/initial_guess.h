@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "estimation/optimisation.h"
+#include "estimation/finalists.h"
 #include "model/linear_model.h"
 #include "uncertainty_identification/configuration.h"
 
@@ -28,22 +28,30 @@ std::vector<Eigen::VectorXd> plantStarts(const LinearModel& model, const Polynom
                                          const std::vector<Experiment>& experiments);
 
 /// A start fitted with a single Gaussian component.
-struct SingleComponent {
-  ModelParameters point;
-  double log_likelihood = 0;
-};
+using SingleComponent = Finalist;
 
-/// The best `wanted` of `starts`, each fitted by three scoring steps, best first.
+/// The best `wanted` of `starts`, no more than two of them with the same Go, each fitted by three
+/// scoring steps, best first. Those that meet in doing so count once.
 std::vector<SingleComponent> rankedSingleComponents(const Likelihood& likelihood,
                                                     const std::vector<Eigen::VectorXd>& starts,
                                                     std::size_t wanted,
                                                     OptimisationOptions options);
 
-/// The start of highest likelihood with a single Gaussian component, after a few scoring steps;
-/// none where the likelihood is not finite at any of them.
+/// The optima with a single Gaussian component that the best starts lead to, highest first: each
+/// approached by scoring steps, and only those that the mixture may still bring to the top. Empty
+/// where the likelihood is not finite at any start.
+std::vector<SingleComponent> singleComponentOptima(const Likelihood& likelihood,
+                                                   const std::vector<Eigen::VectorXd>& starts,
+                                                   const OptimisationOptions& options);
+
+/// The highest of singleComponentOptima(); none where there is none.
 std::optional<ModelParameters> bestSingleComponent(const Likelihood& likelihood,
                                                    const std::vector<Eigen::VectorXd>& starts,
                                                    OptimisationOptions options);
+
+/// What spreadComponents() takes from a log-likelihood for components that hold fewer than two
+/// experiments, which a component may shrink onto at no cost.
+double smallComponentPenalty(const Mixture& mixture, int experiments);
 
 /// A mixture of kappa components for given statistics, started from a fit with one: the paper's
 /// evenly spread means, and `restarts` seeded draws from the experiments' posterior means, each

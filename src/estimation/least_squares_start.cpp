@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "estimation/excerpt.h"
 #include "math/polynomial.h"
 
 namespace uncertainty_identification {
@@ -66,20 +67,6 @@ VectorXd leastSquares(const MatrixXd& A, const VectorXd& b, double* residual) {
   return scale.cwiseProduct(w);
 }
 
-VectorXd bridged(const Experiment& experiment) {
-  VectorXd y = experiment.y;
-  int last = -1;
-  for (int k = 0; k < experiment.samples(); ++k) {
-    if (!experiment.isValid(k)) continue;
-    for (int j = last + 1; j < k; ++j) {
-      y[j] = last < 0 ? y[k] : y[last] + (y[k] - y[last]) * (j - last) / (k - last);
-    }
-    last = k;
-  }
-  for (int j = last + 1; j < experiment.samples(); ++j) y[j] = last < 0 ? 0.0 : y[last];
-  return y;
-}
-
 }  // namespace
 
 LeastSquaresStart::LeastSquaresStart(const std::vector<const Experiment*>& experiments,
@@ -98,7 +85,7 @@ LeastSquaresStart::LeastSquaresStart(const std::vector<const Experiment*>& exper
     const int wanted = std::min(experiment->samples(), std::max(static_cast<int>(credit), kEnough));
     if (credit < std::min(experiment->samples(), kEnough) * 0.999) continue;
     credit -= wanted;
-    Record record{experiment->u.head(wanted), bridged(*experiment).head(wanted), {}};
+    Record record{experiment->u.head(wanted), bridgedOutput(*experiment).head(wanted), {}};
     for (int k = 0; k < wanted; ++k) record.valid.push_back(experiment->isValid(k) ? 1 : 0);
     records_.push_back(std::move(record));
   }

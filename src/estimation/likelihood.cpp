@@ -104,40 +104,61 @@ MatrixXd precisionInformation(const Response& response, const MatrixXd& inverse_
   return 0.5 * dp.transpose() * M.cwiseAbs2() * dp;
 }
 
-ScoringInformation informationOf(const Response& response, const Block& block, Index n,
-                                 const ModelParameters& at, const LatentMoments& moments) {
+/// The Gram matrix of [Phi d] in each lane, Phi and d after the columns have been integrated out,
+/// and the inverse of Z'Z + precision.
+std::vector<MatrixXd> sensitivityProducts(const Response& response, const Block& block,
+                                          const LatentMoments& moments,
+                                          std::vector<MatrixXd>* inverses) {
   const std::vector<Signals> d = sensitivities(response, block, moments);
   const Index columns = response.column_precision.size();
-  const Index p = static_cast<Index>(d.size());
   std::vector<const Signals*> list;
   for (const auto& column : response.value.columns) list.push_back(column.get());
   for (const Signals& regressor : response.value.regressors) list.push_back(&regressor);
   for (const Signals& signal : d) list.push_back(&signal);
-  const std::vector<MatrixXd> grams = gramOf(list, block.lanes);
-
-  ScoringInformation sum{MatrixXd::Zero(p + n, p + n), MatrixXd::Zero(p + n, p + n)};
-  for (int lane = 0; lane < block.lanes; ++lane) {
-    const MatrixXd& gram = grams[static_cast<std::size_t>(lane)];
+  std::vector<MatrixXd> grams = gramOf(list, block.lanes);
+  for (MatrixXd& gram : grams) {
+    const Index rest = gram.cols() - columns;
     MatrixXd inner = gram.topLeftCorner(columns, columns);
     inner.diagonal() += response.column_precision;
-    const MatrixXd inverse = PseudoInverse(inner).inverse;
-    const auto cross = gram.topRightCorner(columns, n + p);
-    const MatrixXd rest =
-        gram.bottomRightCorner(n + p, n + p) - cross.transpose() * inverse * cross;
+    const MatrixXd cross = gram.topRightCorner(columns, rest);
+    inverses->push_back(PseudoInverse(inner).inverse);
+    gram =
+        (gram.bottomRightCorner(rest, rest) - cross.transpose() * inverses->back() * cross).eval();
+  }
+  return grams;
+}
+
+/// Information from the products of [Phi d] of each lane.
+ScoringInformation informationOf(const std::vector<MatrixXd>& products, const Block& block, Index n,
+                                 const ModelParameters& at, const LatentMoments& moments) {
+  const Index p = products.front().rows() - n;
+  ScoringInformation sum{MatrixXd::Zero(p + n, p + n), MatrixXd::Zero(p + n, p + n)};
+  for (std::size_t lane = 0; lane < products.size(); ++lane) {
+    const MatrixXd& rest = products[lane];
     MatrixXd all(p + n, p + n), to_phi(n, p + n);  // [d, -Phi], and Phi'[d, -Phi]
     all << rest.bottomRightCorner(p, p), -rest.bottomLeftCorner(p, n), -rest.topRightCorner(n, p),
         rest.topLeftCorner(n, n);
     to_phi << rest.topRightCorner(n, p), -rest.topLeftCorner(n, n);
-    const Eigen::Map<const MatrixXd> P(
-        moments.covariances.col(block.index[static_cast<std::size_t>(lane)]).data(), n, n);
-    if (!response.column_precision_derivatives.empty()) {
-      const MatrixXd of_precision = precisionInformation(response, inverse);
-      sum.complete.topLeftCorner(p, p) += of_precision;
-      sum.observed.topLeftCorner(p, p) += of_precision;
-    }
+    const Eigen::Map<const MatrixXd> P(moments.covariances.col(block.index[lane]).data(), n, n);
     sum.complete += all / at.noise_variance;
     sum.observed += all / at.noise_variance -
                     to_phi.transpose() * P * to_phi / (at.noise_variance * at.noise_variance);
+  }
+  return sum;
+}
+
+/// The same by the general path.
+ScoringInformation informationOf(const Response& response, const Block& block, Index n,
+                                 const ModelParameters& at, const LatentMoments& moments) {
+  std::vector<MatrixXd> inverses;
+  const std::vector<MatrixXd> products = sensitivityProducts(response, block, moments, &inverses);
+  ScoringInformation sum = informationOf(products, block, n, at, moments);
+  if (response.column_precision_derivatives.empty()) return sum;
+  const auto p = static_cast<Index>(response.derivatives.size());
+  for (const MatrixXd& inverse : inverses) {
+    const MatrixXd of_precision = precisionInformation(response, inverse);
+    sum.complete.topLeftCorner(p, p) += of_precision;
+    sum.observed.topLeftCorner(p, p) += of_precision;
   }
   return sum;
 }
@@ -160,8 +181,10 @@ Statistics Likelihood::statistics(const VectorXd& parameters, bool derivatives) 
     responses_.resize(blocks_.size());
     responses_at_ = parameters;
   }
+  const auto fused = model_.prepare(blocks_, parameters, derivatives);
   pool_->forEach(static_cast<int>(blocks_.size()), [&](int i) {
     const auto block = static_cast<std::size_t>(i);
+    if (fused != nullptr && fused->statistics(blocks_[block], &statistics)) return;
     Response passing;
     computeStatistics(model_, blocks_[block], parameters, &statistics,
                       keep ? &responses_[block] : &passing);
@@ -182,9 +205,15 @@ ScoringInformation Likelihood::information(const ModelParameters& at,
                                            const LatentMoments& moments) const {
   const bool kept = responses_.size() == blocks_.size() && responses_at_ == at.parameters;
   if (!kept) ++passes_;
+  const auto fused = model_.prepare(blocks_, at.parameters, true);
   std::vector<ScoringInformation> parts(blocks_.size());
   pool_->forEach(static_cast<int>(blocks_.size()), [&](int i) {
     const auto block = static_cast<std::size_t>(i);
+    std::vector<MatrixXd> products;
+    if (fused != nullptr && fused->sensitivities(blocks_[block], moments.means, &products)) {
+      parts[block] = informationOf(products, blocks_[block], model_.regressors(), at, moments);
+      return;
+    }
     Response fresh;
     const bool evaluated = kept && !responses_[block].derivatives.empty();
     if (!evaluated) model_.evaluate(blocks_[block], at.parameters, true, &fresh);

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -38,51 +40,74 @@ MatrixXd drawn(const MatrixXd& points, int components, std::mt19937_64* engine) 
   return means;
 }
 
+/// Equal components with these means and a share of the pooled covariance.
+Mixture componentsAt(const MatrixXd& means, const MatrixXd& covariance, Constraint constraint) {
+  Mixture mixture;
+  for (Index i = 0; i < means.cols(); ++i) {
+    mixture.weights.push_back(1.0 / static_cast<double>(means.cols()));
+    mixture.means.push_back(means.col(i));
+    mixture.covariances.push_back(covariance +
+                                  1e-9 * MatrixXd::Identity(covariance.rows(), covariance.cols()));
+  }
+  if (constraint == Constraint::zero_mean) {
+    const VectorXd mean = mixture.mean();
+    for (VectorXd& of_component : mixture.means) of_component -= mean;
+  }
+  return mixture;
+}
+
 }  // namespace
+
+double smallComponentPenalty(const Mixture& mixture, int experiments) {
+  constexpr double kFewest = 2.0, kPenalty = 1e3;
+  double penalty = 0;
+  for (double weight : mixture.weights) {
+    if (weight * experiments < kFewest) penalty += kPenalty;
+  }
+  return penalty;
+}
 
 ModelParameters spreadComponents(const Likelihood& likelihood, const Statistics& statistics,
                                  const ModelParameters& single, int components, int restarts,
                                  std::uint64_t seed, const OptimisationOptions& options,
                                  double* log_likelihood) {
-  constexpr int kIterations = 300;
-  constexpr double kFewest = 2.0, kPenalty = 1e3;
-  const Index n = statistics.regressors();
+  constexpr int kFirstIterations = 40, kLastIterations = 300;
+  constexpr std::size_t kFewestFinalists = 4;
+  constexpr double kShares[] = {1.0, 0.2, 0.04};  // overlapping and separate components
   const Expectation of_single = likelihood.expect(statistics, single);
   const MatrixXd points = latentMoments(of_single).means;
-  const MatrixXd pooled = single.mixture.covariances.front();
   std::mt19937_64 engine(seed);
-  ModelParameters best = single;
-  double highest = -std::numeric_limits<double>::infinity();
+  std::vector<Finalist> finalists;
+  const auto improve = [&](int iterations, double tolerance, Finalist* finalist) {
+    const double reached =
+        fitMixture(likelihood, statistics, options, iterations, tolerance, &finalist->point);
+    finalist->log_likelihood =
+        std::isfinite(reached)
+            ? reached - smallComponentPenalty(finalist->point.mixture, statistics.experiments())
+            : -std::numeric_limits<double>::infinity();
+  };
   for (int start = 0; start <= restarts; ++start) {
-    const double so_far = std::max(highest, of_single.total());
-    if (options.on_iterate && !options.on_iterate({start, likelihood.passes(), so_far, {}})) break;
+    if (options.on_iterate &&
+        !options.on_iterate({start, likelihood.passes(), of_single.total(), {}}))
+      break;
     const MatrixXd means =
         start == 0 ? evenlySpread(points, components) : drawn(points, components, &engine);
-    ModelParameters point = single;
-    point.mixture = Mixture();
-    for (int i = 0; i < components; ++i) {
-      point.mixture.weights.push_back(1.0 / components);
-      point.mixture.means.push_back(means.col(i));
-      // alternately the whole covariance and a part of it: overlapping and separate components
-      point.mixture.covariances.push_back((start % 2 == 0 ? 1.0 : 0.2) * pooled +
-                                          1e-9 * MatrixXd::Identity(n, n));
-    }
-    if (options.constraint == Constraint::zero_mean) {
-      const VectorXd mean = point.mixture.mean();
-      for (VectorXd& of_component : point.mixture.means) of_component -= mean;
-    }
-    const double reached = fitMixture(likelihood, statistics, options, kIterations, 1e-5, &point);
-    double penalty = 0;
-    for (double weight : point.mixture.weights) {
-      if (weight * static_cast<double>(points.cols()) < kFewest) penalty += kPenalty;
-    }
-    if (reached - penalty > highest) {
-      highest = reached - penalty;
-      best = point;
-    }
+    finalists.push_back({single, 0});
+    finalists.back().point.mixture = componentsAt(
+        means, kShares[start % 3] * single.mixture.covariances.front(), options.constraint);
+    improve(kFirstIterations, 1e-3, &finalists.back());
   }
-  *log_likelihood = highest;
-  return best;
+  std::stable_sort(finalists.begin(), finalists.end(), [](const auto& left, const auto& right) {
+    return left.log_likelihood > right.log_likelihood;
+  });
+  finalists.resize(std::min(finalists.size(), std::max(kFewestFinalists, finalists.size() / 4)));
+  Finalist best{single, -std::numeric_limits<double>::infinity()};
+  for (Finalist& finalist : finalists) {
+    improve(kLastIterations, 1e-5, &finalist);
+    if (finalist.log_likelihood > best.log_likelihood) best = std::move(finalist);
+  }
+  *log_likelihood = best.log_likelihood;
+  return best.point;
 }
 
 }  // namespace uncertainty_identification

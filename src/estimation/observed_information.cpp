@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "estimation/expected_information.h"
+
 namespace uncertainty_identification {
 namespace {
 
@@ -19,22 +21,61 @@ void score(const Likelihood& likelihood, const Parametrisation& parametrisation,
                     point->natural_scores.rowwise().sum();
 }
 
-/// Step widths of about a thousandth of each coordinate's standard error. The scale is taken from
-/// the outer product of the scores, or from the complete-data information where there are too few
-/// experiments for that.
-VectorXd steps(const Parametrisation& parametrisation, const ScoredPoint& at) {
+/// About the information of each coordinate alone: the larger of the expected one and of the outer
+/// product of the scores. The latter knows what the spread of xi tells about the model's
+/// parameters, but is zero at the maximum of a single experiment.
+VectorXd informationScale(const Likelihood& likelihood, const Parametrisation& parametrisation,
+                          const ScoredPoint& at) {
+  const Expectation e = likelihood.expect(at.statistics, at.parameters);
+  VectorXd expected(at.coordinates.size());
+  expected << expectedModelInformation(likelihood, parametrisation, at, e).diagonal(),
+      expectedMixtureInformation(parametrisation, at, e), 0.5 * at.statistics.samples().sum();
   const MatrixXd of_experiments =
       parametrisation.jacobian(at.coordinates).transpose() * at.natural_scores;
-  const Index last = at.coordinates.size() - 1;
-  const double experiments = static_cast<double>(of_experiments.cols());
-  VectorXd scale = of_experiments.rowwise().squaredNorm();
-  scale[last] = std::max(scale[last], 0.5 * at.statistics.samples().sum());
-  VectorXd result(scale.size());
-  for (Index j = 0; j < scale.size(); ++j) {
-    const double natural = j < parametrisation.modelCoordinates() ? at.coordinates[j] : 1.0;
-    const double information = std::max(scale[j], experiments * 1e-4 / (natural * natural + 1e-12));
-    result[j] = 1e-3 / std::sqrt(information);
-  }
+  const VectorXd mean = of_experiments.rowwise().mean();
+  return expected.cwiseMax((of_experiments.colwise() - mean).rowwise().squaredNorm());
+}
+
+/// A thousandth of a standard error that has this information, or of the coordinate's size where
+/// the data tell nothing about it.
+double stepWidth(double information, double coordinate) {
+  const double width = 1e-3 / std::sqrt(information);
+  return std::isfinite(width) && width > 0 ? width : 1e-3 * std::max(1.0, std::abs(coordinate));
+}
+
+/// -d gradient/d coordinate from the gradients at a point and `step` below and above it; empty
+/// where neither neighbour has one. One neighbour suffices.
+VectorXd curvatureColumn(const VectorXd& low, const VectorXd& here, const VectorXd& high,
+                         double step) {
+  const auto known = [&](const VectorXd& g) { return g.size() == here.size() && g.allFinite(); };
+  if (known(low) && known(high)) return (low - high) / (2 * step);
+  if (known(high)) return (here - high) / step;
+  if (known(low)) return (low - here) / step;
+  return {};
+}
+
+/// The gradient where coordinate j is moved by `distance`; empty outside the model's domain.
+VectorXd gradientBeside(const Likelihood& likelihood, const Parametrisation& parametrisation,
+                        const ScoredPoint& at, Index j, double distance) {
+  VectorXd there = at.coordinates;
+  there[j] += distance;
+  if (j < parametrisation.modelCoordinates())
+    return scoredPoint(likelihood, parametrisation, there).gradient;
+  ScoredPoint moved;
+  moved.coordinates = there;
+  moved.parameters = parametrisation.fromCoordinates(there);
+  moved.statistics = at.statistics;
+  score(likelihood, parametrisation, &moved);
+  return moved.gradient;
+}
+
+/// The symmetric matrix whose elements are the mean of those of its two columns that are known
+/// (`known` is 1 or 0; unknown columns are 0). `diagonal` is used where a column is unknown.
+MatrixXd symmetricFrom(const MatrixXd& columns, const VectorXd& known, const VectorXd& diagonal) {
+  const Index size = known.size();
+  const MatrixXd counts = known.replicate(1, size) + known.transpose().replicate(size, 1);
+  MatrixXd result = (columns + columns.transpose()).cwiseQuotient(counts.cwiseMax(1));
+  result.diagonal() += (1 - known.array()).matrix().cwiseProduct(diagonal);
   return result;
 }
 
@@ -64,28 +105,22 @@ ScoredPoint scoredPoint(const Likelihood& likelihood, const Parametrisation& par
 MatrixXd observedInformation(const Likelihood& likelihood, const Parametrisation& parametrisation,
                              const ScoredPoint& at, bool central) {
   const Index size = at.coordinates.size();
-  const VectorXd step = steps(parametrisation, at);
-  const auto gradientAt = [&](Index j, double distance) -> VectorXd {
-    VectorXd there = at.coordinates;
-    there[j] += distance;
-    if (j < parametrisation.modelCoordinates())
-      return scoredPoint(likelihood, parametrisation, there).gradient;
-    ScoredPoint moved;
-    moved.coordinates = there;
-    moved.parameters = parametrisation.fromCoordinates(there);
-    moved.statistics = at.statistics;
-    score(likelihood, parametrisation, &moved);
-    return moved.gradient;
-  };
-  MatrixXd information = MatrixXd::Zero(size, size);
+  const VectorXd scale = informationScale(likelihood, parametrisation, at);
+  MatrixXd columns = MatrixXd::Zero(size, size);
+  VectorXd known = VectorXd::Zero(size);
   for (Index j = 0; j < size; ++j) {
-    const VectorXd high = gradientAt(j, step[j]);
-    const VectorXd low = central ? gradientAt(j, -step[j]) : at.gradient;
-    if (high.size() != size || low.size() != size)
-      continue;  // at the edge of the domain: the curvature is not known
-    information.col(j) = (low - high) / (central ? 2 * step[j] : step[j]);
+    const double step = stepWidth(scale[j], at.coordinates[j]);
+    const auto beside = [&](double distance) {
+      return gradientBeside(likelihood, parametrisation, at, j, distance);
+    };
+    const VectorXd high = beside(step);
+    const VectorXd low = central || high.size() == 0 ? beside(-step) : VectorXd();
+    const VectorXd column = curvatureColumn(low, at.gradient, high, step);
+    if (column.size() == 0) continue;
+    columns.col(j) = column;
+    known[j] = 1;
   }
-  return 0.5 * (information + information.transpose());
+  return symmetricFrom(columns, known, scale);
 }
 
 }  // namespace uncertainty_identification

@@ -22,8 +22,10 @@ ScoredPoint scoredPoint(const Likelihood& likelihood, const Parametrisation& par
                         const Eigen::VectorXd& coordinates);
 
 /// The observed information -d^2 log-likelihood/d coordinates^2, by finite differences of the exact
-/// gradient: forward differences (one sweep per model parameter) or central ones (two). Mixture
-/// coordinates need no sweep, because the statistics do not depend on them.
+/// gradient: forward differences (one sweep per model parameter) or central ones (two), and one
+/// sweep for their step widths unless the point was evaluated last. Mixture coordinates need no
+/// sweep, because the statistics do not depend on them. A coordinate both of whose neighbours are
+/// outside the model's domain has its expected information.
 Eigen::MatrixXd observedInformation(const Likelihood& likelihood,
                                     const Parametrisation& parametrisation, const ScoredPoint& at,
                                     bool central);

@@ -116,7 +116,8 @@ class Scoring {
 }  // namespace
 
 ModelParameters scoringSteps(const Likelihood& likelihood, ModelParameters start,
-                             const OptimisationOptions& options, int steps, double tolerance) {
+                             const OptimisationOptions& options, int steps, double tolerance,
+                             double* log_likelihood) {
   Scoring scoring(likelihood, std::move(start), options, tolerance);
   for (int k = 1; k <= steps && scoring.size() > 0; ++k) {
     const double before = scoring.reached();
@@ -125,6 +126,7 @@ ModelParameters scoringSteps(const Likelihood& likelihood, ModelParameters start
     const bool cancelled = options.on_iterate && !options.on_iterate(done);
     if (cancelled || !done.step->accepted || done.log_likelihood - before < tolerance) break;
   }
+  if (log_likelihood != nullptr) *log_likelihood = scoring.reached();
   return scoring.point();
 }
 

@@ -23,7 +23,9 @@ class Damping {
 /// each followed by mixture updates at fixed theta: the cheap way from a rough start to the
 /// neighbourhood of an optimum. The likelihood never decreases. Ends early after a step that gains
 /// less than `tolerance` [nats], where no step is accepted, or when options.on_iterate cancels.
+/// Writes the log-likelihood of the returned point unless the pointer is null.
 ModelParameters scoringSteps(const Likelihood& likelihood, ModelParameters start,
-                             const OptimisationOptions& options, int steps, double tolerance);
+                             const OptimisationOptions& options, int steps, double tolerance,
+                             double* log_likelihood = nullptr);
 
 }  // namespace uncertainty_identification

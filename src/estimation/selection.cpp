@@ -75,7 +75,9 @@ class Selection {
   }
 
  private:
-  Fitted fit(NominalModelOptions options, const std::vector<Experiment>& experiments) const {
+  /// From the starts that the data give, and from `start` where it is not empty.
+  Fitted fit(NominalModelOptions options, const std::vector<Experiment>& experiments,
+             const VectorXd& start = VectorXd()) const {
     Fitted fitted;
     options.orders_auto = false;
     fitted.options = options;
@@ -85,8 +87,10 @@ class Selection {
                             configuration_.estimation);
     const std::vector<Block> blocks = makeBlocks(experiments);
     const Likelihood likelihood(model, blocks, static_cast<int>(experiments.size()), threads_);
-    const std::optional<ModelParameters> point = bestSingleComponent(
-        likelihood, nominalStarts(model, options, experiments), OptimisationOptions());
+    std::vector<VectorXd> starts = nominalStarts(model, options, experiments);
+    if (start.size() > 0) starts.push_back(start);
+    const std::optional<ModelParameters> point =
+        bestSingleComponent(likelihood, starts, OptimisationOptions());
     if (!point) return fitted;
     const Statistics statistics = likelihood.statistics(point->parameters, false);
     fitted.parameters = point->parameters;
@@ -138,6 +142,16 @@ class Selection {
     return std::max(1, std::min(configuration_.nominal_model.max_order, shortest / 12));
   }
 
+  /// The parameters of an output-error model as those of the next order, with the same response.
+  static VectorXd enlarged(const Fitted& fitted) {
+    const Eigen::Index order = fitted.options.nb, rest = fitted.parameters.size() - 2 * order;
+    VectorXd larger = VectorXd::Zero(fitted.parameters.size() + 2);
+    larger.head(order) = fitted.parameters.head(order);
+    larger.segment(order + 1, order) = fitted.parameters.segment(order, order);
+    larger.tail(rest) = fitted.parameters.tail(rest);
+    return larger;
+  }
+
   /// Output-error models of increasing order, each with the delay of the smallest Steiglitz-McBride
   /// residual.
   std::vector<Fitted> outputErrorModels() {
@@ -158,6 +172,11 @@ class Selection {
       options.nb = options.na = order;
       options.delay = scan.steiglitzMcBride(order, order, 0, longest_delay).polynomials.delay;
       Fitted model = fit(options, fitted_);
+      if (!models.empty() && model.log_likelihood < models.back().log_likelihood) {
+        options.delay = models.back().options.delay;
+        const Fitted again = fit(options, fitted_, enlarged(models.back()));
+        if (again.log_likelihood > model.log_likelihood) model = again;
+      }
       model.held_out_fit = validate(model);
       record(model);
       models.push_back(std::move(model));
@@ -167,23 +186,26 @@ class Selection {
   }
 
   /// The smallest model whose simulation is nearly as good as the best one's. Models with a pole on
-  /// the unit circle are left out if there are clearly stable ones: their good fit comes from a
-  /// free response that never decays.
+  /// the unit circle are left out if a clearly stable one simulates about as well: their good fit
+  /// comes from a free response that never decays.
   static std::size_t smallestGood(const std::vector<Fitted>& models) {
     constexpr double kTolerance = 0.5;  // [%] improvement that justifies a larger model
     constexpr double kStable = 0.9995;
+    constexpr double kForStability = 5;  // [%] of fit
     const auto isClearlyStable = [](const Fitted& model) {
       return model.parameters.size() > 0 &&
              isStable(model.parameters.segment(model.options.nb, model.options.na), kStable);
     };
-    const bool any = std::any_of(models.begin(), models.end(), isClearlyStable);
-    double best = kWorst;
+    double best = kWorst, best_stable = kWorst;
     for (const Fitted& model : models) {
-      if (!any || isClearlyStable(model)) best = std::max(best, *model.held_out_fit);
+      best = std::max(best, *model.held_out_fit);
+      if (isClearlyStable(model)) best_stable = std::max(best_stable, *model.held_out_fit);
     }
+    const bool stable = best_stable >= best - kForStability;
+    if (stable) best = best_stable;
     for (std::size_t k = 0; k < models.size(); ++k) {
-      if ((!any || isClearlyStable(models[k])) && *models[k].held_out_fit >= best - kTolerance)
-        return k;
+      const bool fits = *models[k].held_out_fit >= best - kTolerance;
+      if (fits && (!stable || isClearlyStable(models[k]))) return k;
     }
     return 0;
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "estimation/expected_information.h"
 #include "math/symmetric_eigen.h"
 
 namespace uncertainty_identification {
@@ -14,11 +15,15 @@ using Eigen::VectorXd;
 
 /// Eigenvalues smaller than this share of a typical one count as zero (the diagonal is scaled to
 /// 1).
-constexpr double kSingular = 1e-9;
+constexpr double kSingular = 1e-8;
 
 /// Eigenvalues smaller than this share may be wrong because of the finite differences, and are
 /// computed again along their direction.
 constexpr double kSuspicious = 1e-6;
+
+const char* const kNotFinite =
+    "no standard errors: the curvature of the log-likelihood at the estimate is not finite; check "
+    "the units of u and y, or lower the orders";
 
 /// Text of a warning, e.g. "b1, mean1[1] and mean2[1] cannot be told apart: ..."
 std::string sentence(const VectorXd& direction, const std::vector<std::string>& names) {
@@ -68,40 +73,83 @@ double curvature(const Likelihood& likelihood, const Parametrisation& parametris
   return (4 * difference(kStep / 2) - difference(kStep)) / 3;
 }
 
+/// Measures how strongly the data determine the coordinates along a direction.
+class DirectionStrength {
+ public:
+  DirectionStrength(const Likelihood& likelihood, const Parametrisation& parametrisation,
+                    const ScoredPoint& point)
+      : likelihood_(likelihood),
+        parametrisation_(parametrisation),
+        point_(point),
+        of_model_(expectedModelInformation(likelihood, parametrisation, point,
+                                           likelihood.expect(point.statistics, point.parameters))) {
+  }
+
+  /// The curvature along `direction`, given as an eigenvalue of the scaled information and its
+  /// eigenvector.
+  double operator()(double eigenvalue, const VectorXd& eigenvector,
+                    const VectorXd& direction) const {
+    const double strength = std::abs(eigenvalue) < kSuspicious
+                                ? curvature(likelihood_, parametrisation_, point_, direction)
+                                : eigenvalue;
+    return strength > kSingular ? strength : expected(eigenvector, direction);
+  }
+
+ private:
+  /// The expected information along a direction that leaves the mixture unchanged; 0 for others,
+  /// because it does not know how parameters and the spread of xi trade off.
+  double expected(const VectorXd& eigenvector, const VectorXd& direction) const {
+    constexpr double kOutsideMixture = 0.03;
+    const Index p = of_model_.rows(), last = direction.size() - 1;
+    if (eigenvector.segment(p, last - p).norm() > kOutsideMixture) return 0;
+    const VectorXd of_parameters = direction.head(p);
+    return of_parameters.dot(of_model_ * of_parameters) +
+           0.5 * point_.statistics.samples().sum() * direction[last] * direction[last];
+  }
+
+  const Likelihood& likelihood_;
+  const Parametrisation& parametrisation_;
+  const ScoredPoint& point_;
+  MatrixXd of_model_;
+};
+
 /// The inverse of the observed information, without the directions that the data do not determine.
 struct InvertedInformation {
   MatrixXd inverse;
   std::vector<std::string> singular;  ///< a sentence for each direction left out
   std::vector<bool> unknown;          ///< natural coordinates that these directions move
+
+  /// Leaves out a direction that changes the natural coordinates by `relative`, in standard errors
+  /// of each alone.
+  void leaveOut(const VectorXd& relative, const std::vector<std::string>& names) {
+    singular.push_back(sentence(relative, names));
+    for (std::size_t i = 0; i < unknown.size(); ++i) {
+      if (std::abs(relative[static_cast<Index>(i)]) > 1e-3 * relative.cwiseAbs().maxCoeff())
+        unknown[i] = true;
+    }
+  }
 };
 
 InvertedInformation invert(const Likelihood& likelihood, const Parametrisation& parametrisation,
                            const ScoredPoint& point, const MatrixXd& jacobian) {
-  const Index natural = parametrisation.naturalSize(), size = parametrisation.size();
-  InvertedInformation result{MatrixXd::Zero(size, size), {}, {}};
-  result.unknown.assign(static_cast<std::size_t>(natural), false);
+  const auto natural = static_cast<std::size_t>(parametrisation.naturalSize());
+  const Index size = parametrisation.size();
   const MatrixXd information = observedInformation(likelihood, parametrisation, point, true);
+  if (!information.allFinite())
+    return {MatrixXd::Zero(size, size), {kNotFinite}, std::vector<bool>(natural, true)};
+  InvertedInformation result{MatrixXd::Zero(size, size), {}, std::vector<bool>(natural, false)};
   const VectorXd scale = (information.diagonal().cwiseAbs().array() + 1e-300).rsqrt();
-  const MatrixXd unit = scale.asDiagonal() * information * scale.asDiagonal();
-  const SymmetricEigen eigen(unit);
+  const SymmetricEigen eigen(scale.asDiagonal() * information * scale.asDiagonal());
+  const DirectionStrength strengthOf(likelihood, parametrisation, point);
   // Standard errors of the natural coordinates if all others were known: the unit of changes.
   const VectorXd alone = (jacobian * scale.asDiagonal()).rowwise().norm().cwiseMax(1e-300);
   for (Index k = 0; k < size; ++k) {
-    const VectorXd direction = scale.cwiseProduct(eigen.eigenvectors().col(k));
-    double strength = eigen.eigenvalues()[k];
-    if (std::abs(strength) < kSuspicious) {
-      strength = curvature(likelihood, parametrisation, point, direction);
-    }
+    const VectorXd of_unit = eigen.eigenvectors().col(k), direction = scale.cwiseProduct(of_unit);
+    const double strength = strengthOf(eigen.eigenvalues()[k], of_unit, direction);
     if (strength > kSingular) {
       result.inverse += direction * direction.transpose() / strength;
-      continue;
-    }
-    const VectorXd moved = jacobian * direction;
-    const VectorXd relative = moved.cwiseQuotient(alone);
-    result.singular.push_back(sentence(relative, parametrisation.naturalNames()));
-    for (Index i = 0; i < natural; ++i) {
-      if (std::abs(relative[i]) > 1e-3 * relative.cwiseAbs().maxCoeff())
-        result.unknown[static_cast<std::size_t>(i)] = true;
+    } else {
+      result.leaveOut((jacobian * direction).cwiseQuotient(alone), parametrisation.naturalNames());
     }
   }
   return result;

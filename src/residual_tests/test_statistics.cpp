@@ -31,6 +31,77 @@ QuadraticForm quadraticForm(const MatrixXd& A, const VectorXd& x, double thresho
   return form;
 }
 
+namespace {
+
+// Relative eigenvalue of the test signals' covariance below which a direction is hardly excited.
+constexpr double kHardlyMoved = 1e-9;
+// Relative eigenvalue of the information below which the residuals do not depend on a direction of
+// the parameters.
+constexpr double kWithoutEffect = 1e-9;
+// Share of a combination of test signals that must be left after the parameters are removed.
+constexpr double kLeft = 0.05;
+
+/// The eigenvectors of eigenvalues above `threshold` times the largest one, each over the square
+/// root of its eigenvalue: W'AW = 1.
+MatrixXd whiteningOf(const MatrixXd& A, double threshold) {
+  const SymmetricEigen of_A(A);
+  const double largest = A.rows() > 0 ? of_A.eigenvalues().maxCoeff() : 0;
+  Index determined = 0;
+  while (determined < A.rows() &&
+         of_A.eigenvalues()[A.rows() - 1 - determined] > std::max(threshold * largest, 0.0))
+    ++determined;
+  return of_A.eigenvectors().rightCols(determined) *
+         of_A.eigenvalues().tail(determined).cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
+/// Coordinates of the parameters in which their information is 1, without directions that have no
+/// effect (p x rank).
+MatrixXd parameterDirections(const MatrixXd& information) {
+  VectorXd size = information.diagonal().cwiseSqrt();
+  size = (size.array() > 0).select(size, 1.0);
+  const MatrixXd scale = size.cwiseInverse().asDiagonal();
+  return scale * whiteningOf(scale * information * scale, kWithoutEffect);
+}
+
+}  // namespace
+
+QuadraticForm EstimatedParameters::explained() const {
+  const MatrixXd W = parameterDirections(information);
+  return {(W.transpose() * score).squaredNorm(), static_cast<double>(W.cols())};
+}
+
+TestedProducts::TestedProducts(Index signals, Index parameters)
+    : squares(MatrixXd::Zero(signals, signals)),
+      with_residual(VectorXd::Zero(signals)),
+      with_derivatives(MatrixXd::Zero(signals, parameters)) {}
+
+void TestedProducts::add(const VectorXd& signals, double residual, const VectorXd& derivatives) {
+  squares += signals * signals.transpose();
+  with_residual += signals * residual;
+  with_derivatives += signals * derivatives.transpose();
+}
+
+QuadraticForm withoutParameters(const TestedProducts& tested,
+                                const EstimatedParameters& parameters) {
+  const MatrixXd W = parameterDirections(parameters.information);
+  const MatrixXd V = whiteningOf(tested.squares, kHardlyMoved);
+  const MatrixXd shared = V.transpose() * tested.with_derivatives * W;
+  const VectorXd rest =
+      V.transpose() * tested.with_residual - shared * (W.transpose() * parameters.score);
+  const MatrixXd left = MatrixXd::Identity(V.cols(), V.cols()) - shared * shared.transpose();
+  QuadraticForm form;
+  if (left.size() == 0 || !left.allFinite()) return form;  // e.g. residuals that are all zero
+  const SymmetricEigen of_left(left);
+  for (Index k = 0; k < V.cols(); ++k) {
+    const double share = of_left.eigenvalues()[k];
+    if (share < kLeft) continue;
+    const double along = of_left.eigenvectors().col(k).dot(rest);
+    form.value += along * along / share;
+    ++form.rank;
+  }
+  return form;
+}
+
 VectorXd scaledCorrelations(const std::vector<Signals>& signals, int lags, double samples) {
   VectorXd sums = VectorXd::Zero(lags);
   for (const Signals& signal : signals) {

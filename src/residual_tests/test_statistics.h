@@ -25,6 +25,35 @@ struct QuadraticForm {
 /// eigenvectors whose eigenvalue is below `threshold` times the largest one are left out.
 QuadraticForm quadraticForm(const Eigen::MatrixXd& A, const Eigen::VectorXd& x, double threshold);
 
+/// What the estimation of parameters did to residuals w with derivatives d_j: the estimate moved
+/// the residuals along d_j. Both matrices without sigma^2.
+struct EstimatedParameters {
+  Eigen::MatrixXd information;  ///< sum of d_j d_k (p x p)
+  Eigen::VectorXd score;        ///< sum of d_j w (p)
+
+  /// The sum of squares of w that the parameters would explain, and their number.
+  QuadraticForm explained() const;
+};
+
+/// Products of residuals with k test signals that are independent of them under the model.
+struct TestedProducts {
+  Eigen::MatrixXd squares;           ///< sum of products of the test signals (k x k)
+  Eigen::VectorXd with_residual;     ///< sum of test signal times residual (k)
+  Eigen::MatrixXd with_derivatives;  ///< sum of test signal times residual's derivative (k x p)
+
+  TestedProducts(Eigen::Index signals, Eigen::Index parameters);
+
+  /// Adds a sample: the test signals, the residual and its derivatives.
+  void add(const Eigen::VectorXd& signals, double residual, const Eigen::VectorXd& derivatives);
+};
+
+/// The quadratic form of the products whose value over sigma^2 is chi-squared where the model is
+/// true and its parameters were estimated by any consistent method: the part of the test signals
+/// that the derivatives explain is removed from them (Neyman's C(alpha) test). Combinations of
+/// which hardly anything is left are left out.
+QuadraticForm withoutParameters(const TestedProducts& tested,
+                                const EstimatedParameters& parameters);
+
 /// Sums of products of samples 1, ..., `lags` apart, divided by sqrt(`samples`): each has standard
 /// deviation 1 where the samples are independent with variance 1. One signal per block; samples
 /// that were not measured are 0, and `samples` counts the measured ones.
