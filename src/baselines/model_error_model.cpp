@@ -41,6 +41,7 @@ ModelErrorModels modelErrorModels(const Configuration& configuration,
   }
   Configuration fir = configuration;  // FIR with white noise v; the offset is the residual's
   fir.nominal_model = NominalModelOptions();
+  fir.nominal_model.orders_auto = false;
   fir.nominal_model.structure = Structure::output_error;
   fir.nominal_model.nb = order;
   fir.nominal_model.na = 0;

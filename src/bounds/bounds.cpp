@@ -45,6 +45,7 @@ Bounds computeBounds(const Estimate& estimate) {
   Bounds bounds;
   bounds.levels = options.levels;
   bounds.samples = options.samples;
+  bounds.trust = estimate.trust;
   bounds.seed = estimate.configuration.estimation.seed;
   if (!plants.hasEstimationErrors()) {
     bounds.warnings.push_back(

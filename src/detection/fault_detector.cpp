@@ -58,8 +58,11 @@ std::shared_ptr<const NominalModel> nominalModelOf(const Estimate& estimate,
 
 /// The estimate's model with other parameters of the nominal model.
 StreamModel modelAt(const Estimate& estimate, const NominalModel& nominal, const VectorXd& theta) {
-  if (variesParameters(estimate.error_model.options.basis))
-    return streamModel(nominal, estimate.error_model.options, theta);
+  if (variesParameters(estimate.error_model.options.basis)) {
+    ErrorModelOptions options = estimate.error_model.options;
+    options.basis = BasisKind::sensitivity;  // a stream is linear in xi: the spread to first order
+    return streamModel(nominal, options, theta);
+  }
   return streamModel(nominal.polynomials(theta), basisOf(estimate));
 }
 
@@ -77,10 +80,11 @@ StreamModel modelOf(const Estimate& estimate) {
     return streamModel({go.delay, go.b, go.a, go.c, go.d}, basisOf(estimate));
   const VectorXd theta = valuesOf(go.parameters);
   const auto nominal = nominalModelOf(estimate, theta);
-  if (basis == BasisKind::parameter_spread || nominal == nullptr) {
+  if (nominal == nullptr) {
     throw ConfigurationError(
         "error_model.basis: faults can be detected with fir, laguerre and kautz, and with "
-        "sensitivity if the configuration states the nominal model; identify with one of them");
+        "sensitivity and parameter_spread if the configuration states the nominal model; identify "
+        "with one of them");
   }
   return modelAt(estimate, *nominal, theta);
 }

@@ -33,11 +33,24 @@ void requireKnown(const std::vector<std::string>& excluded,
   }
 }
 
+/// The configuration of the base model. Effects can be added to filters in series with Go only;
+/// where the orders are free the search starts from the best simulation; and gains of effects are
+/// compared with a flat prior of initial values, which none of them can exploit.
+Configuration ofBaseModel(Configuration configuration) {
+  if (configuration.error_model.basis == BasisKind::automatic)
+    configuration.error_model.basis = BasisKind::fir;
+  double& precision = configuration.estimation.initial_precision;
+  if (precision == kAutomatic) precision = 0;
+  NominalModelOptions& nominal = configuration.nominal_model;
+  if (nominal.orders_auto && nominal.focus == Focus::simulation) nominal.fit = PlantFit::simulation;
+  return configuration;
+}
+
 /// One run of explain().
 class Explaining {
  public:
   Explaining(const Configuration& configuration, const ProgressCallback& progress)
-      : configuration_(configuration),
+      : configuration_(ofBaseModel(configuration)),
         progress_(progress),
         pool_(threadCount(configuration.estimation.threads)) {}
 

@@ -29,9 +29,13 @@ CheckedData checkData(const Configuration& configuration,
 Configuration limitErrorModel(Configuration configuration, int experiments, Journal* journal) {
   constexpr int kFewest = 4;  // number of experiments that a mixture needs
   ErrorModelOptions& options = configuration.error_model;
+  const bool stated =
+      configuration.initial.mixture.components() > 0 || !configuration.effects.empty();
+  if (options.basis == BasisKind::automatic && stated) options.basis = BasisKind::fir;
   if (options.taps == 0) options.components = 1;
   if (experiments >= kFewest || options.taps == 0) return configuration;
   if (experiments == 1) {
+    options.basis = BasisKind::fir;
     options.taps = 0;
     options.components = 1;
     options.constraint = Constraint::free;

@@ -1,6 +1,5 @@
-#include <algorithm>
-
 #include "data/experiment_checks.h"
+#include "estimation/linearisation.h"
 #include "estimation/selection.h"
 #include "identification/steps.h"
 #include "math/information_criterion.h"
@@ -31,6 +30,26 @@ std::vector<ExperimentEstimate> describeExperiments(const Problem& problem,
   return described;
 }
 
+/// Tests of the residuals of the whole model: a plant that was fitted to its simulation was
+/// estimated from these data too.
+ResidualTests testsOf(const Problem& problem, const FittedModel& fitted, Journal* journal) {
+  const ModelParameters& point = fitted.optimum.point;
+  const std::vector<Block>& blocks = problem.data.blocks;
+  if (!problem.plant) return residualTests(*fitted.model, blocks, point.parameters);
+  Problem whole = problem;
+  whole.plant.reset();
+  whole.nominal_model = {};  // the plant is the configuration's
+  const std::unique_ptr<LinearModel> model = buildModel(whole);
+  ModelParameters at = point;
+  at.parameters.resize(model->parameterCount());
+  const Eigen::Index of_plant = at.parameters.size() - point.parameters.size();
+  at.parameters << problem.plant->point.parameters.head(of_plant), point.parameters;
+  const auto about =
+      linearisedAtPosteriorMeans(*model, blocks, problem.data.count(),
+                                 threadsOf(problem.configuration.estimation), at, &journal->passes);
+  return residualTests(about ? *about->model : *model, blocks, at.parameters);
+}
+
 }  // namespace
 
 Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* journal) {
@@ -53,11 +72,12 @@ Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* jo
   estimate.error_model.mixture = point.mixture;
   estimate.experiments = describeExperiments(problem, fitted);
   describeParameters(problem, fitted, journal, &estimate);
-  if (!journal->progress.cancelled()) {
-    const int noise = static_cast<int>(p.c.size() + p.d.size());
-    estimate.residual_tests = residualTests(model, problem.data.blocks, point.parameters, noise,
-                                            std::max(0, nominal.parameterCount() - noise));
+  if (problem.plant) {
+    const EstimationOptions& options = estimate.configuration.estimation;
+    (options.offset_side == OffsetSide::input ? estimate.offset_u : estimate.offset_y) =
+        problem.plant->offset;
   }
+  if (!journal->progress.cancelled()) estimate.residual_tests = testsOf(problem, fitted, journal);
   estimate.log_likelihood = optimum.log_likelihood;
   estimate.termination = optimum.termination;
   estimate.message = optimum.message;
@@ -71,6 +91,8 @@ Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* jo
                      mixtureParameters(problem.configuration.error_model.constraint,
                                        model.regressors(), point.mixture.components()),
                      static_cast<double>(estimate.sample_count), estimate.experiment_count);
+  estimate.variation = variationText(estimate, model);
+  if (!journal->progress.cancelled()) estimate.trust = trustOf(problem, fitted, estimate);
   journal->passes += fitted.likelihood->passes();
   return estimate;
 }

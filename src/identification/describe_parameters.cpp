@@ -34,6 +34,17 @@ MatrixXd jointCovariance(const Problem& problem, const FittedModel& fitted,
   return joint;
 }
 
+/// The covariance in the coordinates of the optimisation: the robust one where it is known and
+/// disagrees, so that the bounds contain the scatter of the experiments that the model lacks.
+const MatrixXd& wider(const StandardErrors& errors) {
+  constexpr double kAgree = 1.5;  // ratio of standard errors
+  const VectorXd plain = errors.coordinate_covariance.diagonal();
+  const VectorXd robust = errors.robust_coordinate_covariance.diagonal();
+  const bool known = errors.robust_covariance.allFinite();
+  const bool larger = (robust.array() > kAgree * kAgree * plain.array()).any();
+  return known && larger ? errors.robust_coordinate_covariance : errors.coordinate_covariance;
+}
+
 /// Standard errors in natural coordinates, and the entries of the estimate that depend on them. NaN
 /// if the caller has cancelled.
 StandardErrors errorsOf(const Problem& problem, const FittedModel& fitted,
@@ -45,7 +56,7 @@ StandardErrors errorsOf(const Problem& problem, const FittedModel& fitted,
     return {none, none, {}, {}, {}};
   }
   StandardErrors errors = standardErrors(*fitted.likelihood, parametrisation, fitted.optimum.point);
-  estimate->joint_covariance = jointCovariance(problem, fitted, errors.coordinate_covariance);
+  estimate->joint_covariance = jointCovariance(problem, fitted, wider(errors));
   journal->warnings.insert(journal->warnings.end(), errors.singular.begin(), errors.singular.end());
   return errors;
 }

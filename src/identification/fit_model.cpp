@@ -82,6 +82,26 @@ void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& opt
   }
 }
 
+/// Leaves a local optimum for a higher one, as long as there is one. A given start is climbed from
+/// as it is, and points of linearisation do not carry over to another optimum.
+void leaveLocalOptimum(const Problem& problem, const OptimisationOptions& options,
+                       FittedModel* fitted, Journal* journal) {
+  constexpr int kMostLeaps = 4;
+  if (hasGivenParameters(problem) || fitted->model->isLocallyLinear()) return;
+  for (int leap = 0; leap < kMostLeaps; ++leap) {
+    Optimum& optimum = fitted->optimum;
+    if (journal->progress.cancelled() || optimum.iterations >= options.max_iterations) return;
+    const std::optional<ModelParameters> higher = higherElsewhere(problem, *fitted, options);
+    if (!higher) return;
+    const Optimum before = optimum;
+    optimum.point = *higher;
+    optimise(problem, options, journal->passes, fitted);
+    if (optimum.log_likelihood > before.log_likelihood) continue;
+    optimum = before;
+    return;
+  }
+}
+
 void warnAboutFloor(const Mixture& mixture, const MatrixXd& floor, Journal* journal) {
   for (std::size_t i = 0; floor.size() > 0 && i < mixture.covariances.size(); ++i) {
     const SymmetricEigen eigen(mixture.covariances[i], floor);
@@ -118,6 +138,9 @@ FittedModel fitModel(const Problem& problem, Journal* journal) {
       optimisationOptions(configuration, Phase::optimum, &journal->progress);
   options.floor = covarianceFloor(start.mixture);
   optimiseToFixedPoint(problem, options, about ? about->points : MatrixXd(), &fitted, journal);
+  leaveLocalOptimum(problem, options, &fitted, journal);
+  fitted.optimum.point =
+      withSortedTimeConstants(*fitted.model, configuration.error_model, fitted.optimum.point);
   warnAboutFloor(fitted.optimum.point.mixture, options.floor, journal);
   return fitted;
 }

@@ -80,12 +80,8 @@ Identifier::Identifier(Configuration configuration) : configuration_(std::move(c
 
 Identifier::Identifier(Configuration configuration, NominalModelFactory nominal_model)
     : Identifier(std::move(configuration)) {
-  const NominalModelOptions& options = configuration_.nominal_model;
-  if (options.orders_auto) {
-    throw ConfigurationError(
-        "nominal_model.orders: found auto, which chooses among Box-Jenkins models; remove this key "
-        "when you use a model of your own");
-  }
+  NominalModelOptions& options = configuration_.nominal_model;
+  options.orders_auto = false;  // the caller's model has its own
   if (options.fit != PlantFit::likelihood) {
     throw ConfigurationError(
         "nominal_model.fit: found simulation, which is available for Box-Jenkins models only; use "

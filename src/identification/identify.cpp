@@ -1,24 +1,35 @@
 #include "identification/identify.h"
 
+#include <algorithm>
+
 #include "estimation/stopwatch.h"
 #include "identification/steps.h"
 #include "uncertainty_identification/version.h"
 
 namespace uncertainty_identification {
+namespace {
+
+void adopt(const ModelChoice& choice, Problem* problem) {
+  problem->configuration = choice.configuration;
+  problem->start = choice.start;
+  if (!choice.plant_is_fixed) problem->plant.reset();
+}
+
+}  // namespace
 
 Estimate identify(const Request& request, const std::vector<Experiment>& experiments,
                   const std::vector<Experiment>& validation) {
   const Stopwatch watch;
   Journal journal{ProgressPhases(request.progress)};
   const CheckedData data = checkData(request.configuration, experiments, &journal);
-  Problem problem{data, request.nominal_model, request.previous, {}, {}};
+  Problem problem{data, request.nominal_model, request.previous, {}, {}, {}};
   problem.configuration = limitErrorModel(request.configuration, data.count(), &journal);
+  problem.configuration = chooseInitialPrecision(problem.configuration, data);
+  problem.configuration = limitDeadTime(problem);
   problem.configuration = chooseOrders(problem, &journal);
   problem.plant = fitPlant(problem, &journal);
+  adopt(chooseModel(problem, request.configuration.nominal_model, &journal), &problem);
   if (problem.plant) problem.plant = describePlant(problem, &journal);
-  if (problem.plant && request.configuration.nominal_model.orders_auto)
-    problem.configuration = chooseNoiseOrders(problem, &journal);
-  problem.configuration = chooseErrorModel(problem, &journal);
   const FittedModel fitted = fitModel(problem, &journal);
   Estimate estimate = describe(problem, fitted, &journal);
   if (journal.progress.cancelled()) {
@@ -36,13 +47,18 @@ Estimate identify(const Request& request, const std::vector<Experiment>& experim
 }
 
 FoldModel identifyPlant(const Request& request, const std::vector<Experiment>& experiments) {
+  constexpr int kEnough = 20;  // iterations from the estimate of all folds
   Journal journal{ProgressPhases(request.progress)};
   const CheckedData data = checkData(request.configuration, experiments, &journal);
-  Problem problem{data, request.nominal_model, request.previous, {}, {}};
+  Problem problem{data, request.nominal_model, request.previous, {}, {}, {}};
   problem.configuration = limitErrorModel(request.configuration, data.count(), &journal);
+  problem.configuration = chooseInitialPrecision(problem.configuration, data);
+  problem.configuration = limitDeadTime(problem);
   problem.plant = fitPlant(problem, &journal);
   if (!problem.plant) {
-    problem.configuration = chooseErrorModel(problem, &journal);
+    adopt(chooseModel(problem, problem.configuration.nominal_model, &journal), &problem);
+    int& iterations = problem.configuration.estimation.max_iterations;
+    iterations = std::min(iterations, kEnough);
     const FittedModel fitted = fitModel(problem, &journal);
     problem.plant = plantOf(*fitted.model, fitted.optimum.point);
   }

@@ -30,6 +30,10 @@ FittedPlant plantOf(const LinearModel& model, const ModelParameters& point) {
           point.parameters.size() > own ? point.parameters[own] : 0.0, point};
 }
 
+double offsetOf(const Problem& problem, const LinearModel& model, const ModelParameters& point) {
+  return problem.plant ? problem.plant->offset : plantOf(model, point).offset;
+}
+
 std::optional<FittedPlant> fitPlant(const Problem& problem, Journal* journal) {
   const Configuration& configuration = problem.configuration;
   if (configuration.nominal_model.fit != PlantFit::simulation) return {};

@@ -47,7 +47,8 @@ struct Problem {
   NominalModelFactory nominal_model;  ///< as in Request
   const Estimate* previous;           ///< as in Request
   Configuration configuration;        ///< `auto` is replaced by what was chosen so far
-  std::optional<FittedPlant> plant;   ///< nominal_model.fit: simulation only
+  std::optional<FittedPlant> plant;   ///< fitted to its simulation and fixed; else none
+  Eigen::VectorXd start;              ///< a start of the model's parameters; empty: none
 };
 
 /// The record that all steps add to.

@@ -90,6 +90,14 @@ ModelParameters withGivenMixture(const Problem& problem, const Mixture& mixture,
   return start;
 }
 
+/// The largest number of components that the automatic choice tries: each needs two experiments for
+/// each of its parameters, because a component shrinks onto few experiments at no cost.
+int mostComponents(const Problem& problem, int regressors) {
+  const int parameters = 1 + regressors + regressors * (regressors + 1) / 2;
+  return std::min(problem.configuration.error_model.max_components,
+                  problem.data.count() / (2 * parameters));
+}
+
 /// A start with the mixture: with the configured number of components, or with the number of lowest
 /// BIC if it is automatic.
 ModelParameters chooseComponents(const Problem& problem, const ModelParameters& single,
@@ -101,8 +109,7 @@ ModelParameters chooseComponents(const Problem& problem, const ModelParameters& 
   options.floor = covarianceFloor(single.mixture);
   const bool automatic = error_model.components == kAutomatic;
   const int first = automatic ? 1 : error_model.components;
-  const int last =
-      automatic ? std::min(error_model.max_components, problem.data.count() / 4) : first;
+  const int last = automatic ? mostComponents(problem, likelihood.model().regressors()) : first;
   const Statistics statistics = likelihood.statistics(single.parameters, false);
   const int parameters = likelihood.model().parameterCount() + 1;
   std::vector<ModelParameters> points;
@@ -117,7 +124,7 @@ ModelParameters chooseComponents(const Problem& problem, const ModelParameters& 
         {"components",
          "components=" + std::to_string(components),
          parameters + mixture,
-         reached,
+         reached + smallComponentPenalty(points.back().mixture, problem.data.count()),
          bic(reached, parameters, mixture, statistics.samples().sum(), problem.data.count()),
          {},
          false});
@@ -128,6 +135,31 @@ ModelParameters chooseComponents(const Problem& problem, const ModelParameters& 
   return least ? points[*least] : single;
 }
 
+/// The best of the optima with a single component once they have as many components as `first`,
+/// which comes from the highest of them.
+ModelParameters bestMixture(const Problem& problem, const ModelParameters& first,
+                            const std::vector<SingleComponent>& optima,
+                            const Likelihood& likelihood, OptimisationOptions options) {
+  constexpr int kTurns = 4;
+  const EstimationOptions& estimation = problem.configuration.estimation;
+  std::vector<Finalist> finalists;
+  for (const SingleComponent& single : optima) {
+    const Statistics statistics = likelihood.statistics(single.point.parameters, false);
+    Finalist one;
+    if (finalists.empty()) {
+      one = {first, likelihood.expect(statistics, first).total()};
+    } else {
+      options.floor = covarianceFloor(single.point.mixture);
+      one.point =
+          spreadComponents(likelihood, statistics, single.point, first.mixture.components(),
+                           estimation.restarts, estimation.seed, options, &one.log_likelihood);
+    }
+    finalists.push_back(std::move(one));
+  }
+  const std::vector<Finalist> reached = climbTogether(likelihood, finalists, options, kTurns);
+  return reached.empty() ? first : reached.front().point;
+}
+
 }  // namespace
 
 bool hasGivenParameters(const Problem& problem) {
@@ -135,6 +167,8 @@ bool hasGivenParameters(const Problem& problem) {
 }
 
 const Mixture& givenMixture(const Problem& problem) {
+  static const Mixture kNone;
+  if (problem.configuration.error_model.taps == 0) return kNone;
   return problem.previous != nullptr ? problem.previous->error_model.mixture
                                      : problem.configuration.initial.mixture;
 }
@@ -159,6 +193,7 @@ std::vector<VectorXd> startsFromData(const Problem& problem, const LinearModel& 
           ? noiseStarts(plain, problem.plant->polynomials, problem.plant->offset, experiments)
           : nominalStarts(plain, configuration.nominal_model, experiments);
   for (VectorXd& start : starts) start = model.withStartingValues(start, configuration.effects);
+  if (problem.start.size() == model.parameterCount()) starts.insert(starts.begin(), problem.start);
   return starts;
 }
 
@@ -180,13 +215,15 @@ ModelParameters findStart(const Problem& problem, const LinearModel& model,
   const Mixture& mixture = givenMixture(problem);
   if (mixture.components() > 0)
     return withGivenMixture(problem, mixture, starts.front(), likelihood);
-  const ModelParameters single = requireStart(
-      bestSingleComponent(
-          likelihood, starts,
-          optimisationOptions(problem.configuration, Phase::start, &journal->progress)),
-      model);
+  const OptimisationOptions options =
+      optimisationOptions(problem.configuration, Phase::start, &journal->progress);
+  const std::vector<SingleComponent> optima = singleComponentOptima(likelihood, starts, options);
+  const ModelParameters single =
+      requireStart(optima.empty() ? std::nullopt : std::optional(optima.front().point), model);
   if (problem.configuration.error_model.components == 1) return single;
-  return chooseComponents(problem, single, likelihood, journal);
+  const ModelParameters start = chooseComponents(problem, single, likelihood, journal);
+  if (optima.size() == 1 || start.mixture.components() < 2) return start;
+  return bestMixture(problem, start, optima, likelihood, options);
 }
 
 }  // namespace uncertainty_identification

@@ -12,8 +12,19 @@ namespace uncertainty_identification {
 CheckedData checkData(const Configuration& configuration,
                       const std::vector<Experiment>& experiments, Journal* journal);
 
+/// The configuration with a prior of initial values that suits the scale of the data.
+Configuration chooseInitialPrecision(Configuration configuration, const CheckedData& data);
+
+/// The common offset of the output with which Go simulates the data: that of the fitted plant where
+/// there is one, because noise that wanders leaves the offset beside it undetermined.
+double offsetOf(const Problem& problem, const LinearModel& model, const ModelParameters& point);
+
 /// The configuration with an error model that so many experiments can determine.
 Configuration limitErrorModel(Configuration configuration, int experiments, Journal* journal);
+
+/// The configuration with the largest dead time that the data speak for, where one is estimated: a
+/// longer numerator would only add unknown initial values.
+Configuration limitDeadTime(const Problem& problem);
 
 /// The configuration with orders of the nominal model chosen, where they are automatic.
 Configuration chooseOrders(const Problem& problem, Journal* journal);
@@ -28,13 +39,19 @@ FittedPlant describePlant(const Problem& problem, Journal* journal);
 /// Go and the common offset at a model's parameters.
 FittedPlant plantOf(const LinearModel& model, const ModelParameters& point);
 
-/// The configuration with the orders of C and D that have the lowest BIC with the fitted plant
-/// fixed.
-Configuration chooseNoiseOrders(const Problem& problem, Journal* journal);
+/// What is left to be fitted by likelihood.
+struct ModelChoice {
+  Configuration configuration;  ///< with error model and, where the orders are free, noise model
+  bool plant_is_fixed;          ///< at the problem's fitted plant
+  Eigen::VectorXd start;        ///< of the model's parameters; empty: none
+};
 
-/// The configuration with the number of taps of least BIC where it is automatic, and with the names
-/// of the parameters that vary where the error model varies some.
-Configuration chooseErrorModel(const Problem& problem, Journal* journal);
+/// Chooses the error model where it is automatic and, where the `asked` orders are, those of C and
+/// D by BIC, and whether Go is fitted together with them: structures with one component are fitted
+/// to (a part of) the data and compared by BIC, those nearly as good by held-out experiments. Fills
+/// in the names of the parameters that vary where the error model varies some. Throws DataError
+/// where none can be fitted.
+ModelChoice chooseModel(const Problem& problem, const NominalModelOptions& asked, Journal* journal);
 
 /// Whether the request or its configuration gives a start of the parameters, or of the mixture.
 bool hasGivenParameters(const Problem& problem);
@@ -55,8 +72,18 @@ ModelParameters requireStart(const std::optional<ModelParameters>& found, const 
 ModelParameters findStart(const Problem& problem, const LinearModel& model,
                           const Likelihood& likelihood, Journal* journal);
 
-/// The model at the optimum of its likelihood. Throws DataError where the data have too few samples
-/// for it, or where there is no start.
+/// A point of higher likelihood than the optimum, by moves that a climb cannot make; none where
+/// none is found.
+std::optional<ModelParameters> higherElsewhere(const Problem& problem, const FittedModel& fitted,
+                                               OptimisationOptions options);
+
+/// The point with the time constants of a continuous structure in ascending order; they are
+/// interchangeable unless the error model varies one of them.
+ModelParameters withSortedTimeConstants(const LinearModel& model, const ErrorModelOptions& errors,
+                                        ModelParameters point);
+
+/// The model at the highest optimum of its likelihood that is found. Throws DataError where the
+/// data have too few samples for it, or where there is no start.
 FittedModel fitModel(const Problem& problem, Journal* journal);
 
 /// The result but for what the journal holds. Cancelled or not, the model is described; the tests
@@ -67,6 +94,13 @@ Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* jo
 /// the covariances.
 void describeParameters(const Problem& problem, const FittedModel& fitted, Journal* journal,
                         Estimate* estimate);
+
+/// How the plants differ from experiment to experiment, as a sentence; empty for one experiment.
+std::string variationText(const Estimate& estimate, const LinearModel& model);
+
+/// Whether the data contradict the model: residual tests, standard errors that disagree with the
+/// scatter of the experiments, a poor simulation, too few experiments.
+Trust trustOf(const Problem& problem, const FittedModel& fitted, const Estimate& estimate);
 
 /// How well the model predicts experiments that it was not fitted to.
 Validation validate(const Problem& problem, const FittedModel& fitted,

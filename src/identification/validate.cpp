@@ -21,11 +21,17 @@ Validation validate(const Problem& problem, const FittedModel& fitted,
   for (const Experiment& experiment : used) validation.experiments.push_back(experiment.id);
   const ModelParameters& point = fitted.optimum.point;
   const NominalModel& nominal = fitted.model->nominal();
-  const SimulationFit fit =
-      simulationFit(nominal, point.parameters.head(nominal.parameterCount()),
-                    plantOf(*fitted.model, point).offset, configuration.estimation, used);
+  const auto fitFrom = [&](InitialState start) {
+    EstimationOptions options = configuration.estimation;
+    options.initial_state = start;
+    return simulationFit(nominal, point.parameters.head(nominal.parameterCount()),
+                         offsetOf(problem, *fitted.model, point), options, used);
+  };
+  const bool at_rest = configuration.estimation.initial_state == InitialState::zero;
+  const SimulationFit fit = fitFrom(at_rest ? InitialState::zero : InitialState::estimate);
   validation.simulation_fit_percent = fit.percent;
   validation.simulation_fit_percent_pooled = fit.pooled;
+  validation.at_rest_fit_percent_pooled = fitFrom(InitialState::zero).pooled;
   const std::vector<Block> blocks = makeBlocks(used);
   const int count = static_cast<int>(used.size()), threads = threadsOf(configuration.estimation);
   const auto about =

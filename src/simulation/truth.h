@@ -67,9 +67,9 @@ struct PlantTruth {
 /// The relative error GDelta = sum_k eta_k F_k with eta = T xi, where xi is drawn from a mixture
 /// for each experiment: equations (4), (12).
 struct ErrorModelTruth {
-  ErrorModelOptions
-      basis;        ///< basis, taps (a number), constraint, T and poles; the rest is ignored
-  Mixture mixture;  ///< of xi; without components there is no error
+  ErrorModelOptions basis =
+      paperErrorModel();  ///< basis, taps (a number), constraint, T and poles; the rest is ignored
+  Mixture mixture;        ///< of xi; without components there is no error
 
   void validate() const;
 };

@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <limits>
+
+#include "estimation/excerpt.h"
+#include "estimation/selection.h"
+#include "estimation/simulation_fit.h"
+#include "identification/steps.h"
+#include "identification/structure_fit.h"
+#include "model/fixed_plant.h"
+#include "model/sensitivity.h"
+#include "uncertainty_identification/errors.h"
+
+/// The automatic choices of the error model and of the noise model, and whether Go is fitted
+/// together with them.
+namespace uncertainty_identification {
+namespace {
+
+/// Structures whose half BIC is higher than the least by more than this are out of question [nats].
+constexpr double kNearlyAsGood = 10;
+
+/// The part of the data that is enough to compare structures.
+CheckedData enough(const CheckedData& data) {
+  CheckedData part;
+  part.experiments = thinned(data.experiments, 2 * kEnoughSamples);
+  part.blocks = makeBlocks(part.experiments);
+  return part;
+}
+
+double scoreOf(const StructureFit& fit, const Problem& problem) {
+  return fit.score(static_cast<double>(problem.data.validSamples()), problem.data.count());
+}
+
+/// Fits of the structures that can be fitted. Each starts from the best one before it.
+std::vector<StructureFit> fitAll(const Problem& problem,
+                                 const std::vector<ErrorStructure>& structures,
+                                 const std::vector<StartingPoint>& points, Journal* journal) {
+  constexpr std::size_t kFromData = 2;  // structures that also start from the data
+  std::vector<StructureFit> fits;
+  std::vector<StartingPoint> starts = points;
+  double highest = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < structures.size(); ++k) {
+    if (k > 0 && journal->progress.cancelled()) break;
+    auto fit = fitStructure(problem, structures[k], starts, k < kFromData, journal);
+    journal->progress.report(Phase::taps,
+                             static_cast<double>(k + 1) / static_cast<double>(structures.size()));
+    if (!fit) continue;
+    fits.push_back(std::move(*fit));
+    const double score = scoreOf(fits.back(), problem);
+    if (score <= highest) continue;
+    highest = score;
+    starts.resize(points.size());
+    starts.push_back(fits.back().start());
+  }
+  return fits;
+}
+
+/// The fit of least BIC or, among those nearly as good, of the highest density of held-out
+/// experiments. Adds all to the journal's candidates.
+StructureFit bestOf(const Problem& problem, const std::vector<StructureFit>& fits,
+                    const std::string& choice, bool by_held_out, Journal* journal) {
+  if (fits.empty()) {
+    throw DataError(
+        "the likelihood is not finite at any start; check the units and the scale of the data, or "
+        "give a start: initial.theta");
+  }
+  std::vector<Candidate> candidates;
+  for (const StructureFit& fit : fits)
+    candidates.push_back({choice,
+                          fit.structure.description,
+                          fit.parameters + fit.mixture,
+                          fit.log_likelihood,
+                          -2 * scoreOf(fit, problem),
+                          {},
+                          false,
+                          {}});
+  const auto lower = [](const Candidate& left, const Candidate& right) {
+    return *left.bic < *right.bic;
+  };
+  auto best = std::min_element(candidates.begin(), candidates.end(), lower);
+  const double limit = *best->bic + 2 * kNearlyAsGood;
+  const auto near = std::count_if(candidates.begin(), candidates.end(),
+                                  [&](const Candidate& each) { return *each.bic < limit; });
+  if (by_held_out && near > 1 && problem.data.count() > 1) {
+    for (std::size_t k = 0; k < fits.size(); ++k)
+      if (*candidates[k].bic < limit)
+        candidates[k].held_out_density = heldOutDensity(problem, fits[k], journal);
+    best = std::max_element(candidates.begin(), candidates.end(),
+                            [](const Candidate& left, const Candidate& right) {
+                              return left.held_out_density < right.held_out_density;
+                            });
+  }
+  best->chosen = true;
+  const auto chosen = static_cast<std::size_t>(best - candidates.begin());
+  journal->candidates.insert(journal->candidates.end(), candidates.begin(), candidates.end());
+  return fits[chosen];
+}
+
+/// The structure with C and D of the orders of least BIC.
+StructureFit withNoiseOrders(const Problem& problem, const StructureFit& chosen, Journal* journal) {
+  std::vector<ErrorStructure> structures;
+  for (int order = 0; order <= kLargestNoiseOrder; ++order) {
+    const std::string count = std::to_string(order);
+    structures.push_back({"nc=" + count + " nd=" + count, chosen.structure.configuration});
+    NominalModelOptions& options = structures.back().configuration.nominal_model;
+    options.nc = options.nd = order;
+  }
+  std::vector<StructureFit> fits;
+  for (const ErrorStructure& structure : structures) {
+    if (auto fit = fitStructure(problem, structure, {chosen.start()}, true, journal))
+      fits.push_back(std::move(*fit));
+    if (journal->progress.cancelled()) break;
+  }
+  if (fits.empty()) return chosen;
+  return bestOf(problem, fits, "noise orders", false, journal);
+}
+
+double fitOf(const Problem& problem, const NominalModel& nominal, const Eigen::VectorXd& theta,
+             double offset) {
+  return simulationFit(nominal, theta, offset, problem.configuration.estimation,
+                       problem.data.experiments)
+      .pooled;
+}
+
+/// Whether Go, fitted together with the rest, simulates the data as well as Go that was fitted to
+/// nothing else. It does not where the plant is not linear, and the likelihood accepts a worse
+/// simulation for a better prediction.
+bool simulatesAsWell(const Problem& problem, const StructureFit& fit) {
+  constexpr double kTolerance = 0.5;  // [% of fit]
+  const NominalModel& nominal = fit.model->nominal();
+  const double jointly = fitOf(
+      problem, nominal, fit.point.parameters.head(nominal.parameterCount()), fit.start().offset);
+  const FittedPlant& plant = *problem.plant;
+  const auto alone = fixPlant(plant.polynomials, 0, 0);
+  return jointly >= fitOf(problem, *alone, Eigen::VectorXd(0), plant.offset) - kTolerance;
+}
+
+StructureFit chooseStructure(const Problem& problem, bool free_orders,
+                             const std::vector<StartingPoint>& points, Journal* journal) {
+  const bool automatic = problem.configuration.error_model.basis == BasisKind::automatic;
+  const std::vector<ErrorStructure> structures = errorStructures(
+      problem, free_orders && !points.empty() ? &points.front().polynomials : nullptr);
+  const std::vector<StructureFit> fits = fitAll(problem, structures, points, journal);
+  StructureFit chosen =
+      fits.size() == 1 ? fits.front() : bestOf(problem, fits, "error model", automatic, journal);
+  if (!free_orders) return chosen;
+  if (!problem.plant) chosen = withBetterOrders(problem, std::move(chosen), journal);
+  return withNoiseOrders(problem, chosen, journal);
+}
+
+}  // namespace
+
+ModelChoice chooseModel(const Problem& problem, const NominalModelOptions& asked,
+                        Journal* journal) {
+  const bool free_orders = asked.orders_auto;
+  const ErrorModelOptions& given = problem.configuration.error_model;
+  const bool free_error_model = given.basis == BasisKind::automatic || given.taps == kAutomatic;
+  if (!free_orders && !free_error_model) {
+    ModelChoice choice{problem.configuration, problem.plant.has_value(), {}};
+    completeErrorModel(*remainingNominalModel(problem), &choice.configuration.error_model);
+    return choice;
+  }
+  const CheckedData data = enough(problem.data);
+  Problem part{data, problem.nominal_model, problem.previous, problem.configuration, {}, {}};
+  if (free_orders) {
+    part.configuration.nominal_model.structure = Structure::box_jenkins;
+    part.configuration.nominal_model.nc = part.configuration.nominal_model.nd = 1;
+  }
+  const std::size_t before = journal->candidates.size();
+  std::vector<StartingPoint> points;
+  if (problem.plant) points.push_back({problem.plant->polynomials, problem.plant->offset});
+  if (!problem.plant || (free_orders && asked.fit == PlantFit::likelihood)) {
+    part.configuration.nominal_model.fit = PlantFit::likelihood;
+    const StructureFit fit = chooseStructure(part, free_orders, points, journal);
+    part.plant = problem.plant;
+    if (!problem.plant || simulatesAsWell(part, fit))
+      return {fit.structure.configuration, false, fit.point.parameters};
+    journal->candidates.resize(before);
+    journal->warnings.push_back(
+        "Go was fitted to its simulation alone: fitted together with the noise and the differences "
+        "between the experiments it simulates worse, so the plant is probably not linear");
+  }
+  part.plant = problem.plant;
+  part.configuration.nominal_model.fit = PlantFit::simulation;
+  const StructureFit fit = chooseStructure(part, free_orders, points, journal);
+  return {fit.structure.configuration, true, fit.point.parameters};
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,141 @@
+#include "identification/error_structures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "math/polynomial.h"
+#include "model/continuous_poles.h"
+#include "uncertainty_identification/enum_names.h"
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr std::size_t kMostVaried = 4;  // parameters that vary together
+
+using Names = std::vector<std::string>;
+
+ErrorModelOptions withBasis(ErrorModelOptions options, BasisKind basis, Constraint constraint,
+                            int taps) {
+  options.basis = basis;
+  options.constraint = constraint;
+  options.taps = taps;
+  return options;
+}
+
+std::string joined(const Names& names) {
+  std::string text;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
+  return text;
+}
+
+/// The continuous structure with the poles of a sampled plant. None where the sampled plant is
+/// faster than the hold, has poles without a continuous counterpart, or too many parameters.
+std::optional<NominalModelOptions> continuousStructure(NominalModelOptions options,
+                                                       const Polynomials& plant,
+                                                       double sample_time) {
+  if (plant.delay < 1 || plant.a.size() < 1 || plant.a.size() > 3) return {};
+  for (const std::complex<double>& root : roots(plant.a)) {
+    const bool positive = std::abs(root.imag()) > 1e-9 || root.real() > 0.02;
+    if (!positive || std::abs(root) > 0.9999) return {};
+  }
+  const ContinuousPoles poles = continuousPoles(plant.a, sample_time);
+  options.structure = Structure::continuous;
+  options.time_constants = static_cast<int>(poles.time_constants.size());
+  options.resonances = static_cast<int>(poles.pairs.size());
+  options.zeros = options.time_constants + 2 * options.resonances - 1;
+  options.delay = plant.delay;
+  options.fixed.clear();
+  return options;
+}
+
+/// Parameters of the continuous structure whose relative variation is meaningful: a zero near the
+/// origin has none.
+Names physicalParameters(const NominalModelOptions& options) {
+  Names names{"gain"};
+  for (int k = 1; k <= options.time_constants; ++k) names.push_back("tau" + std::to_string(k));
+  for (int k = 1; k <= options.resonances; ++k) {
+    names.push_back("omega" + std::to_string(k));
+    names.push_back("zeta" + std::to_string(k));
+  }
+  return names;
+}
+
+/// Parameters of the configured nominal model that Go alone depends on, by their names.
+Names ownParameters(const Problem& problem) {
+  const NominalModelOptions& options = problem.configuration.nominal_model;
+  const bool shared = options.structure == Structure::arx || options.structure == Structure::armax;
+  if (problem.nominal_model || shared) return {};  // a user's model, or A is a part of H
+  Names names;
+  for (const std::string& name : nominalModelOf(problem)->names()) {
+    const bool of_noise = name[0] == 'c' || (name[0] == 'd' && name != "dead_time");
+    if (!of_noise && name.rfind("zero", 0) != 0) names.push_back(name);
+  }
+  return names;
+}
+
+/// Each parameter alone, each with the first one, and all together.
+std::vector<Names> combinations(const Names& names) {
+  std::vector<Names> all;
+  if (names.size() > 2 * kMostVaried) return all;
+  for (const std::string& name : names) all.push_back({name});
+  for (std::size_t k = 1; k < names.size(); ++k) all.push_back({names[0], names[k]});
+  if (names.size() > 2 && names.size() <= kMostVaried) all.push_back(names);
+  return all;
+}
+
+/// Filters in series with Go: as many as the options state or, where these are automatic, each
+/// number up to the largest.
+void addFilters(const Configuration& configuration, BasisKind basis, Constraint constraint,
+                std::vector<ErrorStructure>* structures) {
+  const ErrorModelOptions& options = configuration.error_model;
+  const bool given = options.basis != BasisKind::automatic && options.taps != kAutomatic;
+  const int fewest = constraint == Constraint::zero_static_gain ? 2 : 1;
+  const int first = given ? options.taps : fewest;
+  const int last = given ? options.taps : std::max(options.max_taps, fewest);
+  for (int taps = first; taps <= last; ++taps) {
+    structures->push_back({nameOf(basis) + ", " + std::to_string(taps) +
+                               (taps == 1 ? " tap, " : " taps, ") + nameOf(constraint),
+                           configuration});
+    structures->back().configuration.error_model = withBasis(options, basis, constraint, taps);
+  }
+}
+
+void addVaried(const Configuration& configuration, const Names& names,
+               std::vector<ErrorStructure>* structures) {
+  structures->push_back({"parameter_spread of " + joined(names), configuration});
+  ErrorModelOptions& options = structures->back().configuration.error_model;
+  options = withBasis(options, BasisKind::parameter_spread, Constraint::zero_mean,
+                      static_cast<int>(names.size()));
+  options.parameters = names;
+}
+
+}  // namespace
+
+std::vector<ErrorStructure> errorStructures(const Problem& problem, const Polynomials* plant) {
+  const Configuration& configuration = problem.configuration;
+  const ErrorModelOptions& options = configuration.error_model;
+  std::vector<ErrorStructure> structures;
+  if (options.basis != BasisKind::automatic) {
+    addFilters(configuration, options.basis, options.constraint, &structures);
+    return structures;
+  }
+  addFilters(configuration, BasisKind::fir, Constraint::zero_mean, &structures);
+  addFilters(configuration, BasisKind::fir, Constraint::zero_static_gain, &structures);
+  structures.push_back({"none", configuration});
+  structures.back().configuration.error_model =
+      withBasis(options, BasisKind::fir, Constraint::free, 0);
+  structures.back().configuration.error_model.components = 1;
+  if (problem.plant) return structures;
+  Configuration varied = configuration;
+  const auto physical = plant == nullptr ? std::nullopt
+                                         : continuousStructure(configuration.nominal_model, *plant,
+                                                               problem.data.sampleTime());
+  if (physical) varied.nominal_model = *physical;
+  const Names names = physical ? physicalParameters(varied.nominal_model) : ownParameters(problem);
+  for (const Names& some : combinations(names)) addVaried(varied, some, &structures);
+  return structures;
+}
+
+}  // namespace uncertainty_identification

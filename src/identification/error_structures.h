@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identification/problem.h"
+
+namespace uncertainty_identification {
+
+/// A way in which plants may differ from experiment to experiment: the configuration with a nominal
+/// model and an error model that can express it.
+struct ErrorStructure {
+  std::string description;  ///< e.g. "parameter_spread of gain and tau1"
+  Configuration configuration;
+};
+
+/// The structures that are compared when the error model is chosen from the data: none; FIR filters
+/// in series with Go, with the constraints zero_mean and zero_static_gain; and parameters of Go
+/// that vary, unless the problem's plant is fixed. These are the physical ones (gain, time
+/// constants, resonances) where a continuous model can replace `plant`, otherwise those of the
+/// configured nominal model. `plant` is null where the user chose the form of the nominal model.
+/// Only the number of taps differs where the configuration states the basis.
+std::vector<ErrorStructure> errorStructures(const Problem& problem, const Polynomials* plant);
+
+}  // namespace uncertainty_identification

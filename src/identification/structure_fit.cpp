@@ -1,0 +1,162 @@
+#include "identification/structure_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "estimation/initial_guess.h"
+#include "estimation/linearisation.h"
+#include "estimation/scoring.h"
+#include "estimation/selection.h"
+#include "identification/steps.h"
+#include "math/information_criterion.h"
+#include "model/sensitivity.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// A point of a model, with the linearisation about its posterior means where need be.
+struct LinearisedPoint {
+  std::shared_ptr<const LinearModel> model;
+  ModelParameters point;
+  double log_likelihood = 0;
+};
+
+/// Scoring steps from a point, alternating with linearisations where the model is only locally
+/// linear.
+LinearisedPoint improved(std::shared_ptr<const LinearModel> model, ModelParameters point,
+                         const CheckedData& data, int steps, const OptimisationOptions& wanted,
+                         int threads, int* passes) {
+  constexpr int kRounds = 3;
+  OptimisationOptions options = wanted;
+  LinearisedPoint now{std::move(model), std::move(point), 0};
+  const bool local = now.model->isLocallyLinear();
+  for (int round = 0; round < (local ? kRounds : 1); ++round) {
+    if (auto about = linearisedAtPosteriorMeans(*now.model, data.blocks, data.count(), threads,
+                                                now.point, passes))
+      now.model = std::move(about->model);
+    const Likelihood likelihood(*now.model, data.blocks, data.count(), threads);
+    options.floor = covarianceFloor(now.point.mixture);
+    now.point = scoringSteps(likelihood, now.point, options, steps, 1e-2);
+    now.log_likelihood =
+        likelihood.expect(likelihood.statistics(now.point.parameters, false), now.point).total();
+    *passes += likelihood.passes();
+  }
+  return now;
+}
+
+/// Total log density of experiments at a point of a model.
+double logDensity(const LinearModel& model, const ModelParameters& point, const CheckedData& data,
+                  int threads, int* passes) {
+  const auto about =
+      linearisedAtPosteriorMeans(model, data.blocks, data.count(), threads, point, passes);
+  const Likelihood likelihood(about ? *about->model : model, data.blocks, data.count(), threads);
+  const double total =
+      likelihood.expect(likelihood.statistics(point.parameters, false), point).total();
+  *passes += likelihood.passes();
+  return total;
+}
+
+CheckedData subset(const CheckedData& data, int fold, int folds, bool inside) {
+  CheckedData part;
+  for (int r = 0; r < data.count(); ++r)
+    if ((r % folds == fold) == inside)
+      part.experiments.push_back(data.experiments[static_cast<std::size_t>(r)]);
+  part.blocks = makeBlocks(part.experiments);
+  return part;
+}
+
+/// The parameters of a model at a starting point.
+VectorXd parametersAt(const LinearModel& model, const StartingPoint& start) {
+  VectorXd parameters = VectorXd::Zero(model.parameterCount());
+  const VectorXd theta = model.nominal().fromPolynomials(start.polynomials);
+  parameters.head(theta.size()) = theta;
+  const std::vector<ParameterRole> roles = model.roles();
+  const auto next = static_cast<std::size_t>(theta.size());
+  if (next >= roles.size()) return parameters;
+  const Polynomials& p = start.polynomials;
+  const double gain = p.b.sum() / (1 + p.a.sum());
+  if (roles[next].of == ParameterRole::Of::output_offset) parameters[theta.size()] = start.offset;
+  if (roles[next].of == ParameterRole::Of::input_offset && std::abs(gain) > 1e-9)
+    parameters[theta.size()] = start.offset / gain;
+  return parameters;
+}
+
+std::vector<VectorXd> startsOf(const Problem& problem, const LinearModel& model,
+                               const std::vector<StartingPoint>& points, bool from_data) {
+  if (hasGivenParameters(problem)) return {givenParameters(problem, model)};
+  std::vector<VectorXd> starts =
+      from_data ? startsFromData(problem, model) : std::vector<VectorXd>();
+  for (const StartingPoint& point : points) {
+    const VectorXd start = parametersAt(model, point);
+    if (model.admissible(start)) starts.insert(starts.begin(), start);
+  }
+  return starts;
+}
+
+}  // namespace
+
+double StructureFit::score(double samples, int experiments) const {
+  return log_likelihood - bicPenalty(parameters, samples) - bicPenalty(mixture, experiments);
+}
+
+StartingPoint StructureFit::start() const {
+  const NominalModel& nominal = model->nominal();
+  return {nominal.polynomials(point.parameters.head(nominal.parameterCount())),
+          plantOf(*model, point).offset};
+}
+
+std::optional<StructureFit> fitStructure(const Problem& problem, const ErrorStructure& structure,
+                                         const std::vector<StartingPoint>& points, bool from_data,
+                                         Journal* journal) {
+  constexpr std::size_t kFinalists = 2;
+  constexpr int kSteps = 20;
+  Problem own = problem;
+  own.configuration = structure.configuration;
+  completeErrorModel(*remainingNominalModel(own), &own.configuration.error_model);
+  const Configuration& configuration = own.configuration;
+  const std::shared_ptr<const LinearModel> model = buildModel(own);
+  const std::unique_ptr<Likelihood> likelihood = likelihoodOf(own, *model);
+  const OptimisationOptions options =
+      optimisationOptions(configuration, Phase::taps, &journal->progress);
+  const std::vector<SingleComponent> ranked = rankedSingleComponents(
+      *likelihood, startsOf(own, *model, points, from_data), kFinalists, options);
+  journal->passes += likelihood->passes();
+  if (ranked.empty() || !model->admissible(ranked.front().point.parameters)) return {};
+  LinearisedPoint best = improved(model, ranked.front().point, problem.data, kSteps, options,
+                                  threadsOf(configuration.estimation), &journal->passes);
+  if (!std::isfinite(best.log_likelihood)) return {};
+  const int fixed = problem.plant ? static_cast<int>(problem.plant->point.parameters.size()) : 0;
+  return StructureFit{
+      {structure.description, configuration},
+      best.model,
+      best.point,
+      best.log_likelihood,
+      model->parameterCount() + 1 + fixed,
+      mixtureParameters(configuration.error_model.constraint, model->regressors(), 1)};
+}
+
+double heldOutDensity(const Problem& problem, const StructureFit& fit, Journal* journal) {
+  constexpr int kFolds = 5, kSteps = 6;
+  const int folds = std::min(kFolds, problem.data.count());
+  const int threads = threadsOf(problem.configuration.estimation);
+  const OptimisationOptions options =
+      optimisationOptions(fit.structure.configuration, Phase::taps, &journal->progress);
+  Problem own = problem;
+  own.configuration = fit.structure.configuration;
+  const std::shared_ptr<const LinearModel> model = buildModel(own);  // linearised about zero
+  double sum = 0;
+  for (int fold = 0; fold < folds; ++fold) {
+    const CheckedData others = subset(problem.data, fold, folds, false);
+    const CheckedData held_out = subset(problem.data, fold, folds, true);
+    const LinearisedPoint trained =
+        improved(model, fit.point, others, kSteps, options, threads, &journal->passes);
+    sum += logDensity(*model, trained.point, held_out, threads, &journal->passes);
+  }
+  return std::isfinite(sum) ? sum / problem.data.count() : -std::numeric_limits<double>::infinity();
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "identification/error_structures.h"
+
+namespace uncertainty_identification {
+
+/// A start for structures of the same orders.
+struct StartingPoint {
+  Polynomials polynomials;  ///< Go and H
+  double offset = 0;        ///< common, of the output
+};
+
+/// An error structure with a single Gaussian component, near its highest likelihood.
+struct StructureFit {
+  ErrorStructure structure;
+  std::shared_ptr<const LinearModel> model;  ///< linearised about the posterior means where need be
+  ModelParameters point;
+  double log_likelihood = 0;
+  int parameters = 0;  ///< of theta, offset and sigma^2
+  int mixture = 0;     ///< of the error model
+
+  StartingPoint start() const;  ///< Go, H and the offset at `point`
+
+  /// log-likelihood less half of BIC's penalty [nats].
+  double score(double samples, int experiments) const;
+};
+
+/// Fits a structure to the data of a problem, from starting points and, with `from_data`, also from
+/// the starts that the data give. None where the likelihood is not finite at any start.
+std::optional<StructureFit> fitStructure(const Problem& problem, const ErrorStructure& structure,
+                                         const std::vector<StartingPoint>& points, bool from_data,
+                                         Journal* journal);
+
+/// The fit, or that of a larger Go (by a coefficient, a pole, or a shorter or fractional delay) as
+/// long as its residuals depend on the input and BIC improves.
+StructureFit withBetterOrders(const Problem& problem, StructureFit fit, Journal* journal);
+
+/// Mean log density of experiments that the structure was not fitted to [nats], over folds of the
+/// problem's experiments; each fold starts from the fit to all of them.
+double heldOutDensity(const Problem& problem, const StructureFit& fit, Journal* journal);
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "estimation/simulation_fit.h"
+#include "identification/steps.h"
+#include "math/polynomial.h"
+
+/// Whether the data contradict the model, so that its bounds cannot be relied on.
+namespace uncertainty_identification {
+namespace {
+
+constexpr int kFewest = 4;                // experiments that show how plants are distributed
+constexpr double kImprobable = 1e-3;      // p-value
+constexpr double kNoticeable = 0.03;      // correlation that matters, however improbable it is
+constexpr double kLargestErrorRatio = 3;  // of robust and plain standard errors
+constexpr double kLeastFit = 50;          // [%]
+constexpr double kAlmostUnstable = 0.9995;
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return text;
+}
+
+double largest(const std::vector<double>& values) {
+  double most = 0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+void addResidualTests(const ResidualTests& tests, std::vector<std::string>* reasons) {
+  if (tests.samples == 0) return;
+  if (tests.independence_p_value < kImprobable && largest(tests.cross_correlation) > kNoticeable) {
+    reasons->push_back(
+        "the residuals still depend on the input (p = " + number(tests.independence_p_value) +
+        "): the plant has dynamics or a nonlinearity that the model lacks; try higher orders, or "
+        "explain");
+  }
+  if (tests.whiteness_p_value < kImprobable && largest(tests.autocorrelation) > kNoticeable) {
+    reasons->push_back("the residuals are not white (p = " + number(tests.whiteness_p_value) +
+                       "): the noise model, or the plant, lacks dynamics; try explain");
+  }
+}
+
+void addErrorRatio(const std::vector<ParameterEstimate>& parameters,
+                   std::vector<std::string>* reasons) {
+  const ParameterEstimate* worst = nullptr;
+  double highest = kLargestErrorRatio;
+  for (const ParameterEstimate& parameter : parameters) {
+    const double ratio = parameter.robust_standard_error / parameter.standard_error;
+    if (!std::isfinite(ratio) || ratio < highest) continue;
+    highest = ratio;
+    worst = &parameter;
+  }
+  if (worst == nullptr) return;
+  reasons->push_back("the experiments scatter " + number(highest) + " times as much in " +
+                     worst->name +
+                     " as the model says (ratio of robust and plain standard error): the "
+                     "experiments differ in a way that the error model cannot express");
+}
+
+void addFit(const Problem& problem, const FittedModel& fitted, std::vector<std::string>* reasons) {
+  const NominalModel& nominal = fitted.model->nominal();
+  const ModelParameters& point = fitted.optimum.point;
+  const double fit = simulationFit(nominal, point.parameters.head(nominal.parameterCount()),
+                                   offsetOf(problem, *fitted.model, point),
+                                   problem.configuration.estimation, problem.data.experiments)
+                         .pooled;
+  if (fit >= kLeastFit) return;
+  reasons->push_back("the simulation of the nominal model explains little of the output (fit " +
+                     number(fit) + " %)");
+}
+
+}  // namespace
+
+Trust trustOf(const Problem& problem, const FittedModel& fitted, const Estimate& estimate) {
+  std::vector<std::string> reasons;
+  if (estimate.termination == Termination::stalled ||
+      estimate.termination == Termination::iteration_limit)
+    reasons.push_back("the estimation did not converge: " + estimate.message);
+  const int count = estimate.experiment_count;
+  if (count > 1 && count < kFewest) {
+    reasons.push_back(std::to_string(count) +
+                      " experiments are too few to show how the plants are distributed; record at "
+                      "least 8, better 20");
+  }
+  addResidualTests(estimate.residual_tests, &reasons);
+  addErrorRatio(estimate.nominal_model.parameters, &reasons);
+  // An error model may explain more of the output than the nominal model alone.
+  if (fitted.model->regressors() == 0) addFit(problem, fitted, &reasons);
+  if (!isStable(estimate.nominal_model.a, kAlmostUnstable))
+    reasons.push_back(
+        "a pole of the nominal model is at the edge of stability: low frequencies are not "
+        "determined");
+  return {reasons.empty(), std::move(reasons)};
+}
+
+Trust trustAfterCalibration(Trust trust, const PredictionCalibration& calibration) {
+  constexpr double kLargestRatio = 1.5;
+  for (std::size_t k = 0; k < calibration.levels.size(); ++k) {
+    const double ratio = calibration.radius[k] / calibration.model_radius[k];
+    if (!std::isfinite(ratio) || ratio < kLargestRatio) continue;
+    trust.trusted = false;
+    trust.reasons.push_back("the simulation errors of experiments that were left out are " +
+                            number(ratio) + " times as large as the model expects");
+    break;
+  }
+  return trust;
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdio>
+
+#include "identification/steps.h"
+#include "math/constants.h"
+#include "math/polynomial.h"
+#include "model/sensitivity.h"
+#include "uncertainty_identification/model/error_basis.h"
+
+/// How the plants differ from experiment to experiment, in words.
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::Index;
+
+std::string percent(double share) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
+  return share < 0.1 ? text : std::to_string(std::lround(100 * share)) + " %";
+}
+
+std::string inWords(const std::string& parameter) {
+  if (parameter == "gain" || parameter == "dead_time")
+    return parameter == "gain" ? "gain" : "dead time";
+  if (parameter.rfind("tau", 0) == 0) return "time constant " + parameter;
+  if (parameter.rfind("omega", 0) == 0) return "resonance frequency " + parameter;
+  if (parameter.rfind("zeta", 0) == 0) return "damping " + parameter;
+  return parameter;
+}
+
+std::string ofParameters(const Estimate& estimate) {
+  const std::vector<std::string>& names = estimate.error_model.options.parameters;
+  const Eigen::MatrixXd covariance = estimate.error_model.mixture.covariance();
+  std::string text;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto row = static_cast<Index>(k);
+    text += k == 0 ? "the " : k + 1 == names.size() ? " and the " : ", the ";
+    text += inWords(names[k]) + (k == 0 ? " differs by " : " by ") +
+            percent(std::sqrt(std::max(covariance(row, row), 0.0)));
+  }
+  return text;
+}
+
+/// Standard deviation of GDelta at a frequency [rad/sample], from Cov(eta).
+double deviationAt(const ErrorBasis& basis, const Eigen::MatrixXd& covariance, double omega) {
+  const Eigen::VectorXcd f =
+      basis.T().transpose().cast<std::complex<double>>() * basis.responses(std::polar(1.0, -omega));
+  const std::complex<double> variance = f.dot(covariance.cast<std::complex<double>>() * f);
+  return std::sqrt(std::max(variance.real(), 0.0));
+}
+
+std::string ofFilters(const Estimate& estimate, const ErrorBasis& basis) {
+  constexpr int kFrequencies = 100;
+  constexpr double kPassband = 0.1;  // of the largest |Go|
+  const Eigen::MatrixXd covariance = estimate.error_model.mixture.covariance();
+  const NominalModelEstimate& go = estimate.nominal_model;
+  const auto gain = [&go](double omega) {
+    const std::complex<double> z = std::polar(1.0, -omega);
+    std::complex<double> b = 0, power = 1;
+    for (Index k = 0; k < go.b.size(); ++k, power *= z) b += go.b[k] * power;
+    return std::abs(b / (1.0 + z * valueAt(go.a, z)));
+  };
+  double largest = 0, at = 0, highest = 0;
+  for (int k = 1; k <= kFrequencies; ++k) highest = std::max(highest, gain(k * kPi / kFrequencies));
+  for (int k = 1; k <= kFrequencies; ++k) {
+    const double omega = k * kPi / kFrequencies;
+    const double deviation = deviationAt(basis, covariance, omega);
+    if (gain(omega) < kPassband * highest || deviation <= largest) continue;
+    largest = deviation;
+    at = omega / go.sample_time;
+  }
+  char frequency[32];
+  std::snprintf(frequency, sizeof frequency, "%.3g", at);
+  return "the static gain differs by " + percent(deviationAt(basis, covariance, 0)) +
+         " and the frequency response by up to " + percent(largest) + " (at " + frequency +
+         " rad/s)";
+}
+
+}  // namespace
+
+std::string variationText(const Estimate& estimate, const LinearModel& model) {
+  if (estimate.experiment_count < 2) return "";
+  if (model.regressors() == 0) return "The experiments show no difference between their plants.";
+  const bool varies = variesParameters(estimate.error_model.options.basis);
+  return "From experiment to experiment " +
+         (varies ? ofParameters(estimate) : ofFilters(estimate, model.basis())) +
+         " (standard deviation).";
+}
+
+}  // namespace uncertainty_identification
