@@ -43,6 +43,8 @@ Configuration atRest(int nb, int na, int nc, int nd, int delay) {
   nominal.nc = nc;
   nominal.nd = nd;
   nominal.delay = delay;
+  nominal.orders_auto = false;
+  configuration.error_model = paperErrorModel();
   configuration.estimation.initial_state = InitialState::zero;
   configuration.estimation.noise_start = NoiseStart::zero;
   configuration.estimation.offsets = Offsets::none;

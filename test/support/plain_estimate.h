@@ -20,6 +20,7 @@ inline Estimate plainEstimate(const Eigen::VectorXd& b, const Eigen::VectorXd& a
   estimate.nominal_model.b = b;
   estimate.nominal_model.a = a;
   estimate.noise_variance.value = 0.1;
+  estimate.error_model.options = paperErrorModel();
   estimate.error_model.options.components = 2;
   estimate.error_model.T = ErrorBasis(estimate.error_model.options).T();
   const auto scalar = [](double x) { return Eigen::MatrixXd::Constant(1, 1, x); };

@@ -61,11 +61,13 @@ std::vector<BadValue> badModels() {
       {"nominal_model.zeros", "1",
        [](auto& c) {
          c.nominal_model.structure = Structure::continuous;
+         c.nominal_model.orders_auto = false;
          c.nominal_model.zeros = 1;
        }},
       {"nominal_model.orders", "auto",
        [](auto& c) {
          c.nominal_model.structure = Structure::continuous;
+         c.nominal_model.orders_auto = false;
          c.nominal_model.orders_auto = true;
        }},
       {"nominal_model.fixed.gain", "inf",

@@ -92,8 +92,10 @@ TEST(FaultDetector, CountsWithWhatTheEstimateDoesNotKnow) {
   EXPECT_GT(without.rate(), 1.3 * with.rate());
 }
 
-// A spread of Go's own parameters, followed by sensitivities: two parameters of a continuous model.
-TEST(FaultDetector, FollowsErrorsOfGosParameters) {
+class FaultDetectorBasis : public testing::TestWithParam<BasisKind> {};
+
+// A spread of Go's own parameters, followed by sensitivities: a continuous model's time constant.
+TEST_P(FaultDetectorBasis, FollowsErrorsOfGosParameters) {
   Truth truth;
   truth.sample_time = 0.1;
   truth.experiments = 60;
@@ -104,8 +106,9 @@ TEST(FaultDetector, FollowsErrorsOfGosParameters) {
   truth.noise.variance = 0.01;
   Configuration configuration;
   configuration.nominal_model.structure = Structure::continuous;
+  configuration.nominal_model.orders_auto = false;
   configuration.nominal_model.nc = configuration.nominal_model.nd = 0;
-  configuration.error_model.basis = BasisKind::sensitivity;
+  configuration.error_model.basis = GetParam();
   configuration.error_model.constraint = Constraint::zero_mean;
   configuration.error_model.parameters = {"tau1"};
   configuration.error_model.components = 1;
@@ -121,6 +124,9 @@ TEST(FaultDetector, FollowsErrorsOfGosParameters) {
   EXPECT_EQ(found.windows, 1000);
   EXPECT_NEAR(found.rate(), 0.05, 0.025);
 }
+
+INSTANTIATE_TEST_SUITE_P(Each, FaultDetectorBasis,
+                         testing::Values(BasisKind::sensitivity, BasisKind::parameter_spread));
 
 struct FaultCase {
   Fault fault;
@@ -227,6 +233,7 @@ TEST(FaultDetector, RefusesWhatItCannotUse) {
             std::string::npos);
   Estimate varying = estimateOf(test::example1Truth());
   varying.error_model.options.basis = BasisKind::parameter_spread;
+  varying.configuration.nominal_model.nb = 3;  // not the model of the result
   EXPECT_NE(
       messageOf<ConfigurationError>([&] { FaultDetector{varying}; }).find("error_model.basis"),
       std::string::npos);

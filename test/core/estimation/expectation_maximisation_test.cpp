@@ -63,9 +63,9 @@ void expectMonotone(const Problem& problem, const OptimisationOptions& options) 
   }
 }
 
-using Case = std::tuple<Constraint, int, int>;
+using Ascent = std::tuple<Constraint, int, int>;
 
-class Monotone : public testing::TestWithParam<Case> {};
+class Monotone : public testing::TestWithParam<Ascent> {};
 
 TEST_P(Monotone, NeverDescends) {
   const auto [constraint, components, dimension] = GetParam();

@@ -102,5 +102,21 @@ TEST(SpreadComponents, FindsTheTwoComponentsOfExample1) {
   EXPECT_NEAR(std::abs(two.mixture.means[0][0] - two.mixture.means[1][0]), 2, 0.4);
 }
 
+/// Three experiments cannot fill two components: every start has the penalty.
+TEST(SpreadComponents, TakesAPenaltyForComponentsOfFewerThanTwoExperiments) {
+  const auto system = test::example1(3, 3);
+  const Configuration configuration = test::example1Configuration();
+  const test::CoreSetup setup(configuration, system.experiments);
+  ModelParameters single = test::parametersOf(system.truth);
+  single.mixture = {{1.0}, {system.truth.mixture.mean()}, {system.truth.mixture.covariance()}};
+  const Statistics statistics = setup.likelihood().statistics(single.parameters, false);
+  double reached = 0;
+  const ModelParameters two =
+      spreadComponents(setup.likelihood(), statistics, single, 2, 4, 1,
+                       test::optimisationOptions(configuration, single.mixture, 1e-6), &reached);
+  EXPECT_GE(smallComponentPenalty(two.mixture, 3), 1000);
+  EXPECT_NEAR(reached + smallComponentPenalty(two.mixture, 3), setup.logLikelihood(two), 1e-8);
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

@@ -48,9 +48,9 @@ Problem problemOf(Constraint constraint, bool real_records) {
   return problem;
 }
 
-using Case = std::tuple<Constraint, bool>;
+using Climb = std::tuple<Constraint, bool>;
 
-class BothAlgorithms : public testing::TestWithParam<Case> {};
+class BothAlgorithms : public testing::TestWithParam<Climb> {};
 
 TEST_P(BothAlgorithms, ReachTheSameOptimum) {
   const Problem problem = problemOf(std::get<0>(GetParam()), std::get<1>(GetParam()));
@@ -81,10 +81,10 @@ TEST_P(BothAlgorithms, ReachTheSameOptimum) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BothAlgorithms,
-                         testing::Values(Case{Constraint::zero_static_gain, false},
-                                         Case{Constraint::zero_static_gain, true},
-                                         Case{Constraint::zero_mean, false},
-                                         Case{Constraint::zero_mean, true}));
+                         testing::Values(Climb{Constraint::zero_static_gain, false},
+                                         Climb{Constraint::zero_static_gain, true},
+                                         Climb{Constraint::zero_mean, false},
+                                         Climb{Constraint::zero_mean, true}));
 
 TEST(MaximumLikelihood, EndsAtAMaximum) {
   const Problem problem = problemOf(Constraint::zero_static_gain, true);

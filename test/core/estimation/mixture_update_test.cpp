@@ -15,8 +15,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// An E-step's result with random content: kappa components, n dimensions, M experiments.
-struct Drawn {
-  Drawn(Index kappa, Index n, Index experiments)
+struct DrawnMixture {
+  DrawnMixture(Index kappa, Index n, Index experiments)
       : statistics(static_cast<int>(experiments), static_cast<int>(n), 0) {
     e.responsibilities = (MatrixXd::Random(kappa, experiments).array() + 1.05).matrix();
     for (Index r = 0; r < experiments; ++r) {
@@ -72,7 +72,7 @@ struct Drawn {
 };
 
 TEST(UpdateMixture, FollowsThePapersEquations) {
-  Drawn drawn(3, 2, 30);
+  DrawnMixture drawn(3, 2, 30);
   OptimisationOptions options;
   options.constraint = Constraint::free;
   updateMixture(drawn.statistics, drawn.e, options, &drawn.at);
@@ -97,7 +97,7 @@ class ZeroMean : public testing::TestWithParam<int> {};
 /// lambda = (n_i/alpha_i) Gamma_i^-1 (xibar_i - mu_i) and one n_i/alpha_i - lambda'mu_i = M for
 /// all components.
 TEST_P(ZeroMean, SolvesTheConstrainedProblem) {
-  Drawn drawn(GetParam(), 2, 30);
+  DrawnMixture drawn(GetParam(), 2, 30);
   const Mixture before = drawn.at.mixture;
   OptimisationOptions options;
   options.constraint = Constraint::zero_mean;
@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Components, ZeroMean, testing::Values(2, 3, 4));
 TEST_P(ZeroMean, KeepsADistributionWhereTheDataContradictIt) {
   for (double shift : {0.5, 1.0, 3.0, 10.0}) {
     for (int draw = 0; draw < 20; ++draw) {
-      Drawn drawn(GetParam(), 2, 30);
+      DrawnMixture drawn(GetParam(), 2, 30);
       drawn.e.means.array() += shift;
       OptimisationOptions options;
       options.constraint = Constraint::zero_mean;
@@ -141,7 +141,7 @@ TEST_P(ZeroMean, KeepsADistributionWhereTheDataContradictIt) {
 }
 
 TEST(ZeroMeanOfOneComponent, IsZero) {
-  Drawn drawn(1, 2, 30);
+  DrawnMixture drawn(1, 2, 30);
   OptimisationOptions options;
   options.constraint = Constraint::zero_mean;
   updateMixture(drawn.statistics, drawn.e, options, &drawn.at);
@@ -152,7 +152,7 @@ TEST(ZeroMeanOfOneComponent, IsZero) {
 }
 
 TEST(Floor, LiftsOnlyWhatLiesBelow) {
-  Drawn drawn(2, 2, 30);
+  DrawnMixture drawn(2, 2, 30);
   OptimisationOptions options;
   options.constraint = Constraint::free;
   updateMixture(drawn.statistics, drawn.e, options, &drawn.at);
@@ -170,7 +170,7 @@ TEST(Floor, LiftsOnlyWhatLiesBelow) {
 }
 
 TEST(Floor, IsAShareOfThePooledCovariance) {
-  const Drawn drawn(3, 2, 30);
+  const DrawnMixture drawn(3, 2, 30);
   const MatrixXd pooled = drawn.at.mixture.covariance();
   EXPECT_LT((covarianceFloor(drawn.at.mixture) - 1e-4 * pooled).norm(), 1e-9 * pooled.norm());
   Mixture flat{{1.0}, {VectorXd::Zero(2)}, {MatrixXd::Zero(2, 2)}};

@@ -33,6 +33,8 @@ TEST(Identifier, EvaluatesAtTheStartWithoutIterations) {
   EXPECT_NEAR(estimate.log_likelihood, dense::logLikelihood(system.experiments, system.truth),
               1e-9 * std::abs(estimate.log_likelihood));
   EXPECT_EQ(estimate.termination, Termination::not_run);
+  EXPECT_TRUE(estimate.usable()) << "identify writes it";
+  EXPECT_FALSE(Estimate{}.usable());
   EXPECT_EQ(estimate.iterations, 0);
   EXPECT_EQ(estimate.nominal_model.b, system.truth.b);
   EXPECT_EQ(estimate.nominal_model.d, system.truth.d);

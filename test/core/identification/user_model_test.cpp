@@ -61,9 +61,7 @@ TEST(UserModel, WhatIsForBoxJenkinsModelsIsRefused) {
     return messageOf<ConfigurationError>([&] { Identifier(configuration, outputError); });
   };
   Configuration configuration;
-  configuration.nominal_model.orders_auto = true;
-  EXPECT_NE(messageFor(configuration).find("nominal_model.orders"), std::string::npos);
-  configuration.nominal_model.orders_auto = false;
+  EXPECT_FALSE(Identifier(configuration, outputError).configuration().nominal_model.orders_auto);
   configuration.nominal_model.fit = PlantFit::simulation;
   EXPECT_NE(messageFor(configuration).find("nominal_model.fit"), std::string::npos);
 }

@@ -60,12 +60,12 @@ YAML::Node documentWith(const std::string& path, const YAML::Node& value) {
 Configuration unusual() {
   return parseConfiguration(YAML::Load(R"(
 sample_time: 0.012345678901234567
-nominal_model: {structure: output_error, orders: auto, focus: prediction, fit: simulation, max_order: 5, max_delay: 7, nb: 3, na: 4, nc: 2,
+nominal_model: {structure: output_error, orders: given, focus: prediction, fit: simulation, max_order: 5, max_delay: 7, nb: 3, na: 4, nc: 2,
                 nd: 0, delay: 6, time_constants: 2, resonances: 1, zeros: 2, dead_time: true, fixed: {gain: 0.1, tau1: 3}}
 error_model: {basis: kautz, taps: 3, constraint: explicit, T: [[1, 0], [0, 0.3], [-1, -1]], components: 3, pole: -0.1,
               pole_real: 0.2, pole_imag: 0.7, parameters: [b1], sensitivity_order: 2, max_taps: 6, max_components: 5}
 estimation: {algorithm: em, max_iterations: 0, tolerance: 1.0e-9, restarts: 3, threads: 2, seed: 18446744073709551615,
-             initial_state: discard, discard_samples: 9, noise_start: zero, offsets: per_experiment, offset_side: input}
+             initial_state: discard, discard_samples: 9, initial_precision: 0.5, initial_variance: 2, noise_start: zero, offsets: per_experiment, offset_side: input}
 initial: {theta: [0.1, -0.2], weights: [0.25, 0.75], means: [[1, 2], [3, 4]],
           covariances: [[[1, 0], [0, 1]], [[2, 0.5], [0.5, 2]]], noise_variance: 0.3}
 effects: [{name: sens_bias, variant: per_experiment, parameters: {deviation: -1}}]
@@ -91,10 +91,34 @@ TEST(ConfigurationYaml, EmptyDocumentGivesTheDefaults) {
   EXPECT_EQ(toJson(parseConfiguration(YAML::Node())), toJson(Configuration{}));
 }
 
-TEST(ConfigurationYaml, MinimalConfiguration) {
-  const Configuration configuration =
-      parseConfiguration(YAML::Load("{nominal_model: {orders: auto}}"));
-  EXPECT_TRUE(configuration.nominal_model.orders_auto);
+TEST(ConfigurationYaml, OrdersAreChosenUnlessTheFormOfTheModelIsStated) {
+  const auto automatic = [](const std::string& nominal_model) {
+    return parseConfiguration(YAML::Load("nominal_model: {" + nominal_model + "}"))
+        .nominal_model.orders_auto;
+  };
+  EXPECT_TRUE(automatic(""));
+  EXPECT_TRUE(automatic("max_order: 3, fit: simulation"));
+  EXPECT_TRUE(automatic("orders: auto, structure: box_jenkins"));
+  EXPECT_FALSE(automatic("nb: 2"));
+  EXPECT_FALSE(automatic("structure: continuous, time_constants: 1"));
+  EXPECT_FALSE(automatic("orders: given"));
+}
+
+TEST(ConfigurationYaml, TheErrorModelIsChosenUnlessItIsStated) {
+  const auto errorModel = [](const std::string& value) {
+    return parseConfiguration(YAML::Load("error_model: " + value)).error_model;
+  };
+  EXPECT_EQ(errorModel("{}").basis, BasisKind::automatic);
+  EXPECT_EQ(errorModel("{constraint: auto, taps: auto, components: auto}").basis,
+            BasisKind::automatic);
+  EXPECT_EQ(errorModel("{components: 2}").basis, BasisKind::automatic);
+  EXPECT_EQ(errorModel("{taps: 3}").basis, BasisKind::fir);
+  EXPECT_EQ(errorModel("{constraint: zero_mean, taps: auto}").basis, BasisKind::fir);
+  const ErrorModelOptions paper = errorModel("paper");
+  EXPECT_EQ(paper.basis, BasisKind::fir);
+  EXPECT_EQ(paper.taps, 2);
+  EXPECT_EQ(paper.constraint, Constraint::zero_static_gain);
+  EXPECT_TRUE(contains(complaint("error_model: papers"), "error_model"));
 }
 
 TEST(ConfigurationYaml, ABasisThatVariesParametersHasAConstraintOfItsOwn) {

@@ -55,16 +55,18 @@ TEST(ResultText, ShowsFindingsOnlyWhereThereAreAny) {
   }
   estimate.rejected = {{"run7", "the input is constant; let it change"}};
   estimate.warnings = {"three experiments only"};
-  estimate.candidates = {{"orders", "arx nb=1 na=1 delay=1", 3, -5, 20, 87.5, true}};
-  estimate.validation = {{"v1"}, {91.5}, 90.5, -12};
+  estimate.candidates = {{"orders", "arx nb=1 na=1 delay=1", 3, -5, 20, 87.5, true, -3.5}};
+  estimate.validation = {{"v1"}, {91.5}, 90.5, 40.5, -12};
   const std::string text = resultText(estimate);
   expectPart(text, "Rejected run7: the input is constant; let it change\n");
   expectPart(text, "Warning: three experiments only\n");
   expectPart(text,
-             "arx nb=1 na=1 delay=1  3           -5              20   87.5              chosen\n");
+             "arx nb=1 na=1 delay=1  3           -5              20   87.5              -3.5"
+             "              chosen\n");
   expectPart(text, "Validation, log density per experiment -12\n");
-  expectPart(text, "v1          91.5\n");
-  expectPart(text, "pooled      90.5\n");
+  expectPart(text, "v1                 91.5\n");
+  expectPart(text, "pooled, from rest  40.5\n");
+  expectPart(text, "pooled             90.5\n");
 }
 
 TEST(ResultText, NamesTheParametersThatVary) {

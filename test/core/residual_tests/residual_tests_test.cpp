@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <Eigen/Cholesky>
 #include <cmath>
 
+#include "math/distributions.h"
 #include "support/core_setup.h"
 #include "support/example1.h"
 #include "uncertainty_identification/identifier.h"
@@ -20,6 +21,44 @@ std::vector<Experiment> example1(int count, std::uint64_t seed) {
 
 ResidualTests testsOf(const Configuration& configuration, const std::vector<Experiment>& data) {
   return Identifier(configuration).identify(data).residual_tests;
+}
+
+/// The share of `sets` correct models of one record of 300 samples that the tests reject at 5 %.
+struct Rejections {
+  int whiteness = 0, independence = 0;
+};
+Rejections rejectionsOfOneRecord(int sets) {
+  Configuration configuration;
+  configuration.nominal_model.orders_auto = false;
+  configuration.error_model = paperErrorModel();
+  configuration.error_model.taps = 0;
+  configuration.bounds.frequencies = 0;
+  Truth truth;
+  truth.sample_time = 1;
+  truth.experiments = 1;
+  truth.samples = {300};
+  truth.plant.a = test::vectorOf({-0.7});
+  truth.noise.variance = 0.1;
+  truth.noise.c = test::vectorOf({0.1});
+  truth.noise.d = test::vectorOf({-0.6});
+  Rejections rejected;
+  for (int set = 1; set <= sets; ++set) {
+    const ResidualTests tests =
+        testsOf(configuration, simulate(truth, static_cast<std::uint64_t>(set)));
+    rejected.whiteness += tests.whiteness_p_value < 0.05 ? 1 : 0;
+    rejected.independence += tests.independence_p_value < 0.05 ? 1 : 0;
+  }
+  return rejected;
+}
+
+/// Of 300 tests at 5 % fewer than 5 or more than 28 reject with probability 0.2 % and 0.05 %
+/// (binomial tails).
+TEST(ResidualTests, RejectCorrectModelsOfOneRecordAsOftenAsTheyShould) {
+  const Rejections rejected = rejectionsOfOneRecord(300);
+  EXPECT_GE(rejected.whiteness, 5);
+  EXPECT_LE(rejected.whiteness, 28);
+  EXPECT_GE(rejected.independence, 5);
+  EXPECT_LE(rejected.independence, 28);
 }
 
 /// 120 sets of 25 experiments of Example 1, identified as they are: p-values are uniform, also
@@ -64,9 +103,23 @@ TEST(ResidualTests, DynamicsThatThePlantModelMisses) {
   EXPECT_LT(testsOf(configuration, example1(50, 1)).independence_p_value, 1e-6);
 }
 
+/// p-value of the F test that the regression on all columns is no better than on the first one.
+double pValueOfRegression(const Eigen::MatrixXd& columns, const Eigen::VectorXd& w) {
+  const auto restOf = [&](const Eigen::MatrixXd& X) {
+    const Eigen::VectorXd fitted = X * (X.transpose() * X).ldlt().solve(X.transpose() * w);
+    return (w - fitted).squaredNorm();
+  };
+  const double tested = static_cast<double>(columns.cols()) - 1;
+  const double degrees = static_cast<double>(w.size() - columns.cols());
+  const double rest = restOf(columns);
+  return fisherTail((restOf(columns.leftCols(1)) - rest) / tested / (rest / degrees), tested,
+                    degrees);
+}
+
 /// Without error model and nuisances the residuals are the whitened outputs themselves.
 TEST(ResidualTests, ByHandWithoutRegressors) {
   Configuration configuration;
+  configuration.nominal_model.orders_auto = false;
   configuration.nominal_model.structure = Structure::output_error;
   configuration.nominal_model.nb = 1;
   configuration.nominal_model.na = 0;
@@ -88,13 +141,14 @@ TEST(ResidualTests, ByHandWithoutRegressors) {
   ASSERT_EQ(tests.autocorrelation.size(), 20u);
   EXPECT_EQ(tests.samples, 60);
   EXPECT_NEAR(tests.autocorrelation[2], w.tail(57).dot(w.head(57)) / w.squaredNorm(), 1e-9);
-  double sum = 0;
-  for (int k = 1; k <= 20; ++k)
-    sum += std::pow(w.tail(60 - k).dot(w.head(60 - k)) / w.squaredNorm() * 60, 2) / (60 - k);
-  // chi-squared of 20 degrees by its own series: exp(-x/2) sum_{j<10} (x/2)^j/j!
-  double term = std::exp(-sum / 2), expected = 0;
-  for (int j = 0; j < 10; term *= sum / 2 / ++j) expected += term;
-  EXPECT_NEAR(tests.whiteness_p_value, expected, 1e-9);
+  // F tests of regressions of the residuals on their past and on past inputs, b1 estimated too
+  Eigen::MatrixXd past = Eigen::MatrixXd::Zero(60, 21), inputs = Eigen::MatrixXd::Zero(60, 22);
+  past.col(0) = inputs.col(0) = data[0].u;
+  const Eigen::VectorXd u = data[0].u.array() - data[0].u.mean();
+  for (int k = 1; k <= 20; ++k) past.col(k).tail(60 - k) = w.head(60 - k);
+  for (int k = 0; k <= 20; ++k) inputs.col(1 + k).tail(40) = u.segment(20 - k, 40);
+  EXPECT_NEAR(tests.whiteness_p_value, pValueOfRegression(past, w), 1e-9);
+  EXPECT_NEAR(tests.independence_p_value, pValueOfRegression(inputs, w), 1e-9);
 }
 
 }  // namespace

@@ -140,6 +140,7 @@ Configuration declaredSimulation(const Truth& truth) {
   Configuration configuration;
   configuration.sample_time = truth.sample_time;
   NominalModelOptions& model = configuration.nominal_model;
+  model.orders_auto = false;
   model.nb = static_cast<int>(truth.plant.b.size());
   model.na = static_cast<int>(truth.plant.a.size());
   model.nc = static_cast<int>(truth.noise.c.size());
