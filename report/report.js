@@ -54,6 +54,7 @@ function showReport(result, explanation, parent) {
     element('nav', {}, ...[...first, ...sections].map(({id, title}) => element('a', {href: '#' + id}, title)))));
   if (explanation) showVerdict(section(parent, 'verdict', first[0].title), explanation);
   const summary = explanation ? section(parent, 'summary', first[1].title) : parent;
+  showTrust(summary, result);
   showWarnings(summary, result);
   showSummary(summary, result);
   sections.forEach(({id, title, show}) => show(section(parent, id, title), result));

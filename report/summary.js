@@ -33,6 +33,14 @@ function showWarnings(parent, result) {
     element('ul', {}, ...warnings.map(text => element('li', {}, asSentence(text))))));
 }
 
+/// Results of older versions do not say whether they can be relied on.
+function showTrust(parent, result) {
+  if (!result.trust || result.trust.trusted) return;
+  parent.append(element('div', {class: 'warnings', role: 'note'},
+    element('h2', {}, 'Do not rely on the uncertainty of this model'),
+    element('ul', {}, ...result.trust.reasons.map(text => element('li', {}, asSentence(text))))));
+}
+
 function modelSentence(result) {
   const model = result.nominal_model, name = kStructures[model.structure] || model.structure;
   return `${/^[aeio]/i.test(name) ? 'An' : 'A'} ${name} model with ${counted(model.a.length, 'pole')} and a delay of ` +
@@ -47,6 +55,7 @@ function uncertaintySentence(result) {
   const shape = weights.length === 1 ? 'a Gaussian distribution' : `a mixture of ${weights.length} Gaussian components`;
   const names = result.error_model.varied_parameters || [];
   const what = names.length > 0 ? `the relative deviations of ${listed(names)} follow` : 'its relative error follows';
+  if (result.variation) return result.variation;
   return `The plant varies between experiments: ${what} ${shape} in ${counted(means[0].length, 'dimension')}.`;
 }
 

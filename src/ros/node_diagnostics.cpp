@@ -76,6 +76,8 @@ void diagnoseIdentification(const WorkerStatus& worker, Status& status) {
   } else {
     status.summary(Level::OK, worker.message);
   }
+  for (const std::string& reason : worker.trust.reasons)
+    status.mergeSummary(Level::WARN, "do not rely on the bounds: " + reason);
   if (worker.queue > kLongQueue)
     status.mergeSummaryf(Level::WARN,
                          "%d experiments wait; they arrive faster than they can be "

@@ -39,6 +39,7 @@ struct WorkerStatus {
   int queue = 0;            ///< experiments that finished after the last identification began
   double seconds = 0;       ///< [s] wall time of the last identification
   int iterations = 0;       ///< number of iterations of the last identification
+  Trust trust;              ///< in the last result
 };
 
 /// A copy of the experiments at one moment.

@@ -62,6 +62,7 @@ void IdentificationWorker::restore(std::vector<KeptExperiment> kept,
     last_ = result->estimate;
     status_.termination = last_->termination;
     status_.message = last_->message;
+    status_.trust = last_->trust;
     unusable_ = last_->rejected;
     const ExperimentWindow now = windowOf(snapshotLocked().experiments);
     const ExperimentWindow& then = result->window;
@@ -118,6 +119,7 @@ WorkerSnapshot IdentificationWorker::snapshot() const {
 void IdentificationWorker::setStatusFrom(const Estimate& estimate) {
   status_.failed = false;
   status_.termination = estimate.termination;
+  status_.trust = estimate.trust;
   status_.message = estimate.message;
   status_.seconds = estimate.seconds;
   status_.iterations = estimate.iterations;

@@ -66,7 +66,11 @@ TEST_F(DiagnosticsTest, FollowTheNode) {
   EXPECT_TRUE(reaches("signals", Level::OK, [this] { signals_.publish(0, 0); }));
 
   for (const auto& experiment : example1Experiments(4)) ASSERT_TRUE(signals_.record(experiment));
-  EXPECT_TRUE(reaches("identification", Level::OK)) << part("identification").message;
+  // Stamps of signals sent in a hurry deviate from a grid, so the model may not be trusted.
+  EXPECT_TRUE(waitFor([&] {
+    const Level status = part("identification");
+    return !status.values.empty() && status.values.front().value == "converged";
+  })) << part("identification").message;
   EXPECT_EQ(part("identification").values.at(0).key, "termination");
   EXPECT_EQ(part("identification").values.at(0).value, "converged");
 

@@ -95,6 +95,9 @@ TEST(DiagnoseIdentification, EachLevel) {
   worker.queue = 11;
   EXPECT_EQ(level(worker), Level::WARN);
   worker.queue = 0;
+  worker.trust = {false, {"the residuals are not white"}};
+  EXPECT_EQ(level(worker), Level::WARN);
+  worker.trust = {};
   worker.termination = Termination::iteration_limit;
   EXPECT_EQ(level(worker), Level::WARN);
   worker.failed = true;
