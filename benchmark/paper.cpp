@@ -176,6 +176,7 @@ json example1(const Arguments& arguments, Checks* checks) {
 
   Configuration fir = configured("example1");
   fir.nominal_model = NominalModelOptions();
+  fir.nominal_model.orders_auto = false;
   fir.nominal_model.structure = Structure::output_error;
   fir.nominal_model.nb = 10;
   fir.nominal_model.na = 0;
