@@ -31,11 +31,26 @@ void FaultDetectionConfiguration::validate() const {
 
 LiveFaultDetector::LiveFaultDetector(const Estimate& estimate,
                                      const FaultDetectionConfiguration& configuration)
-    : detector_(estimate, configuration.detection),
+    : options_(configuration.detection),
+      detector_(estimate, options_),
       resampling_(configuration.resampling),
       piece_samples_(std::max(kFewestSamples, configuration.detection.window / 5)),
       active_(configuration.experiment_topic.empty()) {
   configuration.validate();
+}
+
+void LiveFaultDetector::adopt(const Estimate& estimate) {
+  const double before = detector_.sampleTime();
+  detector_ = FaultDetector(estimate, options_);
+  if (detector_.sampleTime() != before) interrupt();
+  beginWindows();
+}
+
+/// The next window begins with the next sample.
+void LiveFaultDetector::beginWindows() {
+  instants_.clear();
+  instants_first_ = 0;
+  detector_.reset();
 }
 
 void LiveFaultDetector::addMarker(double stamp, bool active) {
@@ -45,9 +60,7 @@ void LiveFaultDetector::addMarker(double stamp, bool active) {
 void LiveFaultDetector::interrupt() {
   newest_.reset();
   last_input_ = {};
-  instants_.clear();
-  instants_first_ = 0;
-  detector_.reset();
+  beginWindows();
 }
 
 double LiveFaultDetector::heldInput(const Recording& piece, double instant) const {
@@ -95,9 +108,7 @@ void LiveFaultDetector::take(double instant, double u, double y,
   while (!markers_.empty() && markers_.front().stamp <= instant + tolerance) {
     active_ = markers_.front().active;
     markers_.pop_front();
-    instants_.clear();
-    instants_first_ = 0;
-    if (active_) detector_.reset();
+    beginWindows();
   }
   newest_ = instant;
   newest_input_ = u;

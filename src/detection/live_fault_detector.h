@@ -37,6 +37,10 @@ class LiveFaultDetector {
   /// Throws the same exceptions as FaultDetector.
   LiveFaultDetector(const Estimate& estimate, const FaultDetectionConfiguration& configuration);
 
+  /// Judges the samples that come by this estimate from now on, in new windows. Markers and signals
+  /// stay. Throws the same exceptions as FaultDetector; nothing has changed then.
+  void adopt(const Estimate& estimate);
+
   /// An active marker begins an experiment at `stamp` [s], another one ends it. Markers apply to
   /// samples that are added later. Without an experiment topic the only experiment begins with the
   /// first sample.
@@ -66,7 +70,9 @@ class LiveFaultDetector {
   void take(double instant, double u, double y, std::vector<StampedFaultWindow>* found);
   void bridge(const Recording& piece, double until, std::vector<StampedFaultWindow>* found);
   double heldInput(const Recording& piece, double instant) const;
+  void beginWindows();
 
+  FaultDetectionOptions options_;
   FaultDetector detector_;
   ResamplingOptions resampling_;
   int piece_samples_;

@@ -90,7 +90,13 @@ FaultDetectionServer::FaultDetectionServer(const ros::NodeHandle& node,
 
 void FaultDetectionServer::adopt(const messages::IdentificationResult& result) {
   try {
-    detector_ = std::make_unique<LiveFaultDetector>(estimateOf(result), configuration_);
+    const Estimate estimate = estimateOf(result);
+    if (detector_) {
+      detector_->adopt(estimate);
+    } else {
+      detector_ = std::make_unique<LiveFaultDetector>(estimate, configuration_);
+      if (last_marker_) detector_->addMarker(last_marker_->stamp, last_marker_->active);
+    }
   } catch (const Error& error) {
     report("the identification's result " + std::to_string(result.sequence) +
            " cannot be used: " + error.what());
@@ -100,7 +106,6 @@ void FaultDetectionServer::adopt(const messages::IdentificationResult& result) {
   sequence_ = result.sequence;
   last_window_.reset();
   windows_ = alarms_ = 0;
-  if (last_marker_) detector_->addMarker(last_marker_->stamp, last_marker_->active);
   for (const auto& warning : detector_->detector().warnings()) report(warning);
   if (!recorder_ || recorder_sample_time_ != detector_->detector().sampleTime()) record();
   diagnostics_.force_update();

@@ -50,7 +50,7 @@ class FaultDetectionServer {
   std::unique_ptr<ExperimentRecorder> recorder_;
   double recorder_sample_time_ = 0;  ///< [s] sample time for which the recorder was created
   std::uint32_t sequence_ = 0;       ///< number of the result in use
-  std::optional<Marker> last_marker_;
+  std::optional<Marker> last_marker_;  ///< before the first result
   std::optional<FaultWindow> last_window_;
   long windows_ = 0, alarms_ = 0;  ///< counted since the result in use arrived
   long marker_count_ = 0;

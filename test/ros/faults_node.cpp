@@ -41,8 +41,10 @@ class FaultDetectionTest : public testing::Test {
           ++diagnoses_;
           for (const auto& status : array->status) {
             level_ = status.level;
-            for (const auto& value : status.values)
+            for (const auto& value : status.values) {
               if (value.key == "markers") markers_ = std::stoi(value.value);
+              if (value.key == "result sequence") sequence_ = std::stoul(value.value);
+            }
           }
         });
     spinner_.start();
@@ -60,6 +62,8 @@ class FaultDetectionTest : public testing::Test {
     context.stamp = ros::Time::now().toNSec();
     context.sequence = sequence;
     result_.publish(toMessage(test::estimateOf(test::example1Truth()), context));
+    // Topics are not ordered among each other.
+    ASSERT_TRUE(waitFor([&] { return adopted() == sequence; })) << adopted();
   }
 
   // Stamps count, not arrival: the experiment is there at once.
@@ -75,7 +79,6 @@ class FaultDetectionTest : public testing::Test {
     marker.header.stamp = ros::Time(begin + kSamples * experiment.sample_time);
     marker.active = false;
     marker_.publish(marker);
-    // Topics are not ordered among each other.
     ASSERT_TRUE(waitFor([&] { return markers() == published_markers_; })) << markers();
     messages::Sample sample;
     for (int k = 0; k < experiment.samples(); ++k) {
@@ -97,6 +100,11 @@ class FaultDetectionTest : public testing::Test {
     return markers_;
   }
 
+  unsigned long adopted() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return sequence_;
+  }
+
   int diagnoses() {
     const std::lock_guard<std::mutex> lock(mutex_);
     return diagnoses_;
@@ -116,6 +124,7 @@ class FaultDetectionTest : public testing::Test {
   std::mutex mutex_;
   std::vector<messages::FaultStatus> windows_;
   int level_ = -1, markers_ = 0, diagnoses_ = 0;
+  unsigned long sequence_ = 0;  // of the result in use
   static int published_markers_;  // by all tests: the node counts on
   ros::Subscriber status_, diagnostics_;
   ros::AsyncSpinner spinner_;

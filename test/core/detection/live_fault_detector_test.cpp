@@ -127,5 +127,30 @@ TEST(LiveFaultDetector, MarkersBeginAndEndExperiments) {
   EXPECT_FALSE(live.active());
 }
 
+// A result may arrive while the markers of the next experiment are there already, and its samples
+// are not.
+TEST(LiveFaultDetector, MarkersStayWhenANewResultIsAdopted) {
+  const Experiment experiment = experimentWith({});
+  FaultDetectionConfiguration configuration;
+  configuration.experiment_topic = "active";
+  LiveFaultDetector live(estimateOf(test::example1Truth()), configuration);
+  live.addMarker(kBegin, true);
+  live.addMarker(kBegin + 2.05, false);
+  live.adopt(estimateOf(test::example1Truth()));
+  const auto found = inPieces(&live, experiment, 20);
+  ASSERT_EQ(found.size(), 4u) << "of 50 samples each";
+  EXPECT_NEAR(found[0].start, kBegin, 1e-9);
+}
+
+TEST(LiveFaultDetector, ANewResultBeginsANewWindow) {
+  const Experiment experiment = experimentWith({});
+  LiveFaultDetector live(estimateOf(test::example1Truth()), {});
+  live.add(piece(experiment, 0, 30));
+  live.adopt(estimateOf(test::example1Truth()));
+  const auto found = live.add(piece(experiment, 30, 90));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].start, kBegin + 0.30, 1e-9);
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

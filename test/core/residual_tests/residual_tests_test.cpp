@@ -124,6 +124,7 @@ TEST(ResidualTests, ByHandWithoutRegressors) {
   configuration.nominal_model.nb = 1;
   configuration.nominal_model.na = 0;
   configuration.nominal_model.delay = 0;
+  configuration.error_model = paperErrorModel();
   configuration.error_model.taps = 0;
   configuration.estimation.initial_state = InitialState::zero;
   configuration.estimation.offsets = Offsets::none;
