@@ -34,10 +34,14 @@ bool ExperimentCutter::cutsByCall() const {
 }
 
 void ExperimentCutter::addInput(double stamp, double value, const Arrival& arrival) {
+  if (before_ && ofOldClock(input_.newest(), stamp) && stamp >= before_->input_.newest())
+    return before_->addInput(stamp, value, arrival);
   addSample("input", input_, stamp, value, Duplicates::keep_last, arrival);
 }
 
 void ExperimentCutter::addOutput(double stamp, double value, const Arrival& arrival) {
+  if (before_ && ofOldClock(output_.newest(), stamp) && stamp >= before_->output_.newest())
+    return before_->addOutput(stamp, value, arrival);
   addSample("output", output_, stamp, value, Duplicates::keep_first, arrival);
 }
 
@@ -91,12 +95,13 @@ bool ExperimentCutter::discard() {
 
 bool ExperimentCutter::running() const { return !windows_.empty() && !ended(windows_.back()); }
 
-bool ExperimentCutter::waiting() const { return !windows_.empty() && ended(windows_.front()); }
+bool ExperimentCutter::waiting() const {
+  return before_ != nullptr || (!windows_.empty() && ended(windows_.front()));
+}
 
 /// Keeps track of the clock. False if the sample with this stamp must be left out.
 bool ExperimentCutter::acceptStamp(const std::string& signal, double newest, double stamp) {
-  const bool of_old_clock = newest == kNever && stamp > old_clock_ && now_ < old_clock_;
-  if (!std::isfinite(stamp) || of_old_clock) {
+  if (!std::isfinite(stamp) || ofOldClock(newest, stamp)) {
     ++dropped_;
     return false;
   }
@@ -105,25 +110,45 @@ bool ExperimentCutter::acceptStamp(const std::string& signal, double newest, dou
   return true;
 }
 
-/// Starts anew after the clock went back. Other signals may still deliver stamps of the old clock:
-/// a stamp that is nearer to the old time than to the new one is taken for one of those.
+/// After the clock went back other signals may still deliver stamps of the old clock: a stamp that
+/// is nearer to the old time than to the new one is taken for one of those, if the signal has shown
+/// none of the new clock.
+bool ExperimentCutter::ofOldClock(double newest, double stamp) const {
+  return newest == kNever && stamp > old_clock_ && now_ < old_clock_;
+}
+
+/// Starts anew after the clock went back.
 void ExperimentCutter::resetClock(const std::string& signal, double from, double to) {
-  releaseClosed();
-  for (const Window& window : windows_) {
-    rejected_.push_back({window.id, named(window.id) +
-                                        ": the clock went back while it was recorded (" + signal +
-                                        " stamps from " + text(from) + " s to " + text(to) +
-                                        " s); record it again without resetting the clock"});
+  releaseOldClock();
+  if (running()) {
+    const std::string& id = windows_.back().id;
+    rejected_.push_back(
+        {id, named(id) + ": the clock went back while it was recorded (" + signal +
+                 " stamps from " + text(from) + " s to " + text(to) +
+                 " s); record it again without resetting the clock"});
+    windows_.pop_back();
   }
-  windows_.clear();
-  input_.clear();
-  output_.clear();
-  for (auto& [name, buffer] : covariates_) buffer.clear();
-  ++clock_resets_;
-  marker_active_ = false;
-  newest_call_ = first_window_ = released_until_ = activity_ = kNever;
-  old_clock_ = now_ + 0.5 * (to - now_);
-  now_ = to;
+  LimitOptions limits;
+  limits.max_samples = static_cast<int>(max_samples_);
+  ExperimentCutter next(options_, limits);
+  next.finished_ = takeFinished();
+  next.rejected_ = takeRejected();
+  next.begun_ = begun_;
+  next.duplicates_ = duplicates_;
+  next.clock_resets_ = clock_resets_ + 1;
+  next.dropped_ = dropped_;
+  next.old_clock_ = now_ + 0.5 * (to - now_);
+  next.now_ = to;
+  if (!windows_.empty()) next.before_ = std::make_unique<ExperimentCutter>(std::move(*this));
+  *this = std::move(next);
+}
+
+/// Releases the closed experiments of the old clock, with the samples that they have.
+void ExperimentCutter::releaseOldClock() {
+  if (!before_) return;
+  before_->releaseClosed();
+  for (Recording& recording : before_->takeFinished()) finished_.push_back(std::move(recording));
+  before_.reset();
 }
 
 std::vector<Recording> ExperimentCutter::takeFinished() { return std::exchange(finished_, {}); }

@@ -3,6 +3,7 @@
 #include <deque>
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,9 @@ namespace uncertainty_identification {
 /// they still act when it starts.
 ///
 /// A stamp smaller than the one before on the same signal means that the clock went back (a looped
-/// bag, a reset simulation): closed experiments are released, the running one is rejected, and
-/// recording goes on with the new clock. Covariates are not waited for. Memory is bounded by
+/// bag, a reset simulation): the running experiment is rejected, and recording goes on with the new
+/// clock. Closed experiments still take samples of the old clock, until input and output have both
+/// shown the new one. Covariates are not waited for. Memory is bounded by
 /// LimitOptions::max_samples: an experiment that reaches them (in any signal) is closed, with a
 /// note, and no more than twice as many samples wait for a late marker or for the other signal.
 class ExperimentCutter {
@@ -61,7 +63,7 @@ class ExperimentCutter {
   /// Whether an experiment is running: begun, or filling, and not yet ended.
   bool running() const;
 
-  /// Whether an experiment has ended but waits for a signal to show a stamp past its end.
+  /// Whether an experiment (also one of the old clock) has ended but waits for a signal to show a stamp past its end.
   bool waiting() const;
 
   /// Releases what has ended without waiting any longer for samples (a node does so when the topics
@@ -107,7 +109,9 @@ class ExperimentCutter {
   void addSample(const std::string& signal, StampedBuffer& buffer, double stamp, double value,
                  Duplicates keep, const Arrival& arrival = {});
   bool acceptStamp(const std::string& signal, double newest, double stamp);
+  bool ofOldClock(double newest, double stamp) const;
   void resetClock(const std::string& signal, double from, double to);
+  void releaseOldClock();
 
   void advance();
   void openWindow(double start, double end, const std::string& id = "");
@@ -131,6 +135,8 @@ class ExperimentCutter {
   double now_ = kNever;          ///< [s] newest stamp of all
   double old_clock_ = kEndless;  ///< [s] after a reset: later stamps are the old clock's, until the
                                  ///< new one gets there
+  std::unique_ptr<ExperimentCutter> before_;  ///< closed experiments of the old clock, while they
+                                              ///< wait for samples; null: none
   double first_window_ = kNever;    ///< [s] mode duration: start of the first window
   double released_until_ = kNever;  ///< [s] end of the last window released
   double activity_ = kNever;  ///< [s] mode gap: newest stamp before which no sample is missing

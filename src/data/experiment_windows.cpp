@@ -10,6 +10,8 @@ namespace uncertainty_identification {
 
 /// Brings the windows up to date with the samples.
 void ExperimentCutter::advance() {
+  const bool both_shown = input_.newest() != kNever && output_.newest() != kNever;
+  if (before_ && (both_shown || !before_->waiting())) releaseOldClock();
   for (;;) {
     if (options_.mode == ExperimentMode::duration && windows_.empty()) openDurationWindow();
     if (options_.mode == ExperimentMode::gap)
@@ -100,11 +102,13 @@ void ExperimentCutter::releaseFront() {
 }
 
 void ExperimentCutter::releaseClosed() {
+  releaseOldClock();
   while (waiting()) releaseFront();
   advance();
 }
 
 void ExperimentCutter::flush() {
+  releaseOldClock();
   if (options_.mode == ExperimentMode::gap) followActivity(kEndless);
   advance();
   while (!windows_.empty()) {
