@@ -12,6 +12,14 @@ bool passes(const Gain& gain, AcceptanceRule rule) {
   return gain.log_density > least_errors * gain.standard_error;
 }
 
+bool simulatesAsWell(const Effect& effect, const Gain& gain) {
+  constexpr double kByTheta = 1;  // [% of fit]
+  const bool structural = effect.description().screening == ScreeningKind::regression &&
+                          !isOfNoise(effect) && !isOfMixture(effect);
+  const Comparison& fit = gain.nrmse_fit_percent;
+  return fit.after >= fit.before - (structural ? 0 : kByTheta);
+}
+
 AcceptanceRule acceptanceRule(const Effect& effect, double score) {
   constexpr double kHigh = 15;  // [nats]
   if (isOfMixture(effect)) return AcceptanceRule::no_significant_loss;

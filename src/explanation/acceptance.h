@@ -20,6 +20,12 @@ enum class AcceptanceRule {
 
 bool passes(const Gain& gain, AcceptanceRule rule);
 
+/// Whether held-out experiments are simulated as well with the effect as without it. An effect that
+/// changes the simulation (ScreeningKind::regression) must not lower the fit at all, because
+/// likelihood alone also rewards what makes residuals white and the simulation wrong. Others move
+/// the simulation only by way of theta, and may lower the fit by a point.
+bool simulatesAsWell(const Effect& effect, const Gain& gain);
+
 /// The rule for an effect whose score is `score` [nats].
 AcceptanceRule acceptanceRule(const Effect& effect, double score);
 

@@ -65,6 +65,7 @@ class Explaining {
   SearchOutcome bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt);
   void warnOfOtherOrders(const Estimate& chosen, const Estimate& explained);
   void warnOfTie(const SearchOutcome& other, const SearchOutcome& best);
+  void warnOfRefused(const SearchOutcome& best);
   void noteHeldOut(const Split& data);
   FitContext context(const Estimate& estimate);
   Cause described(const FoundCause& found, const SearchState& state) const;
@@ -137,6 +138,22 @@ void Explaining::warnOfTie(const SearchOutcome& other, const SearchOutcome& best
       "the orders, give them: nominal_model.na, nb, nc, nd, delay");
 }
 
+/// Causes that the likelihood speaks for, and the simulation against.
+void Explaining::warnOfRefused(const SearchOutcome& best) {
+  for (const auto& [label, fit] : best.refused) {
+    const bool accepted = std::any_of(
+        best.found.causes.begin(), best.found.causes.end(),
+        [&, name = label](const FoundCause& cause) { return cause.effect->label() == name; });
+    if (accepted) continue;
+    std::ostringstream text;
+    text.precision(3);
+    text << label << " raises the likelihood, but with it the held-out experiments are simulated "
+         << "worse (" << fit.before << " % before, " << fit.after
+         << " % after): it is not named as a cause";
+    explanation_.warnings.push_back(text.str());
+  }
+}
+
 void Explaining::noteHeldOut(const Split& data) {
   if (data.fitted_to) {
     explanation_.warnings.push_back(
@@ -190,6 +207,7 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
   explanation_.warnings = best->estimate.warnings;
   warnOfOtherOrders(chosen, best->estimate);
   for (const SearchOutcome& other : outcomes) warnOfTie(other, *best);
+  warnOfRefused(*best);
   return std::move(*best);
 }
 

@@ -172,6 +172,10 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
                            state->gains(state->fit, fit));
   const double score = fit.log_likelihood - state->fit.log_likelihood - candidate.penalty;
   if (!passes(gain, acceptanceRule(*candidate.effect, score))) return false;
+  if (!simulatesAsWell(*candidate.effect, gain)) {
+    refused_.emplace(candidate.effect->label(), gain.nrmse_fit_percent);
+    return false;
+  }
   SearchState next = *state;
   FoundCause cause{candidate.effect,
                    score,
@@ -189,6 +193,26 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
   if (!kept) next.banned.push_back(name);
   *state = std::move(next);
   return kept;
+}
+
+/// Removes causes with which, now that all are found, held-out experiments are simulated worse.
+void Search::removeThoseThatSimulateWorse(const SearchState& base, SearchState* found) {
+  const auto worse = [](const FoundCause& cause) {
+    return cause.gain && !simulatesAsWell(*cause.effect, *cause.gain);
+  };
+  for (;;) {
+    const auto cause = std::find_if(found->causes.begin(), found->causes.end(), worse);
+    if (cause == found->causes.end()) return;
+    const Effects& effects = found->fit.model->effects();
+    const auto at = std::find(effects.begin(), effects.end(), cause->effect);
+    refused_.emplace(cause->effect->label(), cause->gain->nrmse_fit_percent);
+    if (at != effects.end())
+      found->fit = fittedWithout(found->fit, static_cast<std::size_t>(at - effects.begin()),
+                                 found->train, context_);
+    found->total -= cause->score;
+    found->causes.erase(cause);
+    remeasureGains(base, context_, found);
+  }
 }
 
 /// Backward elimination: removes each cause whose removal costs less than was needed to accept it.
@@ -250,6 +274,7 @@ void Search::updateTried(const FoundCause& first) {
 SearchState Search::run(const SearchState& base) {
   SearchState found = search(base);
   if (found.eliminated) remeasureGains(base, context_, &found);
+  removeThoseThatSimulateWorse(base, &found);
   if (found.causes.size() > base.causes.size()) updateTried(found.causes[base.causes.size()]);
   return found;
 }

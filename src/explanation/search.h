@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,6 +57,10 @@ class Search {
   /// The effects that were tried on top of the base, the best score first.
   const std::vector<TriedEffect>& tried() const { return tried_; }
 
+  /// Effects that raise the likelihood, and were refused because held-out experiments are simulated
+  /// worse with them: the fit without and with the effect, by its label.
+  const std::map<std::string, Comparison>& refused() const { return refused_; }
+
  private:
   SearchState search(const SearchState& base);
   void updateTried(const FoundCause& first);
@@ -66,6 +71,7 @@ class Search {
               const std::vector<FittedEffect>& ranked);
   bool acceptDistribution(SearchState* state, const FittedEffect& best);
   void eliminate(SearchState* state);
+  void removeThoseThatSimulateWorse(const SearchState& base, SearchState* found);
   Effects considered(const SearchState& state) const;
   double threshold(const Effect& effect) const;
   bool beatsSimulation(const SearchState& state, const FittedEffect& candidate) const;
@@ -74,6 +80,7 @@ class Search {
   FitContext context_;
   Effects catalogue_;
   std::vector<TriedEffect> tried_;
+  std::map<std::string, Comparison> refused_;
   int rankings_ = 0;
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "explanation/sample_checks.h"
@@ -14,6 +16,7 @@ struct SearchOutcome {
   Estimate estimate;        ///< of the model
   SearchState base, found;  ///< before and after the search
   std::vector<TriedEffect> tried;
+  std::map<std::string, Comparison> refused;  ///< as Search::refused()
 
   /// Log-likelihood with the causes, minus the BIC penalties of the model and of the causes [nats].
   /// Outcomes on top of models of different orders are compared by it.

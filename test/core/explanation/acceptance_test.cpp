@@ -50,6 +50,20 @@ TEST(AcceptanceRules, AskForAGainWhereThereIsNoStandardError) {
   EXPECT_FALSE(passes(gainOf(-0.1, std::nan("")), AcceptanceRule::no_significant_loss));
 }
 
+Gain simulated(double before, double after) {
+  Gain gain;
+  gain.nrmse_fit_percent = {before, after};
+  return gain;
+}
+
+TEST(AcceptanceRules, RefuseWhatSimulatesWorse) {
+  EXPECT_TRUE(simulatesAsWell(Named("act_deadzone"), simulated(80, 80)));
+  EXPECT_FALSE(simulatesAsWell(Named("act_deadzone"), simulated(80, 79.99)));
+  EXPECT_TRUE(simulatesAsWell(Named("noise_colour"), simulated(80, 79.1)));
+  EXPECT_FALSE(simulatesAsWell(Named("noise_colour"), simulated(80, 78.9)));
+  EXPECT_FALSE(simulatesAsWell(Named("act_deadzone"), simulated(80, std::nan(""))));
+}
+
 TEST(AcceptanceRules, DependOnTheEffectAndItsScore) {
   EXPECT_EQ(acceptanceRule(Named("act_deadzone"), 14), AcceptanceRule::significant_gain);
   EXPECT_EQ(acceptanceRule(Named("act_deadzone"), 16), AcceptanceRule::any_gain);
