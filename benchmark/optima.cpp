@@ -78,7 +78,7 @@ void countIntervals(const Estimate& estimate, const Eigen::VectorXd& theta, Outc
 void identifyAutomatically(const Drawn& drawn, const std::vector<Experiment>& experiments,
                            const std::vector<Experiment>& validation, double given_density,
                            Configuration configuration, Outcome* outcome) {
-  configuration.nominal_model.orders_auto = true;
+  configuration.nominal_model = NominalModelOptions();
   configuration.error_model.basis = BasisKind::automatic;
   configuration.error_model.components = kAutomatic;
   const double before = processorSeconds();

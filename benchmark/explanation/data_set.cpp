@@ -52,7 +52,7 @@ std::string joined(const std::vector<std::string>& names) {
 /// The configuration that explain() is given.
 Configuration configurationOf(const Task& task, const test::HiddenEffect& hidden) {
   Configuration configuration = hidden.declared;
-  configuration.nominal_model.orders_auto = task.orders_auto;
+  if (task.orders_auto) configuration.nominal_model = NominalModelOptions();
   configuration.estimation.threads = task.threads;
   if (!task.removed) return configuration;
   for (const std::string& name : hidden.names) {

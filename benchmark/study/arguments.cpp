@@ -91,7 +91,7 @@ TaskLimits Arguments::limits(double minutes) const {
 Configuration Arguments::configuration() const {
   Configuration configuration =
       has("config") ? loadConfiguration(text("config", "")) : Configuration();
-  if (has("orders-auto")) configuration.nominal_model.orders_auto = true;
+  if (has("orders-auto")) configuration.nominal_model = NominalModelOptions();
   configuration.estimation.threads = 1;
   return configuration;
 }

@@ -33,8 +33,8 @@ constexpr int kMaxErrorParameters = 10;
 /// Nominal model Go = q^-delay B/A and noise model H = C/D, equations (6)-(11).
 struct NominalModelOptions {
   Structure structure = Structure::box_jenkins;
-  /// choose nb, na, nc, nd and delay from the data, whatever is stated for them here (YAML:
-  /// `orders: auto`; `given` as soon as the structure or an order is)
+  /// choose structure, nb, na, nc, nd and delay from the data; validate() refuses any that is stated
+  /// beside it (YAML: `orders: auto`; `given` as soon as the structure or an order is stated)
   bool orders_auto = true;
   Focus focus = Focus::simulation;  ///< purpose of the model: criterion of the choice of orders
   /// How Go is fitted. likelihood: jointly with H and the error model (as in the paper).
@@ -68,8 +68,8 @@ Constraint defaultConstraint(BasisKind basis);
 /// equations (4), (12). With basis sensitivity or parameter_spread, parameters of Go vary instead
 /// and xi holds their relative deviations (docs/method.md; notation in docs/notation.md).
 struct ErrorModelOptions {
-  /// automatic: basis, constraint and taps are chosen from the data, and what is stated here for
-  /// constraint and taps is not used.
+  /// automatic: basis, constraint and taps are chosen from the data; validate() refuses a
+  /// constraint, taps (but for 0), T or parameters stated beside it.
   BasisKind basis = BasisKind::automatic;
   int taps = 2;  ///< number of basis filters, 1 to 11, or kAutomatic; 0 = no error model. Where
                  ///< parameters of Go vary it follows from them

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <tuple>
 
 #include "configuration/require.h"
 #include "uncertainty_identification/enum_names.h"
@@ -108,8 +109,14 @@ void NominalModelOptions::validate() const {
   requireRange(at + "time_constants", time_constants, 0, kMaxCoefficients);
   requireRange(at + "resonances", resonances, 0, kMaxCoefficients / 2);
   requireRange(at + "zeros", zeros, 0, kMaxCoefficients);
+  const NominalModelOptions unstated;
+  const auto form = [](const NominalModelOptions& of) {
+    return std::make_tuple(of.structure, of.nb, of.na, of.nc, of.nd, of.delay);
+  };
+  require(!orders_auto || form(*this) == form(unstated), at + "orders", "auto",
+          "given (in C++: orders_auto = false) where the structure or an order is stated, which "
+          "would not be used");
   if (structure == Structure::continuous) {
-    require(!orders_auto, at + "orders", "auto", "given, when structure is continuous");
     const int poles = time_constants + 2 * resonances;
     require(zeros < poles, at + "zeros", zeros,
             "fewer than the " + std::to_string(poles) + " poles (time_constants + 2 resonances)");
@@ -121,6 +128,12 @@ void NominalModelOptions::validate() const {
 
 void ErrorModelOptions::validate() const {
   const std::string at = "error_model.";
+  const ErrorModelOptions unstated;
+  const bool unused = constraint != unstated.constraint || !parameters.empty() || T.size() > 0 ||
+                      (taps != unstated.taps && taps != kAutomatic && taps != 0);
+  require(basis != BasisKind::automatic || !unused, at + "basis", "auto",
+          "given (in C++: basis fir) where constraint, taps, T or parameters are stated, which "
+          "would not be used");
   requireRangeOrAutomatic(at + "taps", taps, 0, kMaxErrorParameters + 1);
   requireRangeOrAutomatic(at + "components", components, 1, 10);
   requireRange(at + "max_taps", max_taps, 1, kMaxErrorParameters + 1);

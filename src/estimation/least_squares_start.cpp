@@ -119,7 +119,7 @@ LeastSquaresModel LeastSquaresStart::solve(const MatrixXd& factor, int nb, int n
   if (with_constant_) selected.col(nb) = factor.col(u_lags + 1);
   selected.rightCols(na) = factor.middleCols(columns - 1 - na, na);
   LeastSquaresModel model;
-  const VectorXd w = leastSquares(selected, factor.col(columns - 1), &model.residual_variance);
+  const VectorXd w = leastSquares(selected, factor.col(columns - 1), &model.residual_squares);
   model.polynomials.delay = delay;
   model.polynomials.b = w.head(nb);
   model.polynomials.a = w.tail(na);
@@ -131,10 +131,10 @@ LeastSquaresModel LeastSquaresStart::leastDelayed(const MatrixXd& factor, int nb
                                                   int first_delay, int last_delay) const {
   constexpr double kMargin = 1.01;  // a longer delay must reduce the residual by 1 %
   LeastSquaresModel best;
-  best.residual_variance = std::numeric_limits<double>::infinity();
+  best.residual_squares = std::numeric_limits<double>::infinity();
   for (int delay = first_delay; delay <= last_delay; ++delay) {
     LeastSquaresModel model = solve(factor, nb, na, delay, last_delay + nb - 1);
-    if (model.residual_variance * kMargin < best.residual_variance) best = std::move(model);
+    if (model.residual_squares * kMargin < best.residual_squares) best = std::move(model);
   }
   return best;
 }
@@ -150,7 +150,7 @@ LeastSquaresModel LeastSquaresStart::steiglitzMcBride(int nb, int na, int first_
   const int u_lags = last_delay + nb - 1;
   VectorXd prefilter;
   LeastSquaresModel best;
-  best.residual_variance = std::numeric_limits<double>::infinity();
+  best.residual_squares = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration <= kIterations; ++iteration) {
     const MatrixXd factor = triangularFactor(prefilter, na, u_lags);
     LeastSquaresModel least = leastDelayed(factor, nb, na, first_delay, last_delay);
@@ -158,7 +158,7 @@ LeastSquaresModel LeastSquaresStart::steiglitzMcBride(int nb, int na, int first_
     least.polynomials.a = stabilised(least.polynomials.a, 0.9995);
     // The first regression minimises the equation error, which cannot be compared with the output
     // error of the later ones.
-    if (iteration > 0 && least.residual_variance < best.residual_variance) best = least;
+    if (iteration > 0 && least.residual_squares < best.residual_squares) best = least;
     if (iteration == 0) best.polynomials = least.polynomials, best.offset = least.offset;
     if (na == 0) return least;
     prefilter = least.polynomials.a;

@@ -12,7 +12,7 @@ namespace uncertainty_identification {
 struct LeastSquaresModel {
   Polynomials polynomials;       ///< b, a, delay
   double offset = 0;             ///< constant in the output
-  double residual_variance = 0;  ///< of the last regression
+  double residual_squares = 0;  ///< of the last regression, summed over its rows
 };
 
 /// Rational models by least squares pooled over experiments: ARX, refined by the Steiglitz-McBride

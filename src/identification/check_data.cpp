@@ -31,7 +31,8 @@ Configuration limitErrorModel(Configuration configuration, int experiments, Jour
   ErrorModelOptions& options = configuration.error_model;
   const bool stated =
       configuration.initial.mixture.components() > 0 || !configuration.effects.empty();
-  if (options.basis == BasisKind::automatic && stated) options.basis = BasisKind::fir;
+  if (options.basis == BasisKind::automatic && (stated || options.taps == 0))
+    options.basis = BasisKind::fir;
   if (options.taps == 0) options.components = 1;
   if (experiments >= kFewest || options.taps == 0) return configuration;
   if (experiments == 1) {

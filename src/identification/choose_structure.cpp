@@ -41,7 +41,7 @@ std::vector<StructureFit> fitAll(const Problem& problem,
   for (std::size_t k = 0; k < structures.size(); ++k) {
     if (k > 0 && journal->progress.cancelled()) break;
     auto fit = fitStructure(problem, structures[k], starts, k < kFromData, journal);
-    journal->progress.report(Phase::taps,
+    journal->progress.report(Phase::structure,
                              static_cast<double>(k + 1) / static_cast<double>(structures.size()));
     if (!fit) continue;
     fits.push_back(std::move(*fit));

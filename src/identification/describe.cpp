@@ -83,9 +83,6 @@ Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* jo
   estimate.message = optimum.message;
   estimate.iterations = optimum.iterations;
   estimate.trace = optimum.trace;
-  if (optimum.termination == Termination::stalled ||
-      optimum.termination == Termination::iteration_limit)
-    journal->warnings.push_back("the estimation did not converge: " + optimum.message);
   const std::size_t fixed = problem.plant ? problem.plant->parameters.size() : 0;
   estimate.bic = bic(estimate.log_likelihood, model.parameterCount() + static_cast<int>(fixed) + 1,
                      mixtureParameters(problem.configuration.error_model.constraint,

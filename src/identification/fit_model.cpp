@@ -1,4 +1,3 @@
-
 #include "estimation/linearisation.h"
 #include "identification/steps.h"
 #include "math/symmetric_eigen.h"

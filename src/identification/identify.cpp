@@ -9,6 +9,16 @@
 namespace uncertainty_identification {
 namespace {
 
+/// The problem of the checked data, before anything is chosen but what their number and scale ask
+/// for.
+Problem problemOf(const Request& request, const CheckedData& data, Journal* journal) {
+  Problem problem{data, request.nominal_model, request.previous, {}, {}, {}};
+  problem.configuration = limitErrorModel(request.configuration, data.count(), journal);
+  problem.configuration = chooseInitialPrecision(problem.configuration, data);
+  problem.configuration = limitDeadTime(problem);
+  return problem;
+}
+
 void adopt(const ModelChoice& choice, Problem* problem) {
   problem->configuration = choice.configuration;
   problem->start = choice.start;
@@ -22,10 +32,7 @@ Estimate identify(const Request& request, const std::vector<Experiment>& experim
   const Stopwatch watch;
   Journal journal{ProgressPhases(request.progress)};
   const CheckedData data = checkData(request.configuration, experiments, &journal);
-  Problem problem{data, request.nominal_model, request.previous, {}, {}, {}};
-  problem.configuration = limitErrorModel(request.configuration, data.count(), &journal);
-  problem.configuration = chooseInitialPrecision(problem.configuration, data);
-  problem.configuration = limitDeadTime(problem);
+  Problem problem = problemOf(request, data, &journal);
   problem.configuration = chooseOrders(problem, &journal);
   problem.plant = fitPlant(problem, &journal);
   adopt(chooseModel(problem, request.configuration.nominal_model, &journal), &problem);
@@ -50,10 +57,7 @@ FoldModel identifyPlant(const Request& request, const std::vector<Experiment>& e
   constexpr int kEnough = 20;  // iterations from the estimate of all folds
   Journal journal{ProgressPhases(request.progress)};
   const CheckedData data = checkData(request.configuration, experiments, &journal);
-  Problem problem{data, request.nominal_model, request.previous, {}, {}, {}};
-  problem.configuration = limitErrorModel(request.configuration, data.count(), &journal);
-  problem.configuration = chooseInitialPrecision(problem.configuration, data);
-  problem.configuration = limitDeadTime(problem);
+  Problem problem = problemOf(request, data, &journal);
   problem.plant = fitPlant(problem, &journal);
   if (!problem.plant) {
     adopt(chooseModel(problem, problem.configuration.nominal_model, &journal), &problem);

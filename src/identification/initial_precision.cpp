@@ -35,8 +35,10 @@ double noiseShare(const std::vector<Experiment>& experiments) {
     const LeastSquaresStart one({&experiments[r]}, true, kMostSamples);
     Moments of_output;
     of_output.add(experiments[r]);
-    const double share = one.arx(kOrder, kOrder, 0).residual_variance / of_output.variance();
-    if (std::isfinite(share)) shares.push_back(share);
+    const double freedom = std::min<double>(of_output.count, kMostSamples) - 3 * kOrder - 1;
+    const double share =
+        one.arx(kOrder, kOrder, 0).residual_squares / freedom / of_output.variance();
+    if (freedom > 0 && std::isfinite(share)) shares.push_back(share);
   }
   if (shares.empty()) return 1;
   std::nth_element(shares.begin(), shares.begin() + static_cast<long>(shares.size() / 2),

@@ -12,15 +12,14 @@ struct NamedPhase {
 };
 
 /// In the order of Phase.
-constexpr std::array<NamedPhase, 9> kPhases{{{"checking the data", 0.05},
-                                             {"choosing orders", 0.45},
+constexpr std::array<NamedPhase, 8> kPhases{{{"checking the data", 0.02},
+                                             {"choosing orders", 0.30},
                                              {"fitting the simulation", 0.05},
-                                             {"choosing noise orders", 0.03},
-                                             {"choosing taps", 0.02},
-                                             {"starting values", 0.10},
-                                             {"choosing components", 0.05},
-                                             {"optimising", 0.20},
-                                             {"standard errors", 0.05}}};
+                                             {"choosing the error model", 0.35},
+                                             {"starting values", 0.06},
+                                             {"choosing components", 0.03},
+                                             {"optimising", 0.15},
+                                             {"standard errors", 0.04}}};
 
 }  // namespace
 

@@ -7,7 +7,7 @@
 namespace uncertainty_identification {
 
 /// The phases of an identification, in their order.
-enum class Phase { check, orders, plant, noise_orders, taps, start, components, optimum, errors };
+enum class Phase { check, orders, plant, structure, start, components, optimum, errors };
 
 /// Reports the progress of an identification to the caller. The reported fraction never decreases,
 /// even if a phase is repeated. Also stores whether the caller has cancelled.

@@ -121,7 +121,7 @@ std::optional<StructureFit> fitStructure(const Problem& problem, const ErrorStru
   const std::shared_ptr<const LinearModel> model = buildModel(own);
   const std::unique_ptr<Likelihood> likelihood = likelihoodOf(own, *model);
   const OptimisationOptions options =
-      optimisationOptions(configuration, Phase::taps, &journal->progress);
+      optimisationOptions(configuration, Phase::structure, &journal->progress);
   const std::vector<SingleComponent> ranked = rankedSingleComponents(
       *likelihood, startsOf(own, *model, points, from_data), kFinalists, options);
   journal->passes += likelihood->passes();
@@ -144,7 +144,7 @@ double heldOutDensity(const Problem& problem, const StructureFit& fit, Journal* 
   const int folds = std::min(kFolds, problem.data.count());
   const int threads = threadsOf(problem.configuration.estimation);
   const OptimisationOptions options =
-      optimisationOptions(fit.structure.configuration, Phase::taps, &journal->progress);
+      optimisationOptions(fit.structure.configuration, Phase::structure, &journal->progress);
   Problem own = problem;
   own.configuration = fit.structure.configuration;
   const std::shared_ptr<const LinearModel> model = buildModel(own);  // linearised about zero

@@ -67,7 +67,11 @@ std::vector<BadValue> badModels() {
       {"nominal_model.orders", "auto",
        [](auto& c) {
          c.nominal_model.structure = Structure::continuous;
-         c.nominal_model.orders_auto = false;
+         c.nominal_model.orders_auto = true;
+       }},
+      {"nominal_model.orders", "auto",
+       [](auto& c) {
+         c.nominal_model.na = 2;
          c.nominal_model.orders_auto = true;
        }},
       {"nominal_model.fixed.gain", "inf",

@@ -23,7 +23,7 @@ Found explained(const std::string& name, const std::vector<std::string>& exclude
   options.base = {20, 200};
   test::HiddenEffect hidden = test::randomHiddenEffect({name}, options, 1);
   hidden.declared.explanation.exclude = exclude;
-  hidden.declared.nominal_model.orders_auto = orders_auto;
+  if (orders_auto) hidden.declared.nominal_model = NominalModelOptions();
   const test::HiddenEffectData data = test::simulateHidden(hidden, options);
   Found found{explain(hidden.declared, data.training, data.held_out), {}};
   for (const Cause& cause : found.explanation.causes) {
@@ -43,7 +43,7 @@ Explanation explainedInBenchmark(const std::vector<std::string>& names, std::uin
                                  bool orders_auto = false) {
   const test::HiddenEffectOptions options;
   test::HiddenEffect hidden = test::randomHiddenEffect(names, options, seed);
-  hidden.declared.nominal_model.orders_auto = orders_auto;
+  if (orders_auto) hidden.declared.nominal_model = NominalModelOptions();
   const test::HiddenEffectData data = test::simulateHidden(hidden, options);
   return explain(hidden.declared, data.training, data.held_out);
 }

@@ -391,7 +391,7 @@ TEST(Identifier, SaysThatItDidNotConverge) {
   const Estimate estimate = test::identified(configuration, test::example1Experiments(20));
   EXPECT_EQ(estimate.termination, Termination::iteration_limit);
   EXPECT_TRUE(estimate.usable());
-  EXPECT_TRUE(anyMentions(estimate.warnings, "did not converge"));
+  EXPECT_TRUE(anyMentions(estimate.trust.reasons, "did not converge"));
 }
 
 }  // namespace

@@ -1,0 +1,155 @@
+// The structures that the default configuration compares, their fits, and orders that only the
+// residuals show. Data: first- and second-order plants, simulated.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "identification/steps.h"
+#include "identification/structure_fit.h"
+#include "simulation/simulate.h"
+#include "support/core_setup.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using test::vectorOf;
+
+/// Plants of a known model with white output noise, without differences between them.
+std::vector<Experiment> simulatedPlants(const Eigen::VectorXd& b, const Eigen::VectorXd& a,
+                                        int experiments = 10) {
+  Truth truth;
+  truth.sample_time = 0.1;
+  truth.experiments = experiments;
+  truth.samples = {200};
+  truth.plant.b = b;
+  truth.plant.a = a;
+  truth.noise.variance = 1e-3;
+  return simulate(truth, 3);
+}
+
+class StructureChoice : public testing::Test {
+ protected:
+  Problem problemOf(const std::vector<Experiment>& experiments, int nb, int na) {
+    Configuration configuration;
+    NominalModelOptions& nominal = configuration.nominal_model;
+    nominal.orders_auto = false;
+    nominal.nb = nb;
+    nominal.na = na;
+    nominal.nc = nominal.nd = 0;
+    data_ = checkData(configuration, experiments, &journal_);
+    Problem problem{data_, {}, nullptr, configuration, {}, {}};
+    problem.configuration = chooseInitialPrecision(configuration, data_);
+    return problem;
+  }
+
+  /// The fit of the nominal model without an error model.
+  StructureFit plainFit(const Problem& problem) {
+    const std::vector<ErrorStructure> all = errorStructures(problem, nullptr);
+    const auto none = std::find_if(all.begin(), all.end(),
+                                   [](const auto& each) { return each.description == "none"; });
+    return *fitStructure(problem, *none, {}, true, &journal_);
+  }
+
+  static std::vector<std::string> descriptions(const std::vector<ErrorStructure>& structures) {
+    std::vector<std::string> all;
+    for (const ErrorStructure& structure : structures) all.push_back(structure.description);
+    return all;
+  }
+
+  Journal journal_{ProgressPhases({})};
+  CheckedData data_;
+};
+
+bool contains(const std::vector<std::string>& all, const std::string& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+TEST_F(StructureChoice, ComparesPhysicalParametersWhereThePolesHaveAContinuousCounterpart) {
+  const Problem problem = problemOf(simulatedPlants(vectorOf({0.2}), vectorOf({-0.8})), 1, 1);
+  Polynomials plant;
+  plant.delay = 1;
+  plant.b = vectorOf({0.2});
+  plant.a = vectorOf({-0.8});
+  const auto physical = descriptions(errorStructures(problem, &plant));
+  EXPECT_TRUE(contains(physical, "none"));
+  EXPECT_TRUE(contains(physical, "fir, 1 tap, zero_mean"));
+  EXPECT_TRUE(contains(physical, "fir, 2 taps, zero_static_gain"));
+  EXPECT_FALSE(contains(physical, "fir, 1 tap, zero_static_gain")) << "it leaves nothing free";
+  EXPECT_TRUE(contains(physical, "parameter_spread of gain"));
+  EXPECT_TRUE(contains(physical, "parameter_spread of gain and tau1"));
+  plant.a = vectorOf({0.8});  // a pole that alternates has no time constant
+  const auto sampled = descriptions(errorStructures(problem, &plant));
+  EXPECT_TRUE(contains(sampled, "parameter_spread of b1 and a1"));
+  EXPECT_FALSE(contains(sampled, "parameter_spread of gain"));
+}
+
+TEST_F(StructureChoice, ComparesNothingButTapsWhereTheBasisIsGiven) {
+  Problem problem = problemOf(simulatedPlants(vectorOf({0.2}), vectorOf({-0.8})), 1, 1);
+  problem.configuration.error_model = paperErrorModel();
+  EXPECT_EQ(descriptions(errorStructures(problem, nullptr)),
+            std::vector<std::string>{"fir, 2 taps, zero_static_gain"});
+  problem.configuration.error_model.taps = kAutomatic;
+  EXPECT_EQ(errorStructures(problem, nullptr).size(),
+            static_cast<std::size_t>(problem.configuration.error_model.max_taps) - 1);
+}
+
+TEST_F(StructureChoice, RaisesOrdersThatTheResidualsAskFor) {
+  const auto experiments = simulatedPlants(vectorOf({0.2, 0.1}), vectorOf({-1.3, 0.4}));
+  const Problem problem = problemOf(experiments, 1, 1);
+  const StructureFit small = plainFit(problem);
+  const StructureFit large = withBetterOrders(problem, small, &journal_);
+  EXPECT_EQ(large.structure.configuration.nominal_model.na, 2);
+  EXPECT_EQ(large.structure.configuration.nominal_model.nb, 2);
+  EXPECT_GT(large.log_likelihood, small.log_likelihood + 100);
+  EXPECT_EQ(large.parameters, small.parameters + 2);
+}
+
+TEST_F(StructureChoice, LeavesOrdersThatSuffice) {
+  const Problem problem = problemOf(simulatedPlants(vectorOf({0.2}), vectorOf({-0.8})), 1, 1);
+  const StructureFit small = plainFit(problem);
+  const StructureFit same = withBetterOrders(problem, small, &journal_);
+  EXPECT_EQ(same.structure.configuration.nominal_model.na, 1);
+  EXPECT_EQ(same.log_likelihood, small.log_likelihood);
+}
+
+// Of two models the wrong one has the lower density on experiments that it was not fitted to; the
+// densities of 200 samples of variance sigma^2 are about -100 (1 + log(2 pi sigma^2)).
+TEST_F(StructureChoice, TheHeldOutDensityIsThatOfNewExperiments) {
+  const auto experiments = simulatedPlants(vectorOf({0.2, 0.1}), vectorOf({-1.3, 0.4}));
+  const Problem problem = problemOf(experiments, 1, 1);
+  const StructureFit small = plainFit(problem);
+  const StructureFit large = withBetterOrders(problem, small, &journal_);
+  const double expected = -100 * (1 + std::log(2 * 3.14159265358979 * 1e-3));
+  EXPECT_NEAR(heldOutDensity(problem, large, &journal_), expected, 20);
+  EXPECT_LT(heldOutDensity(problem, small, &journal_), expected - 100);
+}
+
+// The variance is that of ten standard deviations of the outputs, and the noise, which an ARX model
+// of each experiment shows, is 1e-3.
+TEST_F(StructureChoice, ThePriorOfInitialValuesFollowsTheScaleOfTheData) {
+  const auto experiments = simulatedPlants(vectorOf({0.2}), vectorOf({-0.8}));
+  const EstimationOptions of_data = problemOf(experiments, 1, 1).configuration.estimation;
+  double squares = 0, sum = 0;
+  for (const Experiment& experiment : experiments) {
+    squares += experiment.y.squaredNorm();
+    sum += experiment.y.sum();
+  }
+  const double variance = squares / 2000 - std::pow(sum / 2000, 2);
+  EXPECT_NEAR(of_data.initial_variance, 100 * variance, 1e-9 * variance);
+  EXPECT_NEAR(of_data.initial_precision, 1e-3 / variance / 1000, 0.3e-6 / variance);
+  std::vector<Experiment> scaled = experiments;
+  for (Experiment& experiment : scaled) experiment.y *= 1e3;
+  const EstimationOptions of_scaled = problemOf(scaled, 1, 1).configuration.estimation;
+  EXPECT_NEAR(of_scaled.initial_variance / of_data.initial_variance, 1e6, 1);
+  EXPECT_NEAR(of_scaled.initial_precision / of_data.initial_precision, 1, 1e-6);
+  Configuration stated;
+  stated.estimation.initial_precision = 0.5;
+  stated.estimation.initial_variance = 2;
+  const EstimationOptions kept = chooseInitialPrecision(stated, data_).estimation;
+  EXPECT_EQ(kept.initial_precision, 0.5);
+  EXPECT_EQ(kept.initial_variance, 2);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification

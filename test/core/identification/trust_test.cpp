@@ -1,0 +1,117 @@
+// Each finding that speaks against a model, by itself. Data: a first-order plant, simulated.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "identification/identify.h"
+#include "identification/steps.h"
+#include "simulation/simulate.h"
+#include "support/core_setup.h"
+#include "support/mentions.h"
+
+namespace uncertainty_identification {
+namespace {
+
+class TrustOf : public testing::Test {
+ protected:
+  void SetUp() override {
+    Truth truth;
+    truth.sample_time = 0.1;
+    truth.experiments = 8;
+    truth.samples = {100};
+    truth.plant.b = test::vectorOf({0.2});
+    truth.plant.a = test::vectorOf({-0.8});
+    truth.noise.variance = 1e-3;
+    Configuration configuration;
+    configuration.nominal_model.orders_auto = false;
+    configuration.nominal_model.structure = Structure::output_error;
+    configuration.error_model.taps = 0;
+    data_ = checkData(configuration, simulate(truth, 1), &journal_);
+    problem_.configuration = limitErrorModel(configuration, data_.count(), &journal_);
+    problem_.configuration = chooseInitialPrecision(problem_.configuration, data_);
+    fitted_ = fitModel(problem_, &journal_);
+    estimate_ = describe(problem_, fitted_, &journal_);
+    ASSERT_TRUE(trusted());
+  }
+
+  Trust trust() { return trustOf(problem_, fitted_, estimate_); }
+  bool trusted() { return trust().trusted; }
+
+  void expectReason(const std::string& words) {
+    const Trust found = trust();
+    EXPECT_FALSE(found.trusted);
+    ASSERT_EQ(found.reasons.size(), 1u);
+    EXPECT_TRUE(test::mentions(found.reasons[0], words)) << found.reasons[0];
+  }
+
+  Journal journal_{ProgressPhases({})};
+  CheckedData data_;
+  Problem problem_{data_, {}, nullptr, {}, {}, {}};
+  FittedModel fitted_;
+  Estimate estimate_;
+};
+
+TEST_F(TrustOf, AnEstimateThatDidNotConverge) {
+  estimate_.termination = Termination::stalled;
+  expectReason("did not converge");
+  estimate_.termination = Termination::iteration_limit;
+  expectReason("did not converge");
+}
+
+TEST_F(TrustOf, FewExperiments) {
+  estimate_.experiment_count = 3;
+  expectReason("3 experiments are too few");
+  estimate_.experiment_count = 4;
+  EXPECT_TRUE(trusted());
+  estimate_.experiment_count = 1;
+  EXPECT_TRUE(trusted()) << "a single record has no bounds that could be wrong";
+}
+
+TEST_F(TrustOf, ResidualsThatDependOnTheInputOrAreNotWhite) {
+  ResidualTests& tests = estimate_.residual_tests;
+  const ResidualTests passed = tests;
+  tests.independence_p_value = 1e-4;
+  tests.cross_correlation[3] = 0.1;
+  expectReason("still depend on the input (p = 0.0001)");
+  for (double& value : tests.cross_correlation) value = 0.02;
+  EXPECT_TRUE(trusted()) << "improbable in so many samples, but too small to matter";
+  tests = passed;
+  tests.whiteness_p_value = 1e-4;
+  tests.autocorrelation[0] = -0.1;
+  expectReason("are not white");
+  tests.whiteness_p_value = 0.01;
+  EXPECT_TRUE(trusted());
+}
+
+TEST_F(TrustOf, ExperimentsThatScatterMoreThanTheModelSays) {
+  ParameterEstimate& parameter = estimate_.nominal_model.parameters[0];
+  parameter.robust_standard_error = 2.9 * parameter.standard_error;
+  EXPECT_TRUE(trusted());
+  parameter.robust_standard_error = 3.5 * parameter.standard_error;
+  expectReason("scatter 3.5 times as much in b1");
+}
+
+TEST_F(TrustOf, APoleAtTheEdgeOfStability) {
+  estimate_.nominal_model.a = test::vectorOf({-0.9999});
+  expectReason("edge of stability");
+}
+
+TEST_F(TrustOf, ASimulationThatExplainsLittle) {
+  fitted_.optimum.point.parameters[0] = 0;  // b1
+  expectReason("explains little of the output");
+}
+
+TEST(TrustAfterCalibration, WidensNoDoubtBelowOneAndAHalf) {
+  PredictionCalibration calibration;
+  calibration.levels = {0.5, 0.95};
+  calibration.radius = {1.0, 2.8};
+  calibration.model_radius = {1.0, 2.0};
+  EXPECT_TRUE(trustAfterCalibration({}, calibration).trusted);
+  calibration.radius[1] = 3.2;
+  const Trust trust = trustAfterCalibration({}, calibration);
+  EXPECT_FALSE(trust.trusted);
+  EXPECT_TRUE(test::mentions(trust.reasons.at(0), "1.6 times as large"));
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
