@@ -64,11 +64,17 @@ function causeParameters(parameters) {
     }));
 }
 
-function showCause(parent, cause, index) {
+// A posterior probability among the candidates is none where all of them leave something wrong.
+function confidence(cause, allExplained) {
+  if (!allExplained) return 'It is the best of the catalogue; tests still fail, so it has no probability.';
+  return `Its probability among the candidates is ${percent(Math.floor(1000 * cause.confidence) / 1000)}.`;
+}
+
+function showCause(parent, cause, index, allExplained) {
   parent.append(element('h3', {}, `Cause ${index + 1}: ${fullName(cause)}, ${cause.group}`));
   const others = cause.equivalent.length > 0 ? ` The data explain ${listed(cause.equivalent)} equally well.` : '';
-  parent.append(paragraph(`${asSentence(cause.description || cause.name)} Its probability among the candidates is ` +
-    `${percent(Math.floor(1000 * cause.confidence) / 1000)}.${others}`));
+  parent.append(paragraph(
+    `${asSentence(cause.description || cause.name)} ${confidence(cause, allExplained)}${others}`));
   if (cause.advice) parent.append(element('p', {class: 'advice'}, element('b', {}, 'What to do: '), asSentence(cause.advice)));
   if (cause.parameters.length > 0) parent.append(causeParameters(cause.parameters));
 }
@@ -80,7 +86,7 @@ function showVerdict(parent, explanation) {
       element('ul', {}, ...explanation.warnings.map(text => element('li', {}, asSentence(text))))));
   }
   parent.append(checksTable(explanation));
-  explanation.causes.forEach((cause, index) => showCause(parent, cause, index));
+  explanation.causes.forEach((cause, index) => showCause(parent, cause, index, explanation.verdict === 'explained'));
 }
 
 const kExplanationSections = [

@@ -20,6 +20,13 @@ bool simulatesAsWell(const Effect& effect, const Gain& gain) {
   return fit.after >= fit.before - (structural ? 0 : kByTheta);
 }
 
+bool simulatesBetter(const Gain& gain) {
+  constexpr double kShare = 0.95;
+  const auto squared_error = [](double fit) { return std::pow(100 - fit, 2); };
+  const Comparison& fit = gain.nrmse_fit_percent;
+  return fit.after > fit.before && squared_error(fit.after) < kShare * squared_error(fit.before);
+}
+
 AcceptanceRule acceptanceRule(const Effect& effect, double score) {
   constexpr double kHigh = 15;  // [nats]
   if (isOfMixture(effect)) return AcceptanceRule::no_significant_loss;

@@ -147,8 +147,8 @@ void Explaining::warnOfRefused(const SearchOutcome& best) {
     if (accepted) continue;
     std::ostringstream text;
     text.precision(3);
-    text << label << " raises the likelihood, but with it the held-out experiments are simulated "
-         << "worse (" << fit.before << " % before, " << fit.after
+    text << label << " raises the likelihood, but the simulation of held-out experiments does not "
+         << "gain from it (fit " << fit.before << " % before, " << fit.after
          << " % after): it is not named as a cause";
     explanation_.warnings.push_back(text.str());
   }

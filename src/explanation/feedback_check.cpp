@@ -1,7 +1,7 @@
 #include "explanation/feedback_check.h"
 
 #include <Eigen/Cholesky>
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 #include "residual_tests/test_statistics.h"
@@ -20,57 +20,79 @@ template <typename Use>
 void forEachExperiment(const Residuals& residuals, const FitData& data, const Use& use) {
   for (std::size_t b = 0; b < data.blocks().size(); ++b) {
     const Block& block = data.blocks()[b];
-    for (int lane = 0; lane < block.lanes; ++lane)
-      use(block.u.row(lane).head(block.lengths[static_cast<std::size_t>(lane)]).matrix(),
-          residuals.standardised[b].row(lane).matrix());
+    for (int lane = 0; lane < block.lanes; ++lane) {
+      const int length = block.lengths[static_cast<std::size_t>(lane)];
+      use(VectorXd(block.u.row(lane).head(length).transpose().matrix()),
+          VectorXd(residuals.standardised[b].row(lane).head(length).transpose().matrix()));
+    }
   }
 }
 
-/// u(t), u(t - 1), ..., u(t - kPredictorOrder).
-template <typename Row>
-VectorXd past(const Row& u, Index t) {
-  VectorXd values(kPredictorOrder + 1);
-  for (Index k = 0; k <= kPredictorOrder; ++k) values[k] = u[t - k];
-  return values;
+/// x(t), x(t - 1), ..., x(t - kPredictorOrder).
+VectorXd past(const VectorXd& x, Index t) {
+  return x.segment(t - kPredictorOrder, kPredictorOrder + 1).reverse();
 }
 
-/// The filter (1, -p_1, -p_2, ...) that leaves of the input what its own past does not predict.
-/// Empty where the data are too few, or where nothing is left.
-VectorXd inputInnovationFilter(const Residuals& residuals, const FitData& data) {
-  MatrixXd gram = MatrixXd::Zero(kPredictorOrder + 1, kPredictorOrder + 1);
-  double power = 0, samples = 0;
-  forEachExperiment(residuals, data, [&](const auto& u, const auto& /*w*/) {
-    for (Index t = kPredictorOrder; t < u.size(); ++t) {
-      gram += past(u, t) * past(u, t).transpose();
-      power += u[t] * u[t];
-      ++samples;
+/// Finds the filter (1, -p_1, -p_2, ...) that leaves of a signal what its own past does not
+/// predict.
+class Predictor {
+ public:
+  void add(const VectorXd& x) {
+    for (Index t = kPredictorOrder; t < x.size(); ++t) {
+      gram_ += past(x, t) * past(x, t).transpose();
+      ++samples_;
     }
-  });
-  if (samples < 10 * kPredictorOrder) return {};
-  MatrixXd inner = gram.bottomRightCorner(kPredictorOrder, kPredictorOrder);
-  inner.diagonal() *= 1 + 1e-9;
-  inner.diagonal().array() += 1e-12 * power;
-  VectorXd predictor(kPredictorOrder + 1);
-  predictor << 1, -inner.ldlt().solve(gram.bottomLeftCorner(kPredictorOrder, 1));
-  if (predictor.dot(gram * predictor) < 1e-6 * power) return {};
-  return predictor;
+  }
+
+  /// Empty where the data are too few, or where nothing is left.
+  VectorXd filter() const {
+    const double power = gram_(0, 0);
+    if (samples_ < 10 * kPredictorOrder) return {};
+    MatrixXd inner = gram_.bottomRightCorner(kPredictorOrder, kPredictorOrder);
+    inner.diagonal() *= 1 + 1e-9;
+    inner.diagonal().array() += 1e-12 * power;
+    VectorXd filter(kPredictorOrder + 1);
+    filter << 1, -inner.ldlt().solve(gram_.bottomLeftCorner(kPredictorOrder, 1));
+    if (filter.dot(gram_ * filter) < 1e-6 * power) return {};
+    return filter;
+  }
+
+ private:
+  MatrixXd gram_ = MatrixXd::Zero(kPredictorOrder + 1, kPredictorOrder + 1);
+  double samples_ = 0;
+};
+
+/// What the filter leaves of a signal; shorter by the filter's order.
+VectorXd filtered(const VectorXd& filter, const VectorXd& x) {
+  VectorXd left(std::max<Index>(0, x.size() - kPredictorOrder));
+  for (Index t = kPredictorOrder; t < x.size(); ++t)
+    left[t - kPredictorOrder] = filter.dot(past(x, t));
+  return left;
 }
 
 }  // namespace
 
+// Feedback makes the input depend on earlier noise. What is new in the input is therefore compared
+// with what was new in the earlier residuals; without feedback it is independent of all that was
+// before it, whatever the residuals hold.
 double feedbackProbability(const Residuals& residuals, const FitData& data) {
   constexpr int kLags = 4;
   constexpr double kNone = 1;
-  const VectorXd predictor = inputInnovationFilter(residuals, data);
-  if (predictor.size() == 0) return kNone;
+  Predictor of_input, of_residual;
+  forEachExperiment(residuals, data, [&](const VectorXd& u, const VectorXd& w) {
+    of_input.add(u);
+    of_residual.add(w);
+  });
+  const VectorXd input_filter = of_input.filter(), residual_filter = of_residual.filter();
+  if (input_filter.size() == 0 || residual_filter.size() == 0) return kNone;
   VectorXd products = VectorXd::Zero(kLags), squares = VectorXd::Zero(kLags);
-  forEachExperiment(residuals, data, [&](const auto& u, const auto& w) {
-    for (Index t = kPredictorOrder; t < u.size(); ++t) {
-      const double innovation = predictor.dot(past(u, t));
-      for (Index k = 1; k <= kLags && t - k >= kPredictorOrder; ++k) {
-        products[k - 1] += w[t - k] * innovation;
-        squares[k - 1] += std::pow(w[t - k] * innovation, 2);
-      }
+  forEachExperiment(residuals, data, [&](const VectorXd& u, const VectorXd& w) {
+    const VectorXd new_input = filtered(input_filter, u), noise = filtered(residual_filter, w);
+    for (Index k = 1; k <= std::min<Index>(kLags, noise.size() - 1); ++k) {
+      const Index count = noise.size() - k;
+      const Eigen::ArrayXd product = noise.head(count).array() * new_input.tail(count).array();
+      products[k - 1] += product.sum();
+      squares[k - 1] += product.square().sum();
     }
   });
   const double sum = (products.array().square() / squares.array().max(1e-300)).sum();

@@ -172,7 +172,8 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
                            state->gains(state->fit, fit));
   const double score = fit.log_likelihood - state->fit.log_likelihood - candidate.penalty;
   if (!passes(gain, acceptanceRule(*candidate.effect, score))) return false;
-  if (!simulatesAsWell(*candidate.effect, gain)) {
+  if (!simulatesAsWell(*candidate.effect, gain) ||
+      (isOutshone(candidate, ranked) && !simulatesBetter(gain))) {
     refused_.emplace(candidate.effect->label(), gain.nrmse_fit_percent);
     return false;
   }
@@ -180,8 +181,8 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
   FoundCause cause{candidate.effect,
                    score,
                    candidate.penalty,
-                   confidenceOf(candidate, ranked),
-                   equivalentOf(candidate, ranked),
+                   confidenceOf(candidate, withoutRefused(ranked)),
+                   equivalentOf(candidate, withoutRefused(ranked)),
                    gain,
                    {}};
   next.fit = fit;
@@ -195,10 +196,32 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
   return kept;
 }
 
-/// Removes causes with which, now that all are found, held-out experiments are simulated worse.
-void Search::removeThoseThatSimulateWorse(const SearchState& base, SearchState* found) {
+/// The candidates that were not refused. They keep their order.
+std::vector<FittedEffect> Search::withoutRefused(std::vector<FittedEffect> ranked) const {
+  const auto refused = [&](const FittedEffect& one) {
+    return refused_.count(one.effect->label()) > 0;
+  };
+  ranked.erase(std::remove_if(ranked.begin(), ranked.end(), refused), ranked.end());
+  return ranked;
+}
+
+/// Whether a refused candidate describes far more than this one, which then may only take up a part
+/// of what is wrong.
+bool Search::isOutshone(const FittedEffect& candidate,
+                        const std::vector<FittedEffect>& ranked) const {
+  constexpr double kFar = 6;  // [nats]
+  return std::any_of(ranked.begin(), ranked.end(), [&](const FittedEffect& other) {
+    return other.score > candidate.score + kFar && refused_.count(other.effect->label()) > 0;
+  });
+}
+
+/// Removes causes with which, now that all are found, held-out experiments are predicted or
+/// simulated worse.
+void Search::removeThoseThatHoldNoMore(const SearchState& base, SearchState* found) {
   const auto worse = [](const FoundCause& cause) {
-    return cause.gain && !simulatesAsWell(*cause.effect, *cause.gain);
+    return cause.gain && cause.score != 0 &&
+           (!passes(*cause.gain, AcceptanceRule::no_significant_loss) ||
+            !simulatesAsWell(*cause.effect, *cause.gain));
   };
   for (;;) {
     const auto cause = std::find_if(found->causes.begin(), found->causes.end(), worse);
@@ -274,7 +297,7 @@ void Search::updateTried(const FoundCause& first) {
 SearchState Search::run(const SearchState& base) {
   SearchState found = search(base);
   if (found.eliminated) remeasureGains(base, context_, &found);
-  removeThoseThatSimulateWorse(base, &found);
+  removeThoseThatHoldNoMore(base, &found);
   if (found.causes.size() > base.causes.size()) updateTried(found.causes[base.causes.size()]);
   return found;
 }

@@ -57,8 +57,8 @@ class Search {
   /// The effects that were tried on top of the base, the best score first.
   const std::vector<TriedEffect>& tried() const { return tried_; }
 
-  /// Effects that raise the likelihood, and were refused because held-out experiments are simulated
-  /// worse with them: the fit without and with the effect, by its label.
+  /// Effects that raise the likelihood, and were refused because the simulation of held-out
+  /// experiments does not gain from them: the fit without and with the effect, by its label.
   const std::map<std::string, Comparison>& refused() const { return refused_; }
 
  private:
@@ -71,7 +71,9 @@ class Search {
               const std::vector<FittedEffect>& ranked);
   bool acceptDistribution(SearchState* state, const FittedEffect& best);
   void eliminate(SearchState* state);
-  void removeThoseThatSimulateWorse(const SearchState& base, SearchState* found);
+  std::vector<FittedEffect> withoutRefused(std::vector<FittedEffect> ranked) const;
+  bool isOutshone(const FittedEffect& candidate, const std::vector<FittedEffect>& ranked) const;
+  void removeThoseThatHoldNoMore(const SearchState& base, SearchState* found);
   Effects considered(const SearchState& state) const;
   double threshold(const Effect& effect) const;
   bool beatsSimulation(const SearchState& state, const FittedEffect& candidate) const;

@@ -101,16 +101,22 @@ std::string gainText(const Gain& gain, std::size_t held_out) {
               {"95 % Bode region [dec x dec]", change(gain.bode_area)}});
 }
 
-std::string causeText(const Cause& cause, std::size_t number, std::size_t held_out) {
+/// A posterior probability among the candidates is none where all of them leave something wrong.
+std::string confidenceText(const Cause& cause, bool all_explained) {
+  if (all_explained) return "probability " + percentText(cause.confidence);
+  return "the best of the catalogue; tests still fail, so it has no probability";
+}
+
+std::string causeText(const Cause& cause, std::size_t number, const Explanation& explanation) {
   std::string text = "\nCause " + std::to_string(number) + ": " +
-                     nameText(cause.name, cause.variant) + ", " + cause.group + ", probability " +
-                     percentText(cause.confidence) + "\n";
+                     nameText(cause.name, cause.variant) + ", " + cause.group + ", " +
+                     confidenceText(cause, explanation.verdict == Verdict::explained) + "\n";
   if (!cause.description.empty()) text += "  " + cause.description + "\n";
   for (const std::string& name : cause.equivalent) {
     text += "  or " + name + ", which explains the data equally well\n";
   }
   text += parametersText(cause.parameters);
-  text += cause.gain ? gainText(*cause.gain, held_out)
+  text += cause.gain ? gainText(*cause.gain, explanation.held_out.size())
                      : "  It does not change predictions, so there is no gain.\n";
   return cause.advice.empty() ? text : text + "  What to do: " + cause.advice + "\n";
 }
@@ -137,7 +143,7 @@ std::string explanationText(const Explanation& explanation) {
   text += (explanation.message.empty() ? "" : ": " + explanation.message) + "\n\n";
   text += checksText(explanation);
   for (std::size_t k = 0; k < explanation.causes.size(); ++k) {
-    text += causeText(explanation.causes[k], k + 1, explanation.held_out.size());
+    text += causeText(explanation.causes[k], k + 1, explanation);
   }
   if (explanation.verdict != Verdict::none)
     text += triedText(explanation.candidates, !explanation.held_out.empty());

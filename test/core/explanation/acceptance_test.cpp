@@ -64,6 +64,13 @@ TEST(AcceptanceRules, RefuseWhatSimulatesWorse) {
   EXPECT_FALSE(simulatesAsWell(Named("act_deadzone"), simulated(80, std::nan(""))));
 }
 
+// 5 % of the squared error of 80 % is left over at 80.5 %: 19.5^2 / 20^2 = 0.951.
+TEST(AcceptanceRules, ABetterSimulationIsBetterByATwentiethOfItsSquaredError) {
+  EXPECT_TRUE(simulatesBetter(simulated(80, 80.6)));
+  EXPECT_FALSE(simulatesBetter(simulated(80, 80.4)));
+  EXPECT_FALSE(simulatesBetter(simulated(80, std::nan(""))));
+}
+
 TEST(AcceptanceRules, DependOnTheEffectAndItsScore) {
   EXPECT_EQ(acceptanceRule(Named("act_deadzone"), 14), AcceptanceRule::significant_gain);
   EXPECT_EQ(acceptanceRule(Named("act_deadzone"), 16), AcceptanceRule::any_gain);

@@ -90,24 +90,41 @@ TEST(Checks, NameTheExperimentThatDiffers) {
   EXPECT_EQ(check.where, "strongest in " + loud);
 }
 
+/// Makes u = r - 0.8 y(t-1) of the input; plant and noise of Example 1 are simulated with it. A
+/// slow disturbance of the sensor is added to what is recorded.
+void closeLoop(double disturbance, std::mt19937_64* engine, Experiment* e) {
+  std::normal_distribution<double> normal;
+  double x = 0, v = 0, w_before = 0, slow = 0;
+  for (int t = 0; t < e->samples(); ++t) {
+    if (t > 0) x = -0.5 * x + e->u[t - 1];
+    const double w = std::sqrt(0.1) * normal(*engine);
+    v = -0.8 * v + w + 0.1 * w_before;
+    w_before = w;
+    e->u[t] -= t > 0 ? 0.8 * (e->y[t - 1] - slow) : 0;
+    slow = 0.99 * slow + disturbance * normal(*engine);
+    e->y[t] = x + v + slow;
+  }
+}
+
 TEST(Feedback, IsSeenInTheInputThatAnswersTheOutput) {
   const Judged open = judgedWith([](Experiment*) {});
   EXPECT_GT(feedbackProbability(residualsOf(open.fit, open.data), open.data), 1e-3);
-  // u = r - 0.8 y(t-1); plant and noise of Example 1 are simulated with this input
   std::mt19937_64 engine(2);
-  std::normal_distribution<double> normal;
-  const Judged closed = judgedWith([&](Experiment* e) {
-    double x = 0, v = 0, w_before = 0;
-    for (int t = 0; t < e->samples(); ++t) {
-      if (t > 0) x = -0.5 * x + e->u[t - 1];
-      const double w = std::sqrt(0.1) * normal(engine);
-      v = -0.8 * v + w + 0.1 * w_before;
-      w_before = w;
-      e->u[t] -= t > 0 ? 0.8 * e->y[t - 1] : 0;
-      e->y[t] = x + v;
-    }
-  });
+  const Judged closed = judgedWith([&](Experiment* e) { closeLoop(0, &engine, e); });
   EXPECT_LT(feedbackProbability(residualsOf(closed.fit, closed.data), closed.data), 1e-4);
+}
+
+// What is slow in the residuals is larger than the noise that the loop answers to.
+TEST(Feedback, IsSeenBehindASlowDisturbance) {
+  std::mt19937_64 engine(2);
+  const Judged closed = judgedWith([&](Experiment* e) { closeLoop(0.3, &engine, e); });
+  EXPECT_LT(feedbackProbability(residualsOf(closed.fit, closed.data), closed.data), 1e-4);
+  const Judged open = judgedWith([&](Experiment* e) {
+    std::normal_distribution<double> normal;
+    double slow = 0;
+    for (int t = 0; t < e->samples(); ++t) e->y[t] += slow = 0.99 * slow + 0.3 * normal(engine);
+  });
+  EXPECT_GT(feedbackProbability(residualsOf(open.fit, open.data), open.data), 1e-3);
 }
 
 }  // namespace

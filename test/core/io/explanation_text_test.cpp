@@ -30,7 +30,8 @@ TEST(ExplanationText, ShowsTestsThatFailFirstAndWhatBecomesOfThem) {
 
 TEST(ExplanationText, ShowsCausesWithParametersAndGain) {
   const std::string text = explanationText(exampleExplanation());
-  expectPart(text, "\nCause 1: act_deadzone, actuator, probability 98 %\n");
+  expectPart(text, "\nCause 1: act_deadzone, actuator, the best of the catalogue; tests still fail, "
+                   "so it has no probability\n");
   expectPart(text, "  inputs smaller than the width have no effect\n");
   expectPart(text, "  or act_backlash, which explains the data equally well\n");
   expectPart(text, "  width [V]  0.3100 +- 0.0040  90 %: 0.303 to 0.317\n");
@@ -41,6 +42,12 @@ TEST(ExplanationText, ShowsCausesWithParametersAndGain) {
   expectPart(text, "samples in 95 % intervals [%]  91 -> 95\n");
   expectPart(text, "noise variance                 0.13 -> 0.1\n");
   expectPart(text, "  What to do: move the actuator slowly through zero\n");
+}
+
+TEST(ExplanationText, GivesAProbabilityWhereNothingIsLeftWrong) {
+  Explanation explained = exampleExplanation();
+  explained.verdict = Verdict::explained;
+  expectPart(explanationText(explained), "\nCause 1: act_deadzone, actuator, probability 98 %\n");
 }
 
 TEST(ExplanationText, SaysWhatHasNoGain) {
