@@ -213,6 +213,7 @@ void ExplanationOptions::validate() const {
   requirePositive("explanation.acceptance", acceptance);
   require(validation_share > 0 && validation_share <= 0.9, "explanation.validation_share",
           validation_share, "above 0, at most 0.9");
+  requireNotNegative("explanation.time_limit", time_limit);
   requireRange("explanation.after_experiments", after_experiments, 0,
                std::numeric_limits<int>::max());
 }

@@ -20,10 +20,11 @@ bool simulatesAsWell(const Effect& effect, const Gain& gain) {
   return fit.after >= fit.before - (structural ? 0 : kByTheta);
 }
 
-bool simulatesBetter(const Gain& gain) {
-  constexpr double kShare = 0.95;
+bool isClear(const Gain& gain) {
+  constexpr double kShare = 0.95, kErrors = 3;
   const auto squared_error = [](double fit) { return std::pow(100 - fit, 2); };
   const Comparison& fit = gain.nrmse_fit_percent;
+  if (gain.log_density > kErrors * gain.standard_error) return true;
   return fit.after > fit.before && squared_error(fit.after) < kShare * squared_error(fit.before);
 }
 

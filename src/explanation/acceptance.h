@@ -26,8 +26,9 @@ bool passes(const Gain& gain, AcceptanceRule rule);
 /// the simulation only by way of theta, and may lower the fit by a point.
 bool simulatesAsWell(const Effect& effect, const Gain& gain);
 
-/// Whether the squared error of simulating held-out experiments falls by a twentieth or more.
-bool simulatesBetter(const Gain& gain);
+/// Whether held-out experiments speak clearly for a cause: the squared error of simulating them
+/// falls by a twentieth or more, or their log density gains more than three standard errors.
+bool isClear(const Gain& gain);
 
 /// The rule for an effect whose score is `score` [nats].
 AcceptanceRule acceptanceRule(const Effect& effect, double score);

@@ -1,6 +1,7 @@
 #include "uncertainty_identification/explanation/explanation.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <mutex>
@@ -59,6 +60,8 @@ class Explaining {
 
  private:
   bool report(const std::string& phase, double fraction, std::optional<double> log_likelihood);
+  double secondsPassed() const;
+  bool inTime();
   bool isExcluded(const std::string& name) const;
   std::vector<SpoiltSamples> maskSpoilt(Split* data);
   Estimate identify(const std::vector<Experiment>& experiments);
@@ -77,6 +80,7 @@ class Explaining {
   ProgressCallback progress_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   bool cancelled_ = false;
+  std::atomic<bool> ran_out_of_time_{false};
   std::mutex reporting_;
   double share_searched_ = 0;  ///< share of the search that is done, 0 to 1
   WorkerPool pool_;
@@ -87,6 +91,16 @@ bool Explaining::report(const std::string& phase, double fraction,
                         std::optional<double> log_likelihood) {
   cancelled_ = cancelled_ || (progress_ && !progress_({phase, fraction, log_likelihood}));
   return !cancelled_;
+}
+
+double Explaining::secondsPassed() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+}
+
+bool Explaining::inTime() {
+  const double limit = configuration_.explanation.time_limit;
+  if (limit > 0 && secondsPassed() > limit) ran_out_of_time_ = true;
+  return !ran_out_of_time_;
 }
 
 bool Explaining::isExcluded(const std::string& name) const {
@@ -169,7 +183,7 @@ FitContext Explaining::context(const Estimate& estimate) {
   context.pool = &pool_;
   context.going_on = [this, reached = estimate.log_likelihood] {
     const std::lock_guard<std::mutex> lock(reporting_);  // called from all threads
-    return report("searching causes", 0.3 + 0.6 * share_searched_, reached);
+    return report("searching causes", 0.3 + 0.6 * share_searched_, reached) && inTime();
   };
   context.report_searched = [this](double share) {
     const std::lock_guard<std::mutex> lock(reporting_);
@@ -196,8 +210,8 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
     outcomes.push_back(
         searchOnTopOf(configuration_.explanation, context(candidate), candidate, data, spoilt));
     const SearchState& first = outcomes.front().found;
-    if (!first.causes.empty() &&
-        allPassed(checkResiduals(first.fit, first.train, first.heavy_tails)))
+    if (!inTime() || (!first.causes.empty() &&
+                      allPassed(checkResiduals(first.fit, first.train, first.heavy_tails))))
       break;
   }
   auto best = std::max_element(outcomes.begin(), outcomes.end(),
@@ -208,6 +222,10 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
   warnOfOtherOrders(chosen, best->estimate);
   for (const SearchOutcome& other : outcomes) warnOfTie(other, *best);
   warnOfRefused(*best);
+  if (ran_out_of_time_)
+    explanation_.warnings.push_back(
+        "the search ended at explanation.time_limit, before all causes were tried; give it more "
+        "time, or fewer or shorter experiments");
   return std::move(*best);
 }
 
@@ -290,9 +308,10 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
   }
   conclude(&explanation_);
   describeModels(base, found);
-  explanation_.termination = cancelled_ ? Termination::cancelled : Termination::converged;
-  explanation_.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+  explanation_.termination = cancelled_         ? Termination::cancelled
+                             : ran_out_of_time_ ? Termination::iteration_limit
+                                                : Termination::converged;
+  explanation_.seconds = secondsPassed();
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "math/distributions.h"
 #include "residual_tests/test_statistics.h"
 
 namespace uncertainty_identification {
@@ -76,8 +77,9 @@ VectorXd filtered(const VectorXd& filter, const VectorXd& x) {
 // with what was new in the earlier residuals; without feedback it is independent of all that was
 // before it, whatever the residuals hold.
 double feedbackProbability(const Residuals& residuals, const FitData& data) {
-  constexpr int kLags = 4;
-  constexpr double kNone = 1;
+  constexpr Index kLags = 4;                   // at which a loop answers
+  constexpr Index kFirstLate = 9, kLate = 16;  // at which it has answered
+  constexpr double kNone = 1, kPeculiar = 0.01;
   Predictor of_input, of_residual;
   forEachExperiment(residuals, data, [&](const VectorXd& u, const VectorXd& w) {
     of_input.add(u);
@@ -85,18 +87,24 @@ double feedbackProbability(const Residuals& residuals, const FitData& data) {
   });
   const VectorXd input_filter = of_input.filter(), residual_filter = of_residual.filter();
   if (input_filter.size() == 0 || residual_filter.size() == 0) return kNone;
-  VectorXd products = VectorXd::Zero(kLags), squares = VectorXd::Zero(kLags);
+  const Index all = kFirstLate + kLate - 1;
+  Eigen::ArrayXd products = Eigen::ArrayXd::Zero(all),
+                 squares = Eigen::ArrayXd::Constant(all, 1e-300);
   forEachExperiment(residuals, data, [&](const VectorXd& u, const VectorXd& w) {
     const VectorXd new_input = filtered(input_filter, u), noise = filtered(residual_filter, w);
-    for (Index k = 1; k <= std::min<Index>(kLags, noise.size() - 1); ++k) {
+    for (Index k = 1; k <= std::min<Index>(all, noise.size() - 1); ++k) {
       const Index count = noise.size() - k;
       const Eigen::ArrayXd product = noise.head(count).array() * new_input.tail(count).array();
       products[k - 1] += product.sum();
       squares[k - 1] += product.square().sum();
     }
   });
-  const double sum = (products.array().square() / squares.array().max(1e-300)).sum();
-  return chiSquaredTail(sum, kLags, kNone);
+  const Eigen::ArrayXd statistics = products.square() / squares;
+  // An input that fifteen samples do not predict, but a longer past does, correlates with whatever
+  // the residuals hold of that past: at all lags, and not only while a loop answers.
+  const double ratio = statistics.head(kLags).mean() / std::max(statistics.tail(kLate).mean(), 1.0);
+  if (!(fisherTail(ratio, kLags, kLate) < kPeculiar)) return kNone;
+  return chiSquaredTail(statistics.head(kLags).sum(), kLags, kNone);
 }
 
 }  // namespace uncertainty_identification

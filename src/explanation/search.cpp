@@ -173,7 +173,7 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
   const double score = fit.log_likelihood - state->fit.log_likelihood - candidate.penalty;
   if (!passes(gain, acceptanceRule(*candidate.effect, score))) return false;
   if (!simulatesAsWell(*candidate.effect, gain) ||
-      (isOutshone(candidate, ranked) && !simulatesBetter(gain))) {
+      (isOutshone(candidate, ranked) && !isClear(gain))) {
     refused_.emplace(candidate.effect->label(), gain.nrmse_fit_percent);
     return false;
   }
@@ -206,12 +206,13 @@ std::vector<FittedEffect> Search::withoutRefused(std::vector<FittedEffect> ranke
 }
 
 /// Whether a refused candidate describes far more than this one, which then may only take up a part
-/// of what is wrong.
+/// of what is wrong. Forms of one effect do not outshine each other.
 bool Search::isOutshone(const FittedEffect& candidate,
                         const std::vector<FittedEffect>& ranked) const {
   constexpr double kFar = 6;  // [nats]
   return std::any_of(ranked.begin(), ranked.end(), [&](const FittedEffect& other) {
-    return other.score > candidate.score + kFar && refused_.count(other.effect->label()) > 0;
+    return other.effect->name() != candidate.effect->name() &&
+           other.score > candidate.score + kFar && refused_.count(other.effect->label()) > 0;
   });
 }
 

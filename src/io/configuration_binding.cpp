@@ -149,6 +149,7 @@ void bind(Archive& archive, ExplanationOptions& options) {
   archive("max_causes", options.max_causes);
   archive("acceptance", options.acceptance);
   archive("validation_share", options.validation_share);
+  archive("time_limit", options.time_limit);
   archive("exclude", options.exclude);
   archive("after_experiments", options.after_experiments);
 }

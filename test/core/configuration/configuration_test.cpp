@@ -69,6 +69,7 @@ std::vector<BadValue> badModels() {
          c.nominal_model.structure = Structure::continuous;
          c.nominal_model.orders_auto = true;
        }},
+      {"explanation.time_limit", "-1", [](auto& c) { c.explanation.time_limit = -1; }},
       {"nominal_model.orders", "auto",
        [](auto& c) {
          c.nominal_model.na = 2;

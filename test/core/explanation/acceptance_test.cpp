@@ -64,11 +64,18 @@ TEST(AcceptanceRules, RefuseWhatSimulatesWorse) {
   EXPECT_FALSE(simulatesAsWell(Named("act_deadzone"), simulated(80, std::nan(""))));
 }
 
-// 5 % of the squared error of 80 % is left over at 80.5 %: 19.5^2 / 20^2 = 0.951.
-TEST(AcceptanceRules, ABetterSimulationIsBetterByATwentiethOfItsSquaredError) {
-  EXPECT_TRUE(simulatesBetter(simulated(80, 80.6)));
-  EXPECT_FALSE(simulatesBetter(simulated(80, 80.4)));
-  EXPECT_FALSE(simulatesBetter(simulated(80, std::nan(""))));
+// 95 % of the squared error at a fit of 80 % are left at 80.5 %: 19.5^2 / 20^2 = 0.951.
+TEST(AcceptanceRules, ClearIsATwentiethOfTheSquaredErrorOrThreeStandardErrors) {
+  const auto gained = [](double after, double density) {
+    Gain gain = gainOf(density, 1);
+    gain.nrmse_fit_percent = {80, after};
+    return gain;
+  };
+  EXPECT_TRUE(isClear(gained(80.6, 2)));
+  EXPECT_FALSE(isClear(gained(80.4, 2)));
+  EXPECT_TRUE(isClear(gained(80, 3.1)));
+  EXPECT_FALSE(isClear(gained(80, 2.9)));
+  EXPECT_FALSE(isClear(gained(std::nan(""), 2)));
 }
 
 TEST(AcceptanceRules, DependOnTheEffectAndItsScore) {

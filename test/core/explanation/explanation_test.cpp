@@ -47,6 +47,19 @@ TEST(Explain, FindsNothingWhereNothingIsWrong) {
   EXPECT_EQ(found.after.log_likelihood, found.before.log_likelihood);
 }
 
+TEST(Explain, EndsAtItsTimeLimitAndSaysSo) {
+  Configuration hurried = configuration();
+  hurried.explanation.time_limit = 1e-6;
+  const Explanation found = explain(hurried, behindDeadZone());
+  EXPECT_EQ(found.termination, Termination::iteration_limit);
+  EXPECT_TRUE(found.causes.empty());
+  EXPECT_EQ(found.verdict, Verdict::unknown) << "the tests of the residuals are made all the same";
+  EXPECT_TRUE(std::any_of(found.warnings.begin(), found.warnings.end(), [](const auto& warning) {
+    return warning.find("explanation.time_limit") != std::string::npos;
+  }));
+  EXPECT_NE(explained().termination, Termination::iteration_limit);
+}
+
 TEST(Explain, NamesTheCauseWithItsParameterAndGain) {
   const Explanation& found = explained();
   EXPECT_EQ(found.verdict, Verdict::explained) << found.message;

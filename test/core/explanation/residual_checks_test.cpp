@@ -114,6 +114,22 @@ TEST(Feedback, IsSeenInTheInputThatAnswersTheOutput) {
   EXPECT_LT(feedbackProbability(residualsOf(closed.fit, closed.data), closed.data), 1e-4);
 }
 
+// A sum of sines, some of them slow against the 15 samples of the predictor, and a
+// characteristic with a cubic part, which the model lacks and the residuals hold.
+TEST(Feedback, IsNotSeenInAnInputThatRepeatsItself) {
+  int start = 0;
+  const Judged open = judgedWith([&](Experiment* e) {
+    start += 17;
+    for (int t = 0; t < e->samples(); ++t) {
+      const double before = e->u[t];
+      e->u[t] = 3 * std::sin(0.7 * (t + start)) * std::sin(0.11 * (t + start)) +
+                2 * std::sin(0.31 * (t + start));
+      if (t + 1 < e->samples()) e->y[t + 1] += e->u[t] - before + 0.05 * std::pow(e->u[t], 3);
+    }
+  });
+  EXPECT_GT(feedbackProbability(residualsOf(open.fit, open.data), open.data), 1e-4);
+}
+
 // What is slow in the residuals is larger than the noise that the loop answers to.
 TEST(Feedback, IsSeenBehindASlowDisturbance) {
   std::mt19937_64 engine(2);

@@ -69,7 +69,7 @@ estimation: {algorithm: em, max_iterations: 0, tolerance: 1.0e-9, restarts: 3, t
 initial: {theta: [0.1, -0.2], weights: [0.25, 0.75], means: [[1, 2], [3, 4]],
           covariances: [[[1, 0], [0, 1]], [[2, 0.5], [0.5, 2]]], noise_variance: 0.3}
 effects: [{name: sens_bias, variant: per_experiment, parameters: {deviation: -1}}]
-explanation: {max_causes: 2, acceptance: 7, validation_share: 0.4, exclude: [act_delay], after_experiments: 5}
+explanation: {max_causes: 2, acceptance: 7, validation_share: 0.4, time_limit: 3, exclude: [act_delay], after_experiments: 5}
 resampling: {output: linear, max_age: 0.5, max_jitter: 0.01}
 input: {topic: /a, field: "effort[0]"}
 output: {topic: /b, field: twist.linear.x}
