@@ -33,8 +33,9 @@ constexpr int kMaxErrorParameters = 10;
 /// Nominal model Go = q^-delay B/A and noise model H = C/D, equations (6)-(11).
 struct NominalModelOptions {
   Structure structure = Structure::box_jenkins;
-  /// choose structure, nb, na, nc, nd and delay from the data; validate() refuses any that is stated
-  /// beside it (YAML: `orders: auto`; `given` as soon as the structure or an order is stated)
+  /// choose structure, nb, na, nc, nd and delay from the data; validate() refuses any that is
+  /// stated beside it (YAML: `orders: auto`; `given` as soon as the structure or an order is
+  /// stated)
   bool orders_auto = true;
   Focus focus = Focus::simulation;  ///< purpose of the model: criterion of the choice of orders
   /// How Go is fitted. likelihood: jointly with H and the error model (as in the paper).

@@ -122,10 +122,9 @@ void ExperimentCutter::resetClock(const std::string& signal, double from, double
   releaseOldClock();
   if (running()) {
     const std::string& id = windows_.back().id;
-    rejected_.push_back(
-        {id, named(id) + ": the clock went back while it was recorded (" + signal +
-                 " stamps from " + text(from) + " s to " + text(to) +
-                 " s); record it again without resetting the clock"});
+    rejected_.push_back({id, named(id) + ": the clock went back while it was recorded (" + signal +
+                                 " stamps from " + text(from) + " s to " + text(to) +
+                                 " s); record it again without resetting the clock"});
     windows_.pop_back();
   }
   LimitOptions limits;

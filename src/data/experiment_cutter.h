@@ -63,7 +63,8 @@ class ExperimentCutter {
   /// Whether an experiment is running: begun, or filling, and not yet ended.
   bool running() const;
 
-  /// Whether an experiment (also one of the old clock) has ended but waits for a signal to show a stamp past its end.
+  /// Whether an experiment (also one of the old clock) has ended but waits for a signal to show a
+  /// stamp past its end.
   bool waiting() const;
 
   /// Releases what has ended without waiting any longer for samples (a node does so when the topics
@@ -137,8 +138,8 @@ class ExperimentCutter {
                                  ///< new one gets there
   std::unique_ptr<ExperimentCutter> before_;  ///< closed experiments of the old clock, while they
                                               ///< wait for samples; null: none
-  double first_window_ = kNever;    ///< [s] mode duration: start of the first window
-  double released_until_ = kNever;  ///< [s] end of the last window released
+  double first_window_ = kNever;              ///< [s] mode duration: start of the first window
+  double released_until_ = kNever;            ///< [s] end of the last window released
   double activity_ = kNever;  ///< [s] mode gap: newest stamp before which no sample is missing
   long begun_ = 0, duplicates_ = 0, clock_resets_ = 0, dropped_ = 0;
 };

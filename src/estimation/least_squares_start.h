@@ -10,8 +10,8 @@ namespace uncertainty_identification {
 
 /// A starting value for Go found by least squares.
 struct LeastSquaresModel {
-  Polynomials polynomials;       ///< b, a, delay
-  double offset = 0;             ///< constant in the output
+  Polynomials polynomials;      ///< b, a, delay
+  double offset = 0;            ///< constant in the output
   double residual_squares = 0;  ///< of the last regression, summed over its rows
 };
 

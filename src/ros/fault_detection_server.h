@@ -48,8 +48,8 @@ class FaultDetectionServer {
   ros::Subscriber result_, markers_;
   std::unique_ptr<LiveFaultDetector> detector_;  ///< null before the first result
   std::unique_ptr<ExperimentRecorder> recorder_;
-  double recorder_sample_time_ = 0;  ///< [s] sample time for which the recorder was created
-  std::uint32_t sequence_ = 0;       ///< number of the result in use
+  double recorder_sample_time_ = 0;    ///< [s] sample time for which the recorder was created
+  std::uint32_t sequence_ = 0;         ///< number of the result in use
   std::optional<Marker> last_marker_;  ///< before the first result
   std::optional<FaultWindow> last_window_;
   long windows_ = 0, alarms_ = 0;  ///< counted since the result in use arrived

@@ -124,7 +124,7 @@ class FaultDetectionTest : public testing::Test {
   std::mutex mutex_;
   std::vector<messages::FaultStatus> windows_;
   int level_ = -1, markers_ = 0, diagnoses_ = 0;
-  unsigned long sequence_ = 0;  // of the result in use
+  unsigned long sequence_ = 0;    // of the result in use
   static int published_markers_;  // by all tests: the node counts on
   ros::Subscriber status_, diagnostics_;
   ros::AsyncSpinner spinner_;

@@ -59,12 +59,12 @@ struct CauseParameter {
 
 /// A physical effect that the data show and that the model lacked.
 struct Cause {
-  std::string name;                     ///< of the catalogue, e.g. "act_deadzone"
-  std::string variant;                  ///< e.g. "per_experiment", or the covariate
-  std::string group;                    ///< "actuator", "plant", "sensor", "noise", "experiment"
-  std::string description;              ///< in words
-  double confidence = 0;  ///< posterior probability among the candidates; none, and not shown, where
-                          ///< the verdict is partly_explained
+  std::string name;         ///< of the catalogue, e.g. "act_deadzone"
+  std::string variant;      ///< e.g. "per_experiment", or the covariate
+  std::string group;        ///< "actuator", "plant", "sensor", "noise", "experiment"
+  std::string description;  ///< in words
+  double confidence = 0;    ///< posterior probability among the candidates; none, and not shown,
+                            ///< where the verdict is partly_explained
   std::vector<std::string> equivalent;  ///< names of effects that the data may not distinguish
   std::vector<CauseParameter> parameters;
   std::string advice;        ///< what to check on the rig, or to record next

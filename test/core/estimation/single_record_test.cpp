@@ -35,7 +35,8 @@ Configuration outputError() {
   return configuration;
 }
 
-/// Of 200 exact 95 % intervals fewer than 180 hold the truth with probability 0.1 % (binomial tail).
+/// Of 200 exact 95 % intervals fewer than 180 hold the truth with probability 0.1 % (binomial
+/// tail).
 TEST(SingleRecord, IntervalsOf95PercentCoverAsOftenAsTheyShould) {
   constexpr int kRecords = 200, kFewest = 180;
   const std::map<std::string, double> truth{{"b1", 0.02}, {"a1", -0.98}, {"noise_variance", 4e-6}};

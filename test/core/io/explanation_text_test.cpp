@@ -30,8 +30,9 @@ TEST(ExplanationText, ShowsTestsThatFailFirstAndWhatBecomesOfThem) {
 
 TEST(ExplanationText, ShowsCausesWithParametersAndGain) {
   const std::string text = explanationText(exampleExplanation());
-  expectPart(text, "\nCause 1: act_deadzone, actuator, the best of the catalogue; tests still fail, "
-                   "so it has no probability\n");
+  expectPart(text,
+             "\nCause 1: act_deadzone, actuator, the best of the catalogue; tests still fail, "
+             "so it has no probability\n");
   expectPart(text, "  inputs smaller than the width have no effect\n");
   expectPart(text, "  or act_backlash, which explains the data equally well\n");
   expectPart(text, "  width [V]  0.3100 +- 0.0040  90 %: 0.303 to 0.317\n");
