@@ -20,6 +20,10 @@ bool simulatesAsWell(const Effect& effect, const Gain& gain) {
   return fit.after >= fit.before - (structural ? 0 : kByTheta);
 }
 
+bool stillHolds(const Effect& effect, const Gain& gain) {
+  return passes(gain, AcceptanceRule::no_significant_loss) && simulatesAsWell(effect, gain);
+}
+
 bool isClear(const Gain& gain) {
   constexpr double kShare = 0.95, kErrors = 3;
   const auto squared_error = [](double fit) { return std::pow(100 - fit, 2); };
@@ -32,6 +36,17 @@ AcceptanceRule acceptanceRule(const Effect& effect, double score) {
   constexpr double kHigh = 15;  // [nats]
   if (isOfMixture(effect)) return AcceptanceRule::no_significant_loss;
   return score > kHigh ? AcceptanceRule::any_gain : AcceptanceRule::significant_gain;
+}
+
+bool isDifferencing(const Fit& fit) {
+  constexpr double kEdge = 0.05;
+  for (std::size_t k = 0; k < fit.model->effects().size(); ++k) {
+    const EffectDescription& of = fit.model->effects()[k]->description();
+    if (of.name == "sens_lag" &&
+        fit.model->psi(fit.at.parameters, k)[0] > of.parameters[0].upper - kEdge)
+      return true;
+  }
+  return false;
 }
 
 double confidenceOf(const FittedEffect& chosen, const std::vector<FittedEffect>& ranked) {

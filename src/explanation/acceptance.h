@@ -26,12 +26,20 @@ bool passes(const Gain& gain, AcceptanceRule rule);
 /// the simulation only by way of theta, and may lower the fit by a point.
 bool simulatesAsWell(const Effect& effect, const Gain& gain);
 
+/// Whether a cause, measured again in the final model, neither loses log density significantly nor
+/// lowers the fit of the simulation as above.
+bool stillHolds(const Effect& effect, const Gain& gain);
+
 /// Whether held-out experiments speak clearly for a cause: the squared error of simulating them
 /// falls by a twentieth or more, or their log density gains more than three standard errors.
 bool isClear(const Gain& gain);
 
 /// The rule for an effect whose score is `score` [nats].
 AcceptanceRule acceptanceRule(const Effect& effect, double score);
+
+/// Whether the pole of a sensor lag (sens_lag) lies at the upper end of its range. Such a lag makes
+/// the model compare differences of the data, and so absorbs whatever drifts in them.
+bool isDifferencing(const Fit& fit);
 
 /// Posterior probability of the chosen candidate among the ranked ones, all equally probable
 /// before: exp(score) over the sum of exp(score) of all.

@@ -10,6 +10,7 @@
 
 #include "configuration/require.h"
 #include "configuration/thread_count.h"
+#include "explanation/base_model.h"
 #include "explanation/estimate_fit.h"
 #include "explanation/intervals.h"
 #include "explanation/order_candidates.h"
@@ -23,29 +24,6 @@
 
 namespace uncertainty_identification {
 namespace {
-
-void requireKnown(const std::vector<std::string>& excluded,
-                  const std::vector<Experiment>& experiments) {
-  for (const std::string& name : excluded) {
-    const std::string nearest = nearestEffect(name, summarise(experiments));
-    if (nearest == name) continue;
-    throw ConfigurationError("explanation.exclude: found " + name +
-                             "; the catalogue has no such effect, the nearest is " + nearest);
-  }
-}
-
-/// The configuration of the base model. Effects can be added to filters in series with Go only;
-/// where the orders are free the search starts from the best simulation; and gains of effects are
-/// compared with a flat prior of initial values, which none of them can exploit.
-Configuration ofBaseModel(Configuration configuration) {
-  if (configuration.error_model.basis == BasisKind::automatic)
-    configuration.error_model.basis = BasisKind::fir;
-  double& precision = configuration.estimation.initial_precision;
-  if (precision == kAutomatic) precision = 0;
-  NominalModelOptions& nominal = configuration.nominal_model;
-  if (nominal.orders_auto && nominal.focus == Focus::simulation) nominal.fit = PlantFit::simulation;
-  return configuration;
-}
 
 /// One run of explain().
 class Explaining {
@@ -68,7 +46,6 @@ class Explaining {
   SearchOutcome bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt);
   void warnOfOtherOrders(const Estimate& chosen, const Estimate& explained);
   void warnOfTie(const SearchOutcome& other, const SearchOutcome& best);
-  void warnOfRefused(const SearchOutcome& best);
   void noteHeldOut(const Split& data);
   FitContext context(const Estimate& estimate);
   Cause described(const FoundCause& found, const SearchState& state) const;
@@ -152,22 +129,6 @@ void Explaining::warnOfTie(const SearchOutcome& other, const SearchOutcome& best
       "the orders, give them: nominal_model.na, nb, nc, nd, delay");
 }
 
-/// Causes that the likelihood speaks for, and the simulation against.
-void Explaining::warnOfRefused(const SearchOutcome& best) {
-  for (const auto& [label, fit] : best.refused) {
-    const bool accepted = std::any_of(
-        best.found.causes.begin(), best.found.causes.end(),
-        [&, name = label](const FoundCause& cause) { return cause.effect->label() == name; });
-    if (accepted) continue;
-    std::ostringstream text;
-    text.precision(3);
-    text << label << " raises the likelihood, but the simulation of held-out experiments does not "
-         << "gain from it (fit " << fit.before << " % before, " << fit.after
-         << " % after): it is not named as a cause";
-    explanation_.warnings.push_back(text.str());
-  }
-}
-
 void Explaining::noteHeldOut(const Split& data) {
   if (data.fitted_to) {
     explanation_.warnings.push_back(
@@ -221,7 +182,10 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
   explanation_.warnings = best->estimate.warnings;
   warnOfOtherOrders(chosen, best->estimate);
   for (const SearchOutcome& other : outcomes) warnOfTie(other, *best);
-  warnOfRefused(*best);
+  std::vector<std::string> labels;
+  for (const FoundCause& cause : best->found.causes) labels.push_back(cause.effect->label());
+  for (std::string& warning : best->refusals.warnings(labels))
+    explanation_.warnings.push_back(std::move(warning));
   if (ran_out_of_time_)
     explanation_.warnings.push_back(
         "the search ended at explanation.time_limit, before all causes were tried; give it more "

@@ -26,19 +26,6 @@ bool contains(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-/// Whether the pole of a sensor lag (sens_lag) lies at the upper end of its range. Such a lag makes
-/// the model compare differences of the data, and so absorbs whatever drifts in them.
-bool isDifferencing(const Fit& fit) {
-  constexpr double kEdge = 0.05;
-  for (std::size_t k = 0; k < fit.model->effects().size(); ++k) {
-    const EffectDescription& of = fit.model->effects()[k]->description();
-    if (of.name == "sens_lag" &&
-        fit.model->psi(fit.at.parameters, k)[0] > of.parameters[0].upper - kEdge)
-      return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 bool SearchState::has(const std::string& name) const {
@@ -172,17 +159,16 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
                            state->gains(state->fit, fit));
   const double score = fit.log_likelihood - state->fit.log_likelihood - candidate.penalty;
   if (!passes(gain, acceptanceRule(*candidate.effect, score))) return false;
-  if (!simulatesAsWell(*candidate.effect, gain) ||
-      (isOutshone(candidate, ranked) && !isClear(gain))) {
-    refused_.emplace(candidate.effect->label(), gain.nrmse_fit_percent);
+  if (refusals_.isDue(candidate, gain, ranked)) {
+    refusals_.add(*candidate.effect, gain);
     return false;
   }
   SearchState next = *state;
   FoundCause cause{candidate.effect,
                    score,
                    candidate.penalty,
-                   confidenceOf(candidate, withoutRefused(ranked)),
-                   equivalentOf(candidate, withoutRefused(ranked)),
+                   confidenceOf(candidate, refusals_.left(ranked)),
+                   equivalentOf(candidate, refusals_.left(ranked)),
                    gain,
                    {}};
   next.fit = fit;
@@ -196,40 +182,17 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
   return kept;
 }
 
-/// The candidates that were not refused. They keep their order.
-std::vector<FittedEffect> Search::withoutRefused(std::vector<FittedEffect> ranked) const {
-  const auto refused = [&](const FittedEffect& one) {
-    return refused_.count(one.effect->label()) > 0;
-  };
-  ranked.erase(std::remove_if(ranked.begin(), ranked.end(), refused), ranked.end());
-  return ranked;
-}
-
-/// Whether a refused candidate describes far more than this one, which then may only take up a part
-/// of what is wrong. Forms of one effect do not outshine each other.
-bool Search::isOutshone(const FittedEffect& candidate,
-                        const std::vector<FittedEffect>& ranked) const {
-  constexpr double kFar = 6;  // [nats]
-  return std::any_of(ranked.begin(), ranked.end(), [&](const FittedEffect& other) {
-    return other.effect->name() != candidate.effect->name() &&
-           other.score > candidate.score + kFar && refused_.count(other.effect->label()) > 0;
-  });
-}
-
-/// Removes causes with which, now that all are found, held-out experiments are predicted or
-/// simulated worse.
+/// Removes causes that do not hold any more, measured against the final model.
 void Search::removeThoseThatHoldNoMore(const SearchState& base, SearchState* found) {
   const auto worse = [](const FoundCause& cause) {
-    return cause.gain && cause.score != 0 &&
-           (!passes(*cause.gain, AcceptanceRule::no_significant_loss) ||
-            !simulatesAsWell(*cause.effect, *cause.gain));
+    return cause.gain && cause.score != 0 && !stillHolds(*cause.effect, *cause.gain);
   };
   for (;;) {
     const auto cause = std::find_if(found->causes.begin(), found->causes.end(), worse);
     if (cause == found->causes.end()) return;
     const Effects& effects = found->fit.model->effects();
     const auto at = std::find(effects.begin(), effects.end(), cause->effect);
-    refused_.emplace(cause->effect->label(), cause->gain->nrmse_fit_percent);
+    refusals_.add(*cause->effect, *cause->gain);
     if (at != effects.end())
       found->fit = fittedWithout(found->fit, static_cast<std::size_t>(at - effects.begin()),
                                  found->train, context_);

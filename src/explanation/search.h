@@ -1,12 +1,12 @@
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "explanation/candidates.h"
 #include "explanation/measure.h"
+#include "explanation/refusals.h"
 #include "explanation/residual_distribution.h"
 #include "uncertainty_identification/effects/catalogue.h"
 #include "uncertainty_identification/explanation/explanation.h"
@@ -57,9 +57,7 @@ class Search {
   /// The effects that were tried on top of the base, the best score first.
   const std::vector<TriedEffect>& tried() const { return tried_; }
 
-  /// Effects that raise the likelihood, and were refused because the simulation of held-out
-  /// experiments does not gain from them: the fit without and with the effect, by its label.
-  const std::map<std::string, Comparison>& refused() const { return refused_; }
+  const Refusals& refusals() const { return refusals_; }
 
  private:
   SearchState search(const SearchState& base);
@@ -71,8 +69,6 @@ class Search {
               const std::vector<FittedEffect>& ranked);
   bool acceptDistribution(SearchState* state, const FittedEffect& best);
   void eliminate(SearchState* state);
-  std::vector<FittedEffect> withoutRefused(std::vector<FittedEffect> ranked) const;
-  bool isOutshone(const FittedEffect& candidate, const std::vector<FittedEffect>& ranked) const;
   void removeThoseThatHoldNoMore(const SearchState& base, SearchState* found);
   Effects considered(const SearchState& state) const;
   double threshold(const Effect& effect) const;
@@ -82,7 +78,7 @@ class Search {
   FitContext context_;
   Effects catalogue_;
   std::vector<TriedEffect> tried_;
-  std::map<std::string, Comparison> refused_;
+  Refusals refusals_;
   int rankings_ = 0;
 };
 

@@ -93,7 +93,8 @@ SearchOutcome searchOnTopOf(const ExplanationOptions& options, const FitContext&
   const auto& excluded = options.exclude;
   if (std::find(excluded.begin(), excluded.end(), "exp_feedback") == excluded.end())
     addFeedback(effects, &found);
-  return {std::move(estimate), std::move(base), std::move(found), search.tried(), search.refused()};
+  return {std::move(estimate), std::move(base), std::move(found), search.tried(),
+          search.refusals()};
 }
 
 }  // namespace uncertainty_identification

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -16,7 +15,7 @@ struct SearchOutcome {
   Estimate estimate;        ///< of the model
   SearchState base, found;  ///< before and after the search
   std::vector<TriedEffect> tried;
-  std::map<std::string, Comparison> refused;  ///< as Search::refused()
+  Refusals refusals;
 
   /// Log-likelihood with the causes, minus the BIC penalties of the model and of the causes [nats].
   /// Outcomes on top of models of different orders are compared by it.

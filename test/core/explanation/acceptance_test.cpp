@@ -64,6 +64,17 @@ TEST(AcceptanceRules, RefuseWhatSimulatesWorse) {
   EXPECT_FALSE(simulatesAsWell(Named("act_deadzone"), simulated(80, std::nan(""))));
 }
 
+TEST(AcceptanceRules, ACauseHoldsWhileItNeitherLosesDensityNorFit) {
+  Gain gain = gainOf(-1, 1);
+  gain.nrmse_fit_percent = {80, 81};
+  EXPECT_TRUE(stillHolds(Named("act_deadzone"), gain));
+  gain.nrmse_fit_percent.after = 79;
+  EXPECT_FALSE(stillHolds(Named("act_deadzone"), gain));
+  gain = gainOf(-1e300, 9.7);
+  gain.nrmse_fit_percent = {80, 81};
+  EXPECT_FALSE(stillHolds(Named("act_deadzone"), gain));
+}
+
 // 95 % of the squared error at a fit of 80 % are left at 80.5 %: 19.5^2 / 20^2 = 0.951.
 TEST(AcceptanceRules, ClearIsATwentiethOfTheSquaredErrorOrThreeStandardErrors) {
   const auto gained = [](double after, double density) {

@@ -1,0 +1,28 @@
+#include "explanation/base_model.h"
+
+#include "uncertainty_identification/effects/catalogue.h"
+#include "uncertainty_identification/errors.h"
+
+namespace uncertainty_identification {
+
+void requireKnown(const std::vector<std::string>& excluded,
+                  const std::vector<Experiment>& experiments) {
+  for (const std::string& name : excluded) {
+    const std::string nearest = nearestEffect(name, summarise(experiments));
+    if (nearest == name) continue;
+    throw ConfigurationError("explanation.exclude: found " + name +
+                             "; the catalogue has no such effect, the nearest is " + nearest);
+  }
+}
+
+Configuration ofBaseModel(Configuration configuration) {
+  if (configuration.error_model.basis == BasisKind::automatic)
+    configuration.error_model.basis = BasisKind::fir;
+  double& precision = configuration.estimation.initial_precision;
+  if (precision == kAutomatic) precision = 0;
+  NominalModelOptions& nominal = configuration.nominal_model;
+  if (nominal.orders_auto && nominal.focus == Focus::simulation) nominal.fit = PlantFit::simulation;
+  return configuration;
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "uncertainty_identification/configuration.h"
+#include "uncertainty_identification/data/experiment.h"
+
+namespace uncertainty_identification {
+
+/// Throws ConfigurationError where an excluded effect is not in the catalogue.
+void requireKnown(const std::vector<std::string>& excluded,
+                  const std::vector<Experiment>& experiments);
+
+/// The configuration of the base model. Effects can be added to filters in series with Go only;
+/// where the orders are free the search starts from the best simulation; and gains of effects are
+/// compared with a flat prior of initial values, which none of them can exploit.
+Configuration ofBaseModel(Configuration configuration);
+
+}  // namespace uncertainty_identification
