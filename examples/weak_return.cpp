@@ -38,7 +38,9 @@ ui::Experiment experiment(int number, std::mt19937_64* engine) {
 
 ui::Configuration configuration() {
   ui::Configuration configuration;
+  configuration.nominal_model.orders_auto = false;
   configuration.nominal_model.structure = ui::Structure::output_error;
+  configuration.error_model.basis = ui::BasisKind::fir;
   configuration.error_model.constraint = ui::Constraint::zero_mean;
   configuration.error_model.taps = 1;
   configuration.error_model.components = 1;

@@ -128,12 +128,6 @@ void NominalModelOptions::validate() const {
 
 void ErrorModelOptions::validate() const {
   const std::string at = "error_model.";
-  const ErrorModelOptions unstated;
-  const bool unused = constraint != unstated.constraint || !parameters.empty() || T.size() > 0 ||
-                      (taps != unstated.taps && taps != kAutomatic && taps != 0);
-  require(basis != BasisKind::automatic || !unused, at + "basis", "auto",
-          "given (in C++: basis fir) where constraint, taps, T or parameters are stated, which "
-          "would not be used");
   requireRangeOrAutomatic(at + "taps", taps, 0, kMaxErrorParameters + 1);
   requireRangeOrAutomatic(at + "components", components, 1, 10);
   requireRange(at + "max_taps", max_taps, 1, kMaxErrorParameters + 1);
@@ -146,11 +140,18 @@ void ErrorModelOptions::validate() const {
   requireRange(at + "sensitivity_order", sensitivity_order, 1, 2);
   if (constraint == Constraint::explicit_matrix) validateExplicitMatrix(*this);
   if (taps != 0) validateVaryingParameters(*this);
-  if (taps == kAutomatic || taps == 0) return;
-  const int free = errorParameters(*this);
-  require(free >= 1 && free <= kMaxErrorParameters, at + "taps", taps,
-          "a number that leaves between 1 and 10 free error parameters (zero_static_gain takes one "
-          "away), or 0 for no error model");
+  if (taps != kAutomatic && taps != 0) {
+    const int free = errorParameters(*this);
+    require(free >= 1 && free <= kMaxErrorParameters, at + "taps", taps,
+            "a number that leaves between 1 and 10 free error parameters (zero_static_gain takes "
+            "one away), or 0 for no error model");
+  }
+  const ErrorModelOptions unstated;
+  const bool unused = constraint != unstated.constraint || !parameters.empty() || T.size() > 0 ||
+                      (taps != unstated.taps && taps != kAutomatic && taps != 0);
+  require(basis != BasisKind::automatic || !unused, at + "basis", "auto",
+          "given (in C++: basis fir) where constraint, taps, T or parameters are stated, which "
+          "would not be used");
 }
 
 void EstimationOptions::validate() const {

@@ -4,6 +4,15 @@
 #include <cmath>
 
 namespace uncertainty_identification {
+namespace {
+
+/// Squared error of the simulation with a cause over that without it. NaN where either is none.
+double errorRatio(const Gain& gain) {
+  const Comparison& fit = gain.nrmse_fit_percent;
+  return std::pow((100 - fit.after) / (100 - fit.before), 2);
+}
+
+}  // namespace
 
 bool passes(const Gain& gain, AcceptanceRule rule) {
   if (std::isnan(gain.standard_error) || rule == AcceptanceRule::any_gain)
@@ -13,11 +22,10 @@ bool passes(const Gain& gain, AcceptanceRule rule) {
 }
 
 bool simulatesAsWell(const Effect& effect, const Gain& gain) {
-  constexpr double kByTheta = 1;  // [% of fit]
+  constexpr double kMost = 1.01, kMostByTheta = 1.1;
   const bool structural = effect.description().screening == ScreeningKind::regression &&
                           !isOfNoise(effect) && !isOfMixture(effect);
-  const Comparison& fit = gain.nrmse_fit_percent;
-  return fit.after >= fit.before - (structural ? 0 : kByTheta);
+  return errorRatio(gain) <= (structural ? kMost : kMostByTheta);
 }
 
 bool stillHolds(const Effect& effect, const Gain& gain) {
@@ -26,10 +34,7 @@ bool stillHolds(const Effect& effect, const Gain& gain) {
 
 bool isClear(const Gain& gain) {
   constexpr double kShare = 0.95, kErrors = 3;
-  const auto squared_error = [](double fit) { return std::pow(100 - fit, 2); };
-  const Comparison& fit = gain.nrmse_fit_percent;
-  if (gain.log_density > kErrors * gain.standard_error) return true;
-  return fit.after > fit.before && squared_error(fit.after) < kShare * squared_error(fit.before);
+  return gain.log_density > kErrors * gain.standard_error || errorRatio(gain) < kShare;
 }
 
 AcceptanceRule acceptanceRule(const Effect& effect, double score) {

@@ -12,11 +12,10 @@ bool Refusals::isDue(const FittedEffect& candidate, const Gain& gain,
   constexpr double kFar = 6;  // [nats]
   if (!simulatesAsWell(*candidate.effect, gain)) return true;
   // Forms of one effect do not outshine each other.
-  const bool outshone =
-      std::any_of(ranked.begin(), ranked.end(), [&](const FittedEffect& other) {
-        return other.effect->name() != candidate.effect->name() &&
-               other.score > candidate.score + kFar && has(*other.effect);
-      });
+  const bool outshone = std::any_of(ranked.begin(), ranked.end(), [&](const FittedEffect& other) {
+    return other.effect->name() != candidate.effect->name() &&
+           other.score > candidate.score + kFar && has(*other.effect);
+  });
   return outshone && !isClear(gain);
 }
 

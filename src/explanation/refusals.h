@@ -19,6 +19,7 @@ class Refusals {
              const std::vector<FittedEffect>& ranked) const;
 
   void add(const Effect& effect, const Gain& gain);
+  void remove(const Effect& effect) { fits_.erase(effect.label()); }
 
   /// The candidates that were not refused, in their order.
   std::vector<FittedEffect> left(std::vector<FittedEffect> ranked) const;

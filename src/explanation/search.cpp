@@ -163,6 +163,7 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
     refusals_.add(*candidate.effect, gain);
     return false;
   }
+  refusals_.remove(*candidate.effect);
   SearchState next = *state;
   FoundCause cause{candidate.effect,
                    score,
@@ -287,8 +288,7 @@ SearchState Search::search(const SearchState& base) {
       continue;
     ++restarts;
     SearchState other = base;
-    // Effects ranked above it are left out of its confidence: where this set of causes is kept, it
-    // has the higher likelihood.
+    // Effects ranked above it do not count: where this set is kept, it has the higher likelihood.
     if (!accept(&other, *first, {first, ranked.end()})) continue;
     forwardSelection(&other, std::min(most, base.causes.size() + 2));
     if (other.total > best.total) best = std::move(other);

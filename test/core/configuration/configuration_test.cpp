@@ -85,6 +85,8 @@ std::vector<BadValue> badModels() {
          c.error_model.taps = 11;
          c.error_model.constraint = Constraint::free;
        }},
+      {"error_model.basis", "auto",
+       [](auto& c) { c.error_model.constraint = Constraint::zero_mean; }},
       {"error_model.components", "0", [](auto& c) { c.error_model.components = 0; }},
       {"error_model.max_taps", "0", [](auto& c) { c.error_model.max_taps = 0; }},
       {"error_model.max_components", "11", [](auto& c) { c.error_model.max_components = 11; }},
@@ -171,15 +173,18 @@ TEST(Configuration, EdgesOfTheRangesAreAllowed) {
   configuration.error_model.taps = 0;  // no error model
   configuration.error_model.pole = -0.999;
   configuration.estimation.max_iterations = 0;
+  configuration.nominal_model.orders_auto = false;
   configuration.nominal_model.delay = 0;
   configuration.limits.max_missing = 0;
   EXPECT_NO_THROW(configuration.validate());
+  configuration.error_model = paperErrorModel();
   configuration.error_model.taps = 11;  // zero_static_gain leaves 10
   EXPECT_NO_THROW(configuration.validate());
 }
 
 TEST(Configuration, ExplicitMatrixMustHaveTapsRows) {
   Configuration configuration;
+  configuration.error_model.basis = BasisKind::fir;
   configuration.error_model.constraint = Constraint::explicit_matrix;
   configuration.error_model.T = Eigen::MatrixXd::Ones(2, 1);
   EXPECT_NO_THROW(configuration.validate());

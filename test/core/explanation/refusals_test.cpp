@@ -69,6 +69,8 @@ TEST(Refusals, AreLeftOutOfTheCandidatesAndTold) {
   EXPECT_EQ(warnings[0].find("sens_hum (per_experiment) raises the likelihood, but"), 0u);
   EXPECT_NE(warnings[0].find("(fit 90 % before, 87.6 % after)"), std::string::npos) << warnings[0];
   EXPECT_TRUE(refusals.warnings({"sens_hum (per_experiment)"}).empty());
+  refusals.remove(*hum.effect);
+  EXPECT_EQ(refusals.left({hum, lag}).size(), 2u);
 }
 
 }  // namespace
