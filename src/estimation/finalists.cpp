@@ -66,8 +66,9 @@ void sift(const Model& model, std::vector<Climber>* climbers) {
 
 std::vector<Finalist> climbTogether(const Likelihood& likelihood,
                                     const std::vector<Finalist>& points,
-                                    OptimisationOptions options, int rounds) {
+                                    const OptimisationOptions& options, int rounds) {
   std::vector<Climber> climbers;
+  climbers.reserve(points.size());
   for (const Finalist& point : points) climbers.push_back({point});
   sift(likelihood.model(), &climbers);
   for (int round = 0; round < rounds; ++round) {
@@ -81,6 +82,7 @@ std::vector<Finalist> climbTogether(const Likelihood& likelihood,
     sift(likelihood.model(), &climbers);
   }
   std::vector<Finalist> left;
+  left.reserve(climbers.size());
   for (Climber& climber : climbers) left.push_back(std::move(climber.at));
   return left;
 }

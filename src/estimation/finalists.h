@@ -18,6 +18,6 @@ struct Finalist {
 /// not finite leave as well. options.floor is replaced by the one that goes with each point.
 std::vector<Finalist> climbTogether(const Likelihood& likelihood,
                                     const std::vector<Finalist>& points,
-                                    OptimisationOptions options, int rounds);
+                                    const OptimisationOptions& options, int rounds);
 
 }  // namespace uncertainty_identification

@@ -275,7 +275,7 @@ std::vector<SingleComponent> singleComponentOptima(const Likelihood& likelihood,
 
 std::optional<ModelParameters> bestSingleComponent(const Likelihood& likelihood,
                                                    const std::vector<VectorXd>& starts,
-                                                   OptimisationOptions options) {
+                                                   const OptimisationOptions& options) {
   const std::vector<SingleComponent> optima = singleComponentOptima(likelihood, starts, options);
   if (optima.empty()) return {};
   return optima.front().point;

@@ -47,7 +47,7 @@ std::vector<SingleComponent> singleComponentOptima(const Likelihood& likelihood,
 /// The highest of singleComponentOptima(); none where there is none.
 std::optional<ModelParameters> bestSingleComponent(const Likelihood& likelihood,
                                                    const std::vector<Eigen::VectorXd>& starts,
-                                                   OptimisationOptions options);
+                                                   const OptimisationOptions& options);
 
 /// What spreadComponents() takes from a log-likelihood for components that hold fewer than two
 /// experiments, which a component may shrink onto at no cost.

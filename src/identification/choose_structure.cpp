@@ -64,6 +64,7 @@ StructureFit bestOf(const Problem& problem, const std::vector<StructureFit>& fit
         "give a start: initial.theta");
   }
   std::vector<Candidate> candidates;
+  candidates.reserve(fits.size());
   for (const StructureFit& fit : fits)
     candidates.push_back({choice,
                           fit.structure.description,

@@ -98,7 +98,7 @@ void addExchangedZeros(const LinearModel& model, const Likelihood& likelihood,
 }  // namespace
 
 std::optional<ModelParameters> higherElsewhere(const Problem& problem, const FittedModel& fitted,
-                                               OptimisationOptions options) {
+                                               const OptimisationOptions& options) {
   constexpr double kHigher = 0.01;  // [nats]
   constexpr int kTurns = 5;
   const Likelihood& likelihood = *fitted.likelihood;

@@ -75,7 +75,7 @@ ModelParameters findStart(const Problem& problem, const LinearModel& model,
 /// A point of higher likelihood than the optimum, by moves that a climb cannot make; none where
 /// none is found.
 std::optional<ModelParameters> higherElsewhere(const Problem& problem, const FittedModel& fitted,
-                                               OptimisationOptions options);
+                                               const OptimisationOptions& options);
 
 /// The point with the time constants of a continuous structure in ascending order; they are
 /// interchangeable unless the error model varies one of them.

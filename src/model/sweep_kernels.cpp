@@ -1,5 +1,6 @@
 #include "model/sweep_kernels.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <type_traits>
@@ -46,7 +47,7 @@ struct Coefficients {
   }
   static constexpr int count() { return kCount; }
   UI_INLINE double operator[](int k) const { return values[k]; }
-  double values[kCount == 0 ? 1 : kCount];
+  double values[std::max(kCount, 1)];
 };
 
 constexpr int kAnyNumber = -1;
@@ -206,7 +207,9 @@ UI_INLINE void addProducts(const double* const* left, int lefts, const double* c
   }
 }
 
-// The loops for one vector unit, which is named by the features that the compiler may use.
+// The loops for one vector unit, which is named by the features that the compiler may use. An
+// attribute cannot stand in parentheses.
+// NOLINTBEGIN(bugprone-macro-parentheses)
 #define UI_SWEEP_KERNELS(name, Vector, target)                                                    \
   struct name {                                                                                   \
     target static void filter(const PieceFilter& by, const double* const* in, int signals,        \
@@ -228,6 +231,7 @@ UI_INLINE void addProducts(const double* const* left, int lefts, const double* c
     }                                                                                             \
     static constexpr SweepKernels kernels = {filter, subtract, products, sharedProducts};         \
   };
+// NOLINTEND(bugprone-macro-parentheses)
 
 UI_SWEEP_KERNELS(Baseline, Vector2, )
 #if defined(__x86_64__)
