@@ -104,6 +104,7 @@ class Checker {
       return isSingleStep(experiments_[static_cast<std::size_t>(i)]);
     };
     if (usable.empty() || !std::all_of(usable.begin(), usable.end(), single)) return;
+    report_.single_steps = true;
     std::string which = named(experiments_[static_cast<std::size_t>(usable.front())].id);
     if (usable.size() > 1) which += " and the other " + std::to_string(usable.size() - 1);
     report_.warnings.push_back(

@@ -22,6 +22,7 @@ struct CheckReport {
   std::vector<RejectedExperiment>
       rejected;  ///< in order; several reasons of one experiment are joined
   std::vector<std::string> warnings;
+  bool single_steps = false;  ///< whether every usable input changes only once
 };
 
 /// Findings about one experiment by itself. It is rejected for fewer than two samples; fewer than

@@ -15,6 +15,7 @@ CheckedData checkData(const Configuration& configuration,
   journal->warnings = checked.warnings;
   CheckedData data;
   data.rejected = checked.rejected;
+  data.single_steps = checked.single_steps;
   for (int r : checked.usable) data.experiments.push_back(experiments[static_cast<std::size_t>(r)]);
   if (data.experiments.empty()) {
     std::string reasons;

@@ -84,6 +84,25 @@ TEST_F(StructureChoice, ComparesPhysicalParametersWhereThePolesHaveAContinuousCo
   EXPECT_FALSE(contains(sampled, "parameter_spread of gain"));
 }
 
+TEST_F(StructureChoice, SingleStepsDetermineNoMoreThanTwoPoles) {
+  std::vector<Experiment> experiments = simulatedPlants(vectorOf({0.2}), vectorOf({-0.8}), 4);
+  const auto largestOrder = [&] {
+    Problem problem = problemOf(experiments, 1, 1);
+    problem.configuration.nominal_model = NominalModelOptions();
+    return chooseOrders(problem, &journal_).nominal_model.max_order;
+  };
+  EXPECT_EQ(largestOrder(), NominalModelOptions().max_order);
+  for (Experiment& experiment : experiments) {
+    double x = 0;
+    for (int t = 0; t < experiment.samples(); ++t) {
+      experiment.y[t] += x - experiment.y[t] / 2;
+      experiment.u[t] = t < 10 ? 0 : 1;
+      x = 0.8 * x + 0.2 * experiment.u[t];
+    }
+  }
+  EXPECT_EQ(largestOrder(), 2);
+}
+
 TEST_F(StructureChoice, ComparesNothingButTapsWhereTheBasisIsGiven) {
   Problem problem = problemOf(simulatedPlants(vectorOf({0.2}), vectorOf({-0.8})), 1, 1);
   problem.configuration.error_model = paperErrorModel();
