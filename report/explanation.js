@@ -66,6 +66,7 @@ function causeParameters(parameters) {
 
 // A posterior probability among the candidates is none where all of them leave something wrong.
 function confidence(cause, allExplained) {
+  if (!isNumber(cause.confidence)) return 'It was found in the free simulation.';
   if (!allExplained) return 'It is the best of the catalogue; tests still fail, so it has no probability.';
   return `Its probability among the candidates is ${percent(Math.floor(1000 * cause.confidence) / 1000)}.`;
 }
@@ -90,6 +91,7 @@ function showVerdict(parent, explanation) {
 }
 
 const kExplanationSections = [
+  {id: 'curves', title: 'What the simulation of a linear plant lacks', show: showSimulationSearch},
   {id: 'gain', title: 'What the causes improve', show: showGain},
   {id: 'simulated', title: 'Measured against simulated', show: showSimulated},
   {id: 'left', title: 'Residuals with and without the causes', show: showLeft},

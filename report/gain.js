@@ -27,16 +27,19 @@ function gainTable(causes) {
       const {gain} = cause;
       if (!gain) return [fullName(cause), ...Array(5).fill(kNone)];
       const density = gain.held_out_log_density_per_experiment;
-      return [fullName(cause), plusMinus(density.value, density.standard_error), change(gain.nrmse_fit_percent),
+      return [fullName(cause), isNumber(density.value) ? plusMinus(density.value, density.standard_error) : kNone, change(gain.nrmse_fit_percent),
               `${shares(gain, 'before')} \u2192 ${shares(gain, 'after')}`, change(gain.noise_variance), change(gain.bode_area)];
     }));
 }
 
 function showGain(parent, {causes, held_out: heldOut}) {
-  const gained = causes.filter(cause => cause.gain);
+  const gained = causes.filter(({gain}) => gain && isNumber(gain.held_out_log_density_per_experiment.value));
   if (gained.length === 0) {
-    parent.append(paragraph(causes.length === 0 ? 'No cause was named, so there is no gain.' :
+    const simulated = causes.some(({gain}) => gain);
+    parent.append(paragraph(causes.length === 0 ? 'No cause was named, so there is no gain.' : simulated ?
+      'The causes were found in the free simulation; what it gains is told there. The model with its noise does not contain them, so there is no gain of likelihood.' :
       'The named cause was found by a test and does not change predictions, so there is no gain.'));
+    if (simulated) parent.append(gainTable(causes));
     return;
   }
   const measured = heldOut.length > 0 ? `${counted(heldOut.length, 'experiment')} not used for fitting` :

@@ -47,6 +47,15 @@ void keepPromising(bool checks_pass, bool some_gain, std::vector<FittedEffect>* 
                     candidates->end());
 }
 
+/// Where the search was cancelled or ran out of time, some candidates were screened and not fitted.
+void keepFitted(std::vector<FittedEffect>* candidates) {
+  candidates->erase(std::remove_if(candidates->begin(), candidates->end(),
+                                   [](const FittedEffect& each) {
+                                     return !each.fit.model || each.fit.of_experiments.size() == 0;
+                                   }),
+                    candidates->end());
+}
+
 }  // namespace
 
 std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
@@ -63,6 +72,7 @@ std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
     converge(&candidates[k], afterPredictedStep(candidates[k], data, context), base, data, context,
              few_steps);
   });
+  if (!context.going_on()) keepFitted(&candidates);
   // A short delay is hidden from the screening, as the error model imitates it.
   for (std::size_t k = 0; some_gain && k < candidates.size(); ++k) {
     if (candidates[k].effect->name() == "act_delay")
@@ -77,6 +87,7 @@ std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
     to_convergence.search_grid = true;
     converge(&candidates[k], candidates[k].fit, base, data, context, to_convergence);
   });
+  if (!context.going_on()) keepFitted(&candidates);
   sortByScore(&candidates);
   return candidates;
 }

@@ -10,6 +10,8 @@
 
 #include "configuration/require.h"
 #include "configuration/thread_count.h"
+#include "curves/explain_simulation.h"
+#include "curves/preparation.h"
 #include "explanation/base_model.h"
 #include "explanation/estimate_fit.h"
 #include "explanation/intervals.h"
@@ -17,6 +19,7 @@
 #include "explanation/residual_checks.h"
 #include "explanation/residual_picture.h"
 #include "explanation/search_outcome.h"
+#include "explanation/simulation_answer.h"
 #include "explanation/verdict.h"
 #include "explanation/wording.h"
 #include "model/sensitivity.h"
@@ -42,6 +45,8 @@ class Explaining {
   bool inTime();
   bool isExcluded(const std::string& name) const;
   std::vector<SpoiltSamples> maskSpoilt(Split* data);
+  void searchSimulation(const Split& data);
+  void thin(Split* data);
   Estimate identify(const std::vector<Experiment>& experiments);
   SearchOutcome bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt);
   void warnOfOtherOrders(const Estimate& chosen, const Estimate& explained);
@@ -57,6 +62,7 @@ class Explaining {
   ProgressCallback progress_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   bool cancelled_ = false;
+  std::string thinning_, simplification_;  ///< of long records and orders, as warnings tell them
   std::atomic<bool> ran_out_of_time_{false};
   std::mutex reporting_;
   double share_searched_ = 0;  ///< share of the search that is done, 0 to 1
@@ -101,9 +107,61 @@ std::vector<SpoiltSamples> Explaining::maskSpoilt(Split* data) {
   return spoilt;
 }
 
+/// Gives the free simulation a third of the time.
+void Explaining::searchSimulation(const Split& data) {
+  SimulationSearchOptions options;
+  options.max_causes = configuration_.explanation.max_causes;
+  options.time_limit = configuration_.explanation.time_limit / 3;
+  options.excluded = configuration_.explanation.exclude;
+  options.progress = [this](const std::string& doing) { return report(doing, 0, std::nullopt); };
+  const std::vector<Experiment> held = data.fitted_to ? std::vector<Experiment>() : data.held;
+  explanation_.simulation = explainSimulation(data.train, held, options, &pool_);
+  if (explanation_.simulation.ended_early && !cancelled_) ran_out_of_time_ = true;
+}
+
+/// Records that are sampled far faster than the output moves are thinned, where they are so long
+/// that the likelihood would take minutes. The model then has the longer sample time.
+void Explaining::thin(Split* data) {
+  constexpr int kMany = 5000;  // samples
+  int samples = 0;
+  for (const Experiment& experiment : data->train) samples += experiment.samples();
+  const int thinning = std::min(planWindows(data->train).thinning, (samples + kMany - 1) / kMany);
+  if (configuration_.explanation.time_limit <= 0 || thinning <= 1) return;
+  for (auto* part : {&data->train, &data->held})
+    for (Experiment& experiment : *part) experiment = thinned(experiment, thinning);
+  configuration_.sample_time = 0;
+  std::ostringstream text;
+  text << "the records hold " << samples << " samples to fit to, far faster than the output moves: "
+       << "each " << thinning << " were taken together, so that the model has a sample time of "
+       << data->train.front().sample_time << " s; explanation.time_limit: 0 explains all samples";
+  thinning_ = text.str();
+}
+
 Estimate Explaining::identify(const std::vector<Experiment>& experiments) {
-  return Identifier(configuration_).identify(experiments, {}, [this](const Progress& at) {
-    return report(at.phase, 0.3 * at.fraction, at.log_likelihood);
+  NominalModelOptions& nominal = configuration_.nominal_model;
+  const bool may_simplify = nominal.orders_auto && configuration_.explanation.time_limit > 0;
+  const auto go = [this](const Progress& at, double limit) {
+    return report(at.phase, 0.3 * at.fraction, at.log_likelihood) &&
+           (limit <= 0 || secondsPassed() < limit);
+  };
+  const double half = may_simplify ? 0.5 * configuration_.explanation.time_limit : 0;
+  Estimate chosen = Identifier(configuration_).identify(experiments, {}, [&](const Progress& at) {
+    return go(at, half);
+  });
+  if (cancelled_ || !may_simplify || chosen.termination != Termination::cancelled) return chosen;
+  // The choice of orders takes too long: those that the free simulation chose.
+  nominal = NominalModelOptions();
+  nominal.orders_auto = false;
+  nominal.na = nominal.nb = std::max(1, explanation_.simulation.order);
+  nominal.nc = 0;
+  nominal.nd = 1;
+  nominal.delay = 1;
+  simplification_ =
+      "the choice of orders did not end within half of explanation.time_limit; the "
+      "model has the order " +
+      std::to_string(nominal.na) + " of the free simulation";
+  return Identifier(configuration_).identify(experiments, {}, [&](const Progress& at) {
+    return go(at, 0);
   });
 }
 
@@ -180,6 +238,8 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
                                  return worth(left) < worth(right);
                                });
   explanation_.warnings = best->estimate.warnings;
+  for (const std::string& text : {thinning_, simplification_})
+    if (!text.empty()) explanation_.warnings.push_back(text);
   warnOfOtherOrders(chosen, best->estimate);
   for (const SearchOutcome& other : outcomes) warnOfTie(other, *best);
   std::vector<std::string> labels;
@@ -202,6 +262,8 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
           "fir, laguerre or kautz: explain looks for parameters that vary by itself");
   requireKnown(configuration_.explanation.exclude, experiments);
   Split data = split(configuration_, experiments, validation);
+  searchSimulation(data);
+  thin(&data);
   const std::vector<SpoiltSamples> spoilt = maskSpoilt(&data);
   const SearchOutcome best = bestOutcome(data, spoilt);
   noteHeldOut(data);
@@ -272,6 +334,7 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
   }
   conclude(&explanation_);
   describeModels(base, found);
+  joinSimulation(&explanation_);
   explanation_.termination = cancelled_         ? Termination::cancelled
                              : ran_out_of_time_ ? Termination::iteration_limit
                                                 : Termination::converged;

@@ -7,7 +7,8 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr int kFewest = 4;  // exact repeats; fewer may happen by chance
+constexpr int kFewest = 4;      // exact repeats; fewer may happen by chance
+constexpr double kCrowded = 3;  // times as many samples at a limit as at the values next to it
 
 std::vector<double> measured(const std::vector<Experiment>& experiments) {
   std::vector<double> values;
@@ -74,15 +75,32 @@ long visits(const std::vector<Experiment>& experiments, double value, bool holds
   return count;
 }
 
+/// How often the values next to the first one occur, in the median of five. Coarse resolution
+/// repeats values everywhere, a limit only its own.
+template <typename Iterator>
+double visitsNextTo(Iterator first, Iterator end) {
+  std::vector<double> counts;
+  for (Iterator at = first; at != end && counts.size() < 6;) {
+    const Iterator next = std::find_if(at, end, [&](double value) { return value != *at; });
+    counts.push_back(static_cast<double>(next - at));
+    at = next;
+  }
+  if (counts.size() < 2) return 0;
+  std::sort(counts.begin() + 1, counts.end());
+  return counts[1 + (counts.size() - 1) / 2];
+}
+
 /// Share of the samples that the sensor holds. 0 where so few samples repeat the one before that
-/// this may be chance, or where most repeated values are apart in time, which is coarse resolution.
+/// this may be chance, or where values are repeated apart in time, which is coarse resolution.
 double heldShare(const std::vector<Experiment>& experiments, const std::vector<double>& sorted) {
+  constexpr double kInARow = 0.9;  // share of the repeats that follow the sample they repeat
   long held = 0;
   for (const Experiment& experiment : experiments) {
     for (int t = 1; t < experiment.samples(); ++t)
       held += isHeld(experiment, t, sorted.front(), sorted.back());
   }
-  if (held < kFewest || 2 * held <= repeats(sorted)) return 0;
+  if (held < kFewest || static_cast<double>(held) < kInARow * static_cast<double>(repeats(sorted)))
+    return 0;
   return static_cast<double>(held) / static_cast<double>(sorted.size());
 }
 
@@ -107,8 +125,12 @@ std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experimen
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const double low = values.front(), high = values.back();
   const double held = heldShare(experiments, values);
-  const bool at_low = visits(experiments, low, held > 0) >= kFewest;
-  const bool at_high = visits(experiments, high, held > 0) >= kFewest;
+  const auto isLimit = [&](double value, double next_to_it) {
+    const auto count = static_cast<double>(visits(experiments, value, held > 0));
+    return count >= kFewest && count >= kCrowded * next_to_it;
+  };
+  const bool at_low = isLimit(low, visitsNextTo(values.begin(), values.end()));
+  const bool at_high = isLimit(high, visitsNextTo(values.rbegin(), values.rend()));
   std::vector<SpoiltSamples> found;
   if (at_low || at_high)
     found.push_back({"sens_clip",

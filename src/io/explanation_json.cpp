@@ -47,6 +47,63 @@ void bind(Archive& archive, CauseParameter& parameter) {
   archive("unit", parameter.unit);
 }
 
+void bind(Archive& archive, PlaceAndShape& what) {
+  archive("name", what.name);
+  archive("place", what.place);
+  archive("shape", what.shape);
+  archive("covariate", what.covariate);
+}
+
+void bind(Archive& archive, CurvePicture& curve) {
+  archive("of", curve.of);
+  archive("unit", curve.unit);
+  archive("signal", curve.signal);
+  archive("value", curve.value);
+  archive("lower_90", curve.lower_90);
+  archive("upper_90", curve.upper_90);
+}
+
+void bind(Archive& archive, ShapeValue& value) {
+  archive("name", value.name);
+  archive("value", value.value);
+  archive("standard_error", value.standard_error);
+}
+
+void bind(Archive& archive, SimulationCause& cause) {
+  archive("name", cause.what.name);
+  archive("place", cause.what.place);
+  archive("shape", cause.what.shape);
+  archive("covariate", cause.what.covariate);
+  archive("description", cause.description);
+  archive("advice", cause.advice);
+  archive("values", cause.values);
+  archive("curve", cause.curve);
+  archive("ties", cause.ties);
+  archive("fit_before", cause.fit_before);
+  archive("fit_after", cause.fit_after);
+}
+
+void bind(Archive& archive, SimulatedWindow& window) {
+  archive("experiment", window.experiment);
+  archive("start", window.start);
+  archive("sample_time", window.sample_time);
+  archive("measured", window.measured);
+  archive("before", window.before);
+  archive("after", window.after);
+}
+
+void bind(Archive& archive, SimulationCauses& simulation) {
+  archive("preparation", simulation.preparation);
+  archive("skipped", simulation.skipped);
+  archive("order", simulation.order);
+  archive("causes", simulation.causes);
+  archive("fit_before", simulation.fit_before);
+  archive("fit_after", simulation.fit_after);
+  archive("pictures", simulation.pictures);
+  archive("ended_early", simulation.ended_early);
+  archive("seconds", simulation.seconds);
+}
+
 void bind(Archive& archive, Cause& cause) {
   archive("name", cause.name);
   archive("variant", cause.variant);
@@ -57,6 +114,7 @@ void bind(Archive& archive, Cause& cause) {
   archive("parameters", cause.parameters);
   archive("advice", cause.advice);
   archive("gain", orNull(cause.gain));
+  archive("simulation", orNull(cause.simulation));
 }
 
 void bind(Archive& archive, TriedEffect& tried) {
@@ -95,13 +153,14 @@ void bind(Archive& archive, ResidualPicture& picture) {
 }
 
 void bind(Archive& archive, Explanation& explanation) {
-  Word format{"uncertainty_identification/explanation/1"};
+  Word format{"uncertainty_identification/explanation/2"};
   archive("format", format);
   archive("verdict", explanation.verdict);
   archive("message", explanation.message);
   archive("checks_before", explanation.checks_before);
   archive("checks_after", explanation.checks_after);
   archive("causes", explanation.causes);
+  archive("simulation", explanation.simulation);
   archive("candidates", explanation.candidates);
   archive("warnings", explanation.warnings);
   archive("held_out", explanation.held_out);

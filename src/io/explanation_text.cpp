@@ -103,8 +103,30 @@ std::string gainText(const Gain& gain, std::size_t held_out) {
 
 /// A posterior probability among the candidates is none where all of them leave something wrong.
 std::string confidenceText(const Cause& cause, bool all_explained) {
+  if (!std::isfinite(cause.confidence)) return "found in the free simulation";
   if (all_explained) return "probability " + percentText(cause.confidence);
   return "the best of the catalogue; tests still fail, so it has no probability";
+}
+
+std::string placeText(const PlaceAndShape& what) {
+  return what.place + (what.covariate.empty() ? "" : " [" + what.covariate + "]") +
+         (what.shape == what.place ? "" : ": " + what.shape);
+}
+
+/// Where the simulation shows it, what else explains it as well, and its curve at five points.
+std::string simulationText(const SimulationCause& cause) {
+  Rows rows{{"place and shape", placeText(cause.what)},
+            {"fit of held-out windows [%]",
+             shortNumber(cause.fit_before) + " -> " + shortNumber(cause.fit_after)}};
+  for (const PlaceAndShape& tie : cause.ties)
+    rows.push_back({"or, as well", placeText(tie) + " (" + tie.name + ")"});
+  const CurvePicture& curve = cause.curve;
+  for (std::size_t k = 0; k < curve.signal.size();
+       k += std::max<std::size_t>(1, (curve.signal.size() - 1) / 4))
+    rows.push_back({"curve at " + curve.of + " " + shortNumber(curve.signal[k]),
+                    shortNumber(curve.value[k]) +
+                        ", 90 %: " + intervalText(curve.lower_90[k], curve.upper_90[k])});
+  return textTable(rows);
 }
 
 std::string causeText(const Cause& cause, std::size_t number, const Explanation& explanation) {
@@ -116,6 +138,9 @@ std::string causeText(const Cause& cause, std::size_t number, const Explanation&
     text += "  or " + name + ", which explains the data equally well\n";
   }
   text += parametersText(cause.parameters);
+  if (cause.simulation) text += simulationText(*cause.simulation);
+  if (!std::isfinite(cause.confidence) && cause.simulation)
+    return cause.advice.empty() ? text : text + "  What to do: " + cause.advice + "\n";
   text += cause.gain ? gainText(*cause.gain, explanation.held_out.size())
                      : "  It does not change predictions, so there is no gain.\n";
   return cause.advice.empty() ? text : text + "  What to do: " + cause.advice + "\n";

@@ -75,6 +75,17 @@ Gain noGain() {
   return {kNan, kNan, kNan, kNan, none, none, none, none, none, none};
 }
 
+void fill(const SimulationCause& cause, messages::Cause* message) {
+  message->place = cause.what.place;
+  message->shape = cause.what.shape;
+  for (const PlaceAndShape& tie : cause.ties) message->ties.push_back(tie.place + ": " + tie.shape);
+  message->curve_of = cause.curve.of;
+  message->curve_signal = cause.curve.signal;
+  message->curve_value = cause.curve.value;
+  message->curve_lower_90 = cause.curve.lower_90;
+  message->curve_upper_90 = cause.curve.upper_90;
+}
+
 messages::Cause toMessage(const Cause& cause) {
   messages::Cause message;
   message.name = cause.name;
@@ -85,6 +96,7 @@ messages::Cause toMessage(const Cause& cause) {
   message.equivalent = cause.equivalent;
   message.parameters = toMessage(cause.parameters);
   message.advice = cause.advice;
+  if (cause.simulation) fill(*cause.simulation, &message);
   message.has_gain = cause.gain.has_value();
   fill(cause.gain.value_or(noGain()), &message);
   return message;

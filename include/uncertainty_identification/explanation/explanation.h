@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "uncertainty_identification/configuration.h"
+#include "uncertainty_identification/curves/simulation_causes.h"
 #include "uncertainty_identification/data/experiment.h"
 #include "uncertainty_identification/enum_names.h"
 #include "uncertainty_identification/estimation/estimate.h"
@@ -59,16 +60,20 @@ struct CauseParameter {
 
 /// A physical effect that the data show and that the model lacked.
 struct Cause {
-  std::string name;         ///< of the catalogue, e.g. "act_deadzone"
+  std::string name;         ///< e.g. "act_deadzone" (docs/explanation.md lists them)
   std::string variant;      ///< e.g. "per_experiment", or the covariate
   std::string group;        ///< "actuator", "plant", "sensor", "noise", "experiment"
   std::string description;  ///< in words
-  double confidence = 0;    ///< posterior probability among the candidates; none, and not shown,
-                            ///< where the verdict is partly_explained
+  double confidence = 0;    ///< posterior probability among the candidates; not shown where the
+                            ///< verdict is partly_explained; NaN: found in the simulation
   std::vector<std::string> equivalent;  ///< names of effects that the data may not distinguish
   std::vector<CauseParameter> parameters;
-  std::string advice;        ///< what to check on the rig, or to record next
-  std::optional<Gain> gain;  ///< none for exp_feedback, which does not change the model
+  std::string advice;  ///< what to check on the rig, or to record next
+  /// None for exp_feedback, which does not change the model. Of a cause that only the simulation
+  /// shows, the fit is that of held-out windows, and the rest is NaN.
+  std::optional<Gain> gain;
+  /// Place, shape and curve of a cause that the free simulation shows.
+  std::optional<SimulationCause> simulation;
 };
 
 /// An effect that was tried on top of the model.
@@ -105,7 +110,8 @@ struct Explanation {
   Verdict verdict = Verdict::none;
   std::string message;  ///< in one sentence
   std::vector<Check> checks_before, checks_after;
-  std::vector<Cause> causes;  ///< in the order in which they were found
+  std::vector<Cause> causes;    ///< in the order in which they were found
+  SimulationCauses simulation;  ///< what the free simulation shows, whether or not it is the answer
   std::vector<TriedEffect> candidates;
   std::vector<std::string> warnings;
   Estimate before, after;  ///< models without and with the causes, from the same experiments
@@ -118,11 +124,13 @@ struct Explanation {
   double seconds = 0;                              ///< [s] wall time
 };
 
-/// Explains what the model of `configuration` gets wrong on `experiments`. It identifies the model,
-/// tests its residuals, and extends it by effects of the catalogue in a forward selection with
-/// backward elimination, until the checks pass or no effect is accepted (docs/explanation.md).
-/// Gains are measured on `validation`; if it is empty, on a share of the experiments that is drawn
-/// with the configuration's seed and held out of the fit.
+/// Explains what the model of `configuration` gets wrong on `experiments`. It looks for curves that
+/// the free simulation of a small linear plant lacks. Then it identifies the model, tests its
+/// residuals, and extends it by effects of the catalogue in a forward selection with backward
+/// elimination, until the checks pass or no effect is accepted. Where the tests of the residuals
+/// still fail, or the simulation gains much less by these effects than by the curves, the curves
+/// are the answer (docs/explanation.md). Gains are measured on `validation`; if it is empty, on a
+/// share of the experiments that is drawn with the configuration's seed and held out of the fit.
 ///
 /// `progress` returns false to cancel. The result does not depend on the number of threads. Throws
 /// DataError where no experiment is usable, ConfigurationError for an invalid configuration.

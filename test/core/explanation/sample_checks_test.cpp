@@ -93,6 +93,17 @@ TEST(SampleChecks, RepeatedExtremesAreALimit) {
   EXPECT_EQ(valid, 1000 - clipped);
 }
 
+/// A sensor whose steps are uneven repeats all its values, its extremes no more than others.
+TEST(SampleChecks, ExtremesOfACoarseSensorAreNoLimit) {
+  std::vector<Experiment> coarse = noise();
+  for (Experiment& experiment : coarse)
+    for (double& y : experiment.y) {
+      const double step = std::round(std::min(std::max(y / 2, -2.0), 2.0));
+      y = step + 0.01 * step * step;  // five levels, the outer ones 70 times each
+    }
+  for (const SpoiltSamples& found : checkSamples(coarse)) EXPECT_NE(found.name, "sens_clip");
+}
+
 TEST(SampleChecks, RepeatedValuesAreASensorThatHolds) {
   std::vector<Experiment> experiments = noise();
   for (int t = 10; t < 500; t += 100) experiments[1].y[t] = experiments[1].y[t - 1];

@@ -25,7 +25,7 @@ std::string complaint(const json& tree) {
 
 TEST(ExplanationJson, HoldsTheFieldsOfTheFormat) {
   const json tree = toJson(exampleExplanation());
-  EXPECT_EQ(tree["format"], "uncertainty_identification/explanation/1");
+  EXPECT_EQ(tree["format"], "uncertainty_identification/explanation/2");
   EXPECT_EQ(tree["verdict"], "partly_explained");
   EXPECT_EQ(tree["checks_before"][0], json({{"name", "whiteness"},
                                             {"statistic", 812.5},
@@ -127,7 +127,7 @@ TEST(ExplanationJson, RefusesWhatIsNoSuchExplanation) {
   EXPECT_EQ(complaint(tree), "model.effects: missing (is the file truncated?)");
   EXPECT_EQ(complaint(toJson(exampleExplanation().after)),
             "format: found 'uncertainty_identification/result/1'; expected "
-            "'uncertainty_identification/explanation/1'");
+            "'uncertainty_identification/explanation/2'");
 }
 
 TEST(ExplanationJson, FilesThatAreTornOrForeignAreRefused) {

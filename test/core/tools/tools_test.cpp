@@ -144,7 +144,7 @@ TEST_F(Tools, ReportOfAResult) {
                 "found 'uncertainty_identification/result/9'");
   saveExplanation(explanation_, test::exampleExplanation());
   expectFailure(report({result_, result_}), 2, "report",
-                "expected 'uncertainty_identification/explanation/1'");
+                "expected 'uncertainty_identification/explanation/2'");
   expectFailure(report({result_, explanation_, "more.json"}), 2, "report",
                 "more.json: a report holds one result.json and one explanation.json");
   expectFailure(tool("report", {"--output", folder_ / "no/report.html", result_}), 2, "report",

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+/// What the free simulation of a linear model gets wrong, as curves at places of the simulation.
+namespace uncertainty_identification {
+
+/// A curve in the units of the data. At the input and the sensor it is the whole characteristic;
+/// elsewhere what it adds to the linear plant.
+struct CurvePicture {
+  std::string of;    ///< what goes in: "input", "output", "change of the output per sample", ...
+  std::string unit;  ///< of the values: "input", "output", or "1" for a factor
+  std::vector<double> signal;              ///< points within the data, rising
+  std::vector<double> value;               ///< at the points
+  std::vector<double> lower_90, upper_90;  ///< band, pointwise, experiments being independent
+};
+
+/// A number that belongs to a shape, such as the half width of a dead zone.
+struct ShapeValue {
+  std::string name;
+  double value = 0;
+  double standard_error = 0;  ///< robust: experiments, or windows of few ones, are independent
+};
+
+/// A cause's place and shape, for machines.
+struct PlaceAndShape {
+  std::string name;   ///< of the cause, such as "act_deadzone"
+  std::string place;  ///< "input", "position", "rate", "sensor", "play", ... (docs/explanation.md)
+  std::string shape;  ///< "dead_zone", "coulomb", ...; "curve": none of the shapes fits as well
+  std::string covariate;  ///< name, of places that read one
+};
+
+/// A cause that the free simulation shows.
+struct SimulationCause {
+  PlaceAndShape what;
+  std::string description;  ///< in words
+  std::string advice;       ///< what to check, or to record next
+  std::vector<ShapeValue> values;
+  CurvePicture curve;                    ///< empty for dead time, play and rate limits
+  std::vector<PlaceAndShape> ties;       ///< explain the data as well
+  double fit_before = 0, fit_after = 0;  ///< [%] of held-out windows, without and with this cause
+};
+
+/// A held-out window, measured and simulated.
+struct SimulatedWindow {
+  std::string experiment;
+  double start = 0, sample_time = 0;  ///< [s]
+  Eigen::VectorXd measured, before, after;
+};
+
+/// The result of searching the free simulation.
+struct SimulationCauses {
+  std::string preparation;  ///< what was done with the records, in a sentence; empty: not searched
+  std::string skipped;      ///< why nothing was searched; empty: it was
+  int order = 0;            ///< of the linear plant without causes
+  std::vector<SimulationCause> causes;
+  double fit_before = 0, fit_after = 0;   ///< [%] of held-out windows, in free simulation
+  std::vector<SimulatedWindow> pictures;  ///< the median and the worst window
+  bool ended_early = false;               ///< the time limit ended the search
+  double seconds = 0;
+};
+
+}  // namespace uncertainty_identification

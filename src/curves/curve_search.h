@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "curves/naming.h"
+#include "curves/screening_places.h"
+#include "curves/search_context.h"
+
+namespace uncertainty_identification {
+
+/// Another place or shape that explains the data as well.
+struct TiedCurve {
+  PlaceOf place;
+  std::string shape;
+};
+
+/// A cause that the search accepted, in the order in which they were found.
+struct FoundCurve {
+  bool is_delay = false;  ///< dead time of `delay` samples, no curve
+  int delay = 0;
+  PlaceOf place;
+  std::string shape;    ///< of the curve when it was found
+  std::string nearest;  ///< of a free curve
+  double nearest_share = 0;
+  std::vector<TiedCurve> ties;
+  double left_out_gain = 0;  ///< share of the squared error that goes when windows are left out
+  double t = 0;              ///< paired, over windows
+  double held_before = 0, held_after = 0;  ///< squared error of all held-out windows
+};
+
+struct CurveSearchResult {
+  SimulationFit base, fit;
+  std::vector<FoundCurve> causes;  ///< those with a curve are in the order of fit.model.curves
+  double held_error = 0;           ///< squared, of all held-out windows
+  bool ended_early = false;
+};
+
+struct CurveSearchLimits {
+  int max_causes = 3;
+  int max_order = 4;
+  int places = 4;             ///< how many of the screened places are fitted fully
+  double least_t = 3;         ///< over windows
+  double least_gain = 0.08;   ///< of the squared error, windows left out, and held out
+  double least_share = 0.03;  ///< of the base's squared error
+  double least_fit = 30;      ///< [%] held out, with the causes: a poor simulation names nothing
+  double least_held_t = 1.7;  ///< paired, over held-out windows: 95 %, one-sided
+  std::function<bool(Place)> excluded;  ///< places that are not tried; may be empty
+};
+
+/// Looks for the curves that the free simulation of a small linear model lacks. `held` decides
+/// about what is accepted. Deterministic; the number of threads does not matter.
+CurveSearchResult searchCurves(const SimulationData& data, const SimulationData& held,
+                               const CurveSearchLimits& limits, const CurveSearchContext& context);
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,352 @@
+#include "curves/describe_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr double kNearly = 0.9;       // share of a free curve's gain that names it
+constexpr double kNormal90 = 1.6449;  // quantile of 95 %
+
+bool isOneOf(const std::string& word, std::initializer_list<const char*> list) {
+  return std::any_of(list.begin(), list.end(), [&](const char* each) { return word == each; });
+}
+
+std::string actuatorNamed(const std::string& shape) {
+  if (isOneOf(shape, {"dead_zone", "asymmetric_dead_zone", "dead_zone_saturation"}))
+    return "act_deadzone";
+  if (isOneOf(shape, {"saturation", "tanh"})) return "act_saturation";
+  if (isOneOf(shape, {"asymmetric_slope", "hinge"})) return "act_asymmetry";
+  return shape == "curve" ? "act_curve" : "act_hammerstein";
+}
+
+std::string plantNamed(const std::string& shape) {
+  if (isOneOf(shape, {"coulomb", "stribeck", "asymmetric_coulomb"})) return "plant_coulomb";
+  if (shape == "signed_square") return "plant_drag";
+  if (isOneOf(shape, {"cubic", "polynomial"})) return "plant_cubic";
+  if (isOneOf(shape, {"root", "sine"})) return "plant_" + shape;
+  return "plant_curve";
+}
+
+std::string wordsOf(const std::string& shape) {
+  static const std::map<std::string, std::string> kWords{
+      {"dead_zone", "a dead zone"},
+      {"saturation", "a limit"},
+      {"dead_zone_saturation", "a dead zone and a limit"},
+      {"asymmetric_dead_zone", "a dead zone of unequal sides"},
+      {"linear", "a straight line"},
+      {"square", "a square"},
+      {"cubic", "a cubic curve"},
+      {"signed_square", "a square with the sign of its argument"},
+      {"power", "a power"},
+      {"polynomial", "a polynomial"},
+      {"root", "a square root"},
+      {"exponential", "an exponential"},
+      {"sine", "a sine"},
+      {"tanh", "a curve that levels off"},
+      {"asymmetric_slope", "another slope on one side of zero"},
+      {"magnitude", "an absolute value"},
+      {"hinge", "another slope beyond a point"},
+      {"step", "a step"},
+      {"coulomb", "Coulomb friction"},
+      {"stribeck", "Coulomb friction with a higher breakaway force"},
+      {"asymmetric_coulomb", "Coulomb friction of unequal sides"},
+      {"curve", "a curve of no simple shape"}};
+  return kWords.at(shape);
+}
+
+std::string wordsOf(const PlaceOf& at, const std::string& shape) {
+  const std::string what = isScalar(at.place) ? "" : wordsOf(shape);
+  switch (at.place) {
+    case Place::input:
+      return "the input acts through " + what;
+    case Place::position:
+    case Place::output_state:
+      return "the output acts back on the plant through " + what;
+    case Place::rate:
+      return "the speed of the output acts back on the plant through " + what;
+    case Place::position_gain:
+      return "how strongly the input acts depends on the output, by " + what;
+    case Place::rate_gain:
+      return "how strongly the input acts depends on the speed of the output, by " + what;
+    case Place::input_times_position:
+      return "how strongly the output acts back depends on the input, by " + what;
+    case Place::sensor:
+      return "the sensor reads through " + what;
+    case Place::time_gain:
+      return "how strongly the input acts changes during an experiment, by " + what;
+    case Place::time:
+      return "something acts on the plant that changes during an experiment, by " + what;
+    case Place::covariate:
+      return at.covariate + " acts on the plant, by " + what;
+    case Place::covariate_gain:
+      return "how strongly the input acts depends on " + at.covariate + ", by " + what;
+    case Place::play:
+      return "play (backlash) between the input and the plant";
+    case Place::rate_limit:
+      return "the input can only change at a limited rate";
+    case Place::output_play:
+      return "play (slack) between the plant and the sensor";
+  }
+  return "";
+}
+
+std::string adviceFor(Place place) {
+  switch (place) {
+    case Place::input:
+      return "drive the actuator slowly through its range, and draw the output at rest over the "
+             "input";
+    case Place::position:
+    case Place::output_state:
+    case Place::sensor:
+      return "record at several operating points: a force in the plant changes its dynamics there, "
+             "a sensor's curve only its gain";
+    case Place::rate:
+      return "record slow reversals of motion, where friction shows most";
+    case Place::play:
+    case Place::output_play:
+      return "record reversals of different sizes: play loses the same width at each";
+    case Place::rate_limit:
+      return "record steps of different sizes: a limited rate makes large ones slower";
+    case Place::time:
+    case Place::time_gain:
+      return "repeat the same input at the beginning and at the end of an experiment";
+    default:
+      return "vary both signals independently of each other";
+  }
+}
+
+Scale signalScale(const PlaceOf& at, const CurveModel& model, const SignalScales& scales) {
+  switch (at.place) {
+    case Place::input:
+    case Place::input_times_position:
+    case Place::play:
+    case Place::rate_limit:
+      return scales.u;
+    case Place::rate:
+    case Place::rate_gain:
+      return {0, model.rate_scale * scales.y.unit};
+    case Place::time:
+    case Place::time_gain:
+      return {0, 1};
+    case Place::covariate:
+    case Place::covariate_gain:
+      return scales.covariates.at(at.covariate);
+    default:
+      return scales.y;
+  }
+}
+
+std::string signalOf(const PlaceOf& at) {
+  switch (at.place) {
+    case Place::input:
+    case Place::input_times_position:
+      return "input";
+    case Place::rate:
+    case Place::rate_gain:
+      return "change of the output per sample";
+    case Place::time:
+    case Place::time_gain:
+      return "share of the experiment";
+    case Place::covariate:
+    case Place::covariate_gain:
+      return at.covariate;
+    default:
+      return "output";
+  }
+}
+
+bool isFactor(Place place) {
+  return place == Place::position_gain || place == Place::rate_gain || place == Place::time_gain ||
+         place == Place::covariate_gain || place == Place::input_times_position;
+}
+
+/// Whether the whole characteristic is drawn, and not only what it adds.
+bool isCharacteristic(Place place) { return place == Place::input || place == Place::sensor; }
+
+double valueUnit(Place place, const SignalScales& scales) {
+  return isFactor(place) ? 1 : place == Place::sensor ? scales.y.unit : scales.u.unit;
+}
+
+/// Degree by which a shape's amplitude changes with the unit of its argument.
+double degreeOf(const Shape& shape, const Eigen::VectorXd& parameters) {
+  static const std::map<std::string, double> kDegrees{
+      {"linear", 1},           {"square", 2},     {"cubic", 3},
+      {"signed_square", 2},    {"polynomial", 2}, {"root", 0.5},
+      {"asymmetric_slope", 1}, {"magnitude", 1},  {"hinge", 1}};
+  if (shape.name == "power") return std::min(std::max(parameters[1], 0.2), 6.0);
+  const auto degree = kDegrees.find(shape.name);
+  return degree == kDegrees.end() ? 0 : degree->second;
+}
+
+/// The parameters of a shape in the units of the data.
+Eigen::VectorXd inUnits(const Curve& curve, const Eigen::VectorXd& parameters, const Scale& signal,
+                        double value_unit) {
+  const Shape& shape = *curve.shape();
+  Eigen::VectorXd found = parameters;
+  const Eigen::Index first = shape.is_whole ? 0 : 1;
+  if (first == 1)
+    found[0] = parameters[0] / curve.normalisation(parameters).scale * value_unit /
+               std::pow(signal.unit, degreeOf(shape, parameters));
+  for (std::size_t k = 0; k < shape.parameters.size(); ++k) {
+    double& each = found[first + static_cast<Eigen::Index>(k)];
+    if (shape.parameters[k].unit == ShapeUnit::of_signal) each *= signal.unit;
+    if (shape.parameters[k].unit == ShapeUnit::per_signal) each /= signal.unit;
+    if (shape.is_whole) each = std::abs(each);
+  }
+  return found;
+}
+
+std::vector<ShapeValue> valuesOf(const Curve& curve, const Eigen::VectorXd& parameters,
+                                 const Eigen::MatrixXd& covariance, const Scale& signal,
+                                 double value_unit) {
+  constexpr double kStep = 1e-4;
+  const Eigen::VectorXd values = inUnits(curve, parameters, signal, value_unit);
+  Eigen::MatrixXd slopes(values.size(), parameters.size());
+  for (Eigen::Index k = 0; k < parameters.size(); ++k) {
+    Eigen::VectorXd moved = parameters;
+    moved[k] += kStep;
+    slopes.col(k) = (inUnits(curve, moved, signal, value_unit) - values) / kStep;
+  }
+  const Eigen::MatrixXd spread = slopes * covariance * slopes.transpose();
+  std::vector<ShapeValue> all;
+  const Shape& shape = *curve.shape();
+  for (Eigen::Index k = 0; k < values.size(); ++k) {
+    const Eigen::Index own = k - (shape.is_whole ? 0 : 1);
+    const std::string name =
+        own < 0 ? "amplitude" : shape.parameters[static_cast<std::size_t>(own)].name;
+    all.push_back({name, values[k], std::sqrt(std::max(spread(k, k), 0.0))});
+  }
+  return all;
+}
+
+CurvePicture pictureOf(const Curve& curve, const Eigen::VectorXd& parameters,
+                       const Eigen::MatrixXd& covariance, const PlaceOf& at, const Scale& signal,
+                       double value_unit) {
+  constexpr int kPoints = 41;
+  CurvePicture picture;
+  picture.of = signalOf(at);
+  picture.unit = isFactor(at.place) ? "1" : at.place == Place::sensor ? "output" : "input";
+  const Eigen::VectorXd& samples = curve.samples();
+  const Eigen::VectorXd z =
+      Eigen::VectorXd::LinSpaced(kPoints, samples[0], samples[samples.size() - 1]);
+  const Eigen::VectorXd value = curve.at(z, parameters);
+  const Eigen::MatrixXd slopes = curve.derivatives(z, parameters);
+  const double offset = isCharacteristic(at.place) ? signal.offset : 0;
+  for (int k = 0; k < kPoints; ++k) {
+    const double whole = value[k] + (isCharacteristic(at.place) ? z[k] : 0);
+    const double deviation =
+        std::sqrt(std::max(slopes.row(k).dot(covariance * slopes.row(k).transpose()), 0.0));
+    picture.signal.push_back(signal.offset + signal.unit * z[k]);
+    picture.value.push_back(offset + value_unit * whole);
+    picture.lower_90.push_back(offset + value_unit * (whole - kNormal90 * deviation));
+    picture.upper_90.push_back(offset + value_unit * (whole + kNormal90 * deviation));
+  }
+  return picture;
+}
+
+SimulationCause deadTime(const FoundCurve& found, const SimulationData& data) {
+  SimulationCause cause;
+  cause.what = {"act_delay", "delay", "delay", ""};
+  cause.description = "dead time between the input and the output";
+  cause.advice =
+      "record the time stamps where the signals arise, and compare a step with its answer";
+  cause.values.push_back({"dead_time", found.delay * data.sample_time, 0.5 * data.sample_time});
+  return cause;
+}
+
+}  // namespace
+
+std::string causeNamed(Place place, const std::string& shape) {
+  switch (place) {
+    case Place::input:
+      return actuatorNamed(shape);
+    case Place::position:
+    case Place::output_state:
+    case Place::rate:
+      return plantNamed(shape);
+    case Place::position_gain:
+    case Place::rate_gain:
+    case Place::input_times_position:
+      return "plant_product";
+    case Place::sensor:
+      return shape == "saturation" ? "sens_clip" : shape == "curve" ? "sens_curve" : "sens_wiener";
+    case Place::play:
+      return "act_backlash";
+    case Place::rate_limit:
+      return "act_ratelimit";
+    case Place::output_play:
+      return "sens_backlash";
+    case Place::time_gain:
+      return "plant_drift";
+    case Place::time:
+      return "sens_drift";
+    case Place::covariate:
+      return "exp_input2";
+    case Place::covariate_gain:
+      return "plant_temp";
+  }
+  return "";
+}
+
+std::vector<std::string> curveCauseNames() {
+  std::set<std::string> names{"act_delay"};
+  for (int index = 0; index <= static_cast<int>(Place::output_state); ++index) {
+    const auto place = static_cast<Place>(index);
+    names.insert(causeNamed(place, "curve"));
+    for (const Shape* shape : shapesAt(place)) names.insert(causeNamed(place, shape->name));
+  }
+  return {names.begin(), names.end()};
+}
+
+SimulationCause describeCurve(const FoundCurve& found, const SimulationFit& fit,
+                              const SimulationData& data) {
+  const CurveModel& model = fit.model;
+  SimulationCause cause;
+  if (found.is_delay) {
+    cause = deadTime(found, data);
+  } else {
+    std::size_t index = 0;
+    while (model.curves[index].place() != found.place.place ||
+           model.curves[index].covariate() != found.place.covariate)
+      ++index;
+    const Curve& curve = model.curves[index];
+    const Eigen::VectorXd parameters = model.parametersOf(index);
+    const int first = model.firstOf(index), count = curve.parameters();
+    const Eigen::MatrixXd covariance = fit.covariance.block(first, first, count, count);
+    const Scale signal = signalScale(found.place, model, data.scales);
+    const double unit = valueUnit(found.place.place, data.scales);
+    const std::string shape = isScalar(found.place.place) ? nameOf(found.place.place) : found.shape;
+    const bool is_nearly = shape == "curve" && found.nearest_share > kNearly;
+    cause.what = {causeNamed(found.place.place, is_nearly ? found.nearest : shape),
+                  nameOf(found.place.place), shape, found.place.covariate};
+    cause.description = wordsOf(found.place, shape);
+    cause.advice = adviceFor(found.place.place);
+    if (isScalar(found.place.place)) {
+      const double scale =
+          found.place.place == Place::rate_limit ? signal.unit / data.sample_time : signal.unit;
+      cause.values.push_back(
+          {found.place.place == Place::rate_limit ? "limit_per_second" : "half_width",
+           std::abs(parameters[0]) * scale, std::sqrt(std::max(covariance(0, 0), 0.0)) * scale});
+    } else {
+      cause.curve = pictureOf(curve, parameters, covariance, found.place, signal, unit);
+      if (curve.shape()) cause.values = valuesOf(curve, parameters, covariance, signal, unit);
+    }
+    if (shape == "curve" && found.nearest_share > 0.8)  // else the curve is all that is known
+      cause.description += "; " + wordsOf(found.nearest) + " has " +
+                           std::to_string(static_cast<int>(100 * found.nearest_share)) +
+                           " % of its gain";
+  }
+  for (const TiedCurve& tie : found.ties) {
+    const std::string shape = isScalar(tie.place.place) ? nameOf(tie.place.place) : tie.shape;
+    cause.ties.push_back(
+        {causeNamed(tie.place.place, shape), nameOf(tie.place.place), shape, tie.place.covariate});
+  }
+  return cause;
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,157 @@
+#include "curves/explain_simulation.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <numeric>
+#include <sstream>
+#include <utility>
+
+#include "curves/curve_search.h"
+#include "curves/describe_curve.h"
+#include "curves/held_out.h"
+#include "curves/preparation.h"
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr int kMostSamples = 10000;  ///< that are fitted to: enough for a curve, and a bounded time
+constexpr int kFewestSamples = 200, kFewestWindows = 4;
+
+/// The last third of the windows.
+SimulationData lastThird(SimulationData* data) {
+  SimulationData held = *data;
+  const auto first = static_cast<std::ptrdiff_t>(data->windows.size() - data->windows.size() / 3);
+  held.windows.erase(held.windows.begin(), held.windows.begin() + first);
+  data->windows.resize(static_cast<std::size_t>(first));
+  for (SimulationData* part : {data, &held}) {
+    part->groups.resize(part->windows.size() + 1);
+    std::iota(part->groups.begin(), part->groups.end(), 0);
+    part->samples = 0;
+    for (const SimulationWindow& window : part->windows)
+      part->samples += static_cast<int>(window.measured.sum());
+  }
+  return held;
+}
+
+std::string sentenceOf(const WindowPlan& plan, const SimulationData& data, std::size_t records) {
+  std::ostringstream text;
+  text.precision(3);
+  text << records << (records == 1 ? " record" : " records");
+  if (plan.thinning > 1) text << ", thinned to one sample each " << data.sample_time << " s";
+  text << ", simulated in " << data.windows.size() << " windows of about " << plan.length
+       << " samples, each from an initial state of its own";
+  return text.str();
+}
+
+std::string reasonToSkip(const SimulationData& data) {
+  if (data.samples < kFewestSamples)
+    return "fewer than " + std::to_string(kFewestSamples) + " samples";
+  if (static_cast<int>(data.windows.size()) < kFewestWindows)
+    return "fewer than " + std::to_string(kFewestWindows) + " windows";
+  if (!(data.scales.u.unit > 1e-9 * (1 + std::abs(data.scales.u.offset))))
+    return "the input is constant";
+  if (!(data.scales.y.unit > 1e-9 * (1 + std::abs(data.scales.y.offset))))
+    return "the output is constant";
+  return "";
+}
+
+/// Places whose every cause is excluded by name.
+std::function<bool(Place)> exclusionOf(const std::vector<std::string>& excluded) {
+  return [excluded](Place place) {
+    const auto is_excluded = [&](const std::string& shape) {
+      return std::find(excluded.begin(), excluded.end(), causeNamed(place, shape)) !=
+             excluded.end();
+    };
+    const std::vector<const Shape*> shapes = shapesAt(place);
+    if (shapes.empty()) return is_excluded(nameOf(place));
+    return std::all_of(shapes.begin(), shapes.end(),
+                       [&](const Shape* shape) { return is_excluded(shape->name); });
+  };
+}
+
+std::vector<SimulatedWindow> picturesOf(const std::vector<Experiment>& experiments,
+                                        const SimulationData& held,
+                                        const CurveSearchResult& result) {
+  const std::vector<Eigen::VectorXd> before = heldOutSimulations(held, result.base.model),
+                                     after = heldOutSimulations(held, result.fit.model);
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t w = 0; w < held.windows.size(); ++w) {
+    const SimulationWindow& window = held.windows[w];
+    const double error = (window.measured * (window.y - before[w]).array().square()).sum();
+    order.emplace_back(std::isfinite(error) ? error : 0, w);
+  }
+  std::sort(order.begin(), order.end());
+  const Scale& scale = held.scales.y;
+  const auto in_units = [&](const Eigen::VectorXd& signal) -> Eigen::VectorXd {
+    return (signal.array() * scale.unit + scale.offset).matrix();
+  };
+  std::vector<SimulatedWindow> pictures;
+  for (const std::size_t place : {order.size() / 2, order.size() - 1}) {
+    const std::size_t w = order[place].second;
+    const SimulationWindow& window = held.windows[w];
+    pictures.push_back({experiments[static_cast<std::size_t>(window.record)].id, window.start,
+                        held.sample_time, in_units(window.y), in_units(before[w]),
+                        in_units(after[w])});
+  }
+  return pictures;
+}
+
+double fitOf(const SimulationData& held, double squared_error) {
+  return heldOutFit(held, Eigen::VectorXd::Constant(1, squared_error));
+}
+
+}  // namespace
+
+SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
+                                   const std::vector<Experiment>& held,
+                                   const SimulationSearchOptions& options, WorkerPool* pool) {
+  const auto began = std::chrono::steady_clock::now();
+  const auto seconds = [began] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  };
+  SimulationCauses found;
+  const WindowPlan plan = planWindows(fitted);
+  const SignalScales scales = scalesOf(fitted);
+  SimulationData data = windowsOf(fitted, plan, scales, kMostSamples);
+  found.skipped = reasonToSkip(data);
+  if (!found.skipped.empty()) return found;
+  found.preparation = sentenceOf(plan, data, fitted.size());
+  const SimulationData kept =
+      held.empty() ? lastThird(&data) : windowsOf(held, plan, scales, kMostSamples);
+  if (data.windows.empty() || kept.windows.empty()) return found;
+
+  CurveSearchLimits limits;
+  limits.max_causes = std::min(limits.max_causes, options.max_causes);
+  limits.excluded = exclusionOf(options.excluded);
+  CurveSearchContext context;
+  context.pool = pool;
+  std::mutex telling;
+  bool cancelled = false;
+  std::string doing = "simulating";
+  context.going_on = [&] {
+    const std::lock_guard<std::mutex> lock(telling);  // called from all threads
+    cancelled = cancelled || (options.progress && !options.progress(doing));
+    return !cancelled && (options.time_limit <= 0 || seconds() < options.time_limit);
+  };
+  context.tell = [&](const std::string& what) {
+    const std::lock_guard<std::mutex> lock(telling);
+    doing = what;
+  };
+  const CurveSearchResult result = searchCurves(data, kept, limits, context);
+  found.order = result.base.model.order;
+  for (const FoundCurve& cause : result.causes) {
+    found.causes.push_back(describeCurve(cause, result.fit, data));
+    found.causes.back().fit_before = fitOf(kept, cause.held_before);
+    found.causes.back().fit_after = fitOf(kept, cause.held_after);
+  }
+  found.fit_before = fitOf(kept, heldOutErrors(kept, result.base.model).sum());
+  found.fit_after = fitOf(kept, result.held_error);
+  found.pictures = picturesOf(held.empty() ? fitted : held, kept, result);
+  found.ended_early = result.ended_early;
+  found.seconds = seconds();
+  return found;
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "math/worker_pool.h"
+#include "uncertainty_identification/curves/simulation_causes.h"
+#include "uncertainty_identification/data/experiment.h"
+
+namespace uncertainty_identification {
+
+struct SimulationSearchOptions {
+  int max_causes = 3;
+  double time_limit = 0;              ///< [s]; 0: none
+  std::vector<std::string> excluded;  ///< names of causes that are not considered
+  std::function<bool(const std::string& doing)>
+      progress;  ///< returns false to cancel; may be empty
+};
+
+/// Looks for what the free simulation of a small linear plant gets wrong: curves at places of the
+/// simulation, fitted to windows of `fitted`, accepted and measured on windows of `held`. Where
+/// `held` is empty, the last third of the windows is held out. Throws nothing: data that are too
+/// few give a result with the reason in `skipped`.
+SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
+                                   const std::vector<Experiment>& held,
+                                   const SimulationSearchOptions& options, WorkerPool* pool);
+
+}  // namespace uncertainty_identification

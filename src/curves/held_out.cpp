@@ -1,0 +1,93 @@
+#include "curves/held_out.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curves/free_simulation.h"
+#include "curves/simulation_fit.h"
+#include "curves/window_products.h"
+
+namespace uncertainty_identification {
+namespace {
+
+/// How often a signal changes its value.
+int changesOf(const Eigen::VectorXd& signal) {
+  int count = 0;
+  for (Eigen::Index k = 1; k < signal.size(); ++k) count += signal[k] != signal[k - 1];
+  return count;
+}
+
+}  // namespace
+
+std::vector<Eigen::VectorXd> heldOutSimulations(const SimulationData& held,
+                                                const CurveModel& model) {
+  const std::vector<CurveTable> tables = tablesOf(model);
+  const int seen = std::max({8 * model.order, held.longest / 10, 20});
+  const std::vector<Eigen::VectorXd> initial = initialStates(held, model, seen);
+  std::vector<Eigen::VectorXd> outputs;
+  for (std::size_t w = 0; w < held.windows.size(); ++w)
+    outputs.push_back(simulateFreely(model, tables, held.windows[w], initial[w], false).y);
+  return outputs;
+}
+
+Eigen::VectorXd heldOutErrors(const SimulationData& held, const CurveModel& model) {
+  constexpr double kLargest = 1e6;  // of a simulation that diverges
+  constexpr int kManyWindows = 8, kShortestPart = 50;
+  const std::vector<Eigen::VectorXd> outputs = heldOutSimulations(held, model);
+  const int parts = static_cast<int>(outputs.size()) >= kManyWindows
+                        ? 1
+                        : std::max(1, std::min(4, held.longest / kShortestPart));
+  std::vector<double> errors;
+  for (std::size_t w = 0; w < outputs.size(); ++w) {
+    const SimulationWindow& window = held.windows[w];
+    const Eigen::ArrayXd squares = (window.y - outputs[w]).array().square();
+    const Eigen::ArrayXd weighted =
+        window.measured * squares.isFinite().select(squares.min(kLargest), kLargest);
+    for (int part = 0; part < parts; ++part) {
+      const int begin = part * window.samples() / parts;
+      errors.push_back(
+          weighted.segment(begin, (part + 1) * window.samples() / parts - begin).sum());
+    }
+  }
+  return Eigen::Map<Eigen::VectorXd>(errors.data(), static_cast<Eigen::Index>(errors.size()));
+}
+
+Eigen::VectorXd errorsBeyondGain(const SimulationData& held, const CurveModel& model) {
+  if (std::all_of(held.windows.begin(), held.windows.end(),
+                  [](const SimulationWindow& window) { return changesOf(window.u) <= 1; }))
+    return {};
+  const std::vector<CurveTable> tables = tablesOf(model);
+  const std::vector<Eigen::VectorXd> initial = initialStates(held, model, held.longest);
+  const int n = model.order;
+  Eigen::VectorXd errors(static_cast<Eigen::Index>(held.windows.size()));
+  for (std::size_t w = 0; w < held.windows.size(); ++w) {
+    const SimulationWindow& window = held.windows[w];
+    const FreeSimulation simulated = simulateFreely(model, tables, window, initial[w], true);
+    Eigen::MatrixXd nuisances(window.samples(), n + 2);
+    nuisances.leftCols(n) = simulated.derivatives.bottomRows(n).transpose();
+    nuisances.col(n) =
+        simulated.derivatives.middleRows(n, n).transpose() * model.theta.segment(n, n);
+    if (model.direct)
+      nuisances.col(n) += model.directGain() * simulated.derivatives.row(2 * n).transpose();
+    nuisances.col(n + 1).setOnes();
+    nuisances = window.measured.matrix().asDiagonal() * nuisances;
+    const Eigen::MatrixXd basis = orthonormal(nuisances);
+    const Eigen::VectorXd residual = (window.measured * (window.y - simulated.y).array()).matrix();
+    const double error = (residual - basis * (basis.transpose() * residual)).squaredNorm();
+    errors[static_cast<Eigen::Index>(w)] = std::isfinite(error) ? error : 1e6;
+  }
+  return errors;
+}
+
+double heldOutFit(const SimulationData& held, const Eigen::VectorXd& errors) {
+  double count = 0, sum = 0, squares = 0;
+  for (const SimulationWindow& window : held.windows) {
+    count += window.measured.sum();
+    sum += (window.measured * window.y.array()).sum();
+    squares += (window.measured * window.y.array().square()).sum();
+  }
+  const double spread = squares - sum * sum / std::max(count, 1.0);
+  return 100 * (1 - std::sqrt(errors.sum() / std::max(spread, 1e-300)));
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "curves/curve_model.h"
+#include "curves/simulation_data.h"
+
+namespace uncertainty_identification {
+
+/// Squared error of simulating each held-out window, or parts of windows where they are few,
+/// [standard deviations of y]^2. The initial state is taken from the first tenth of a window's
+/// samples, at least 20.
+Eigen::VectorXd heldOutErrors(const SimulationData& held, const CurveModel& model);
+
+/// The same where each window may have a gain and an offset of its own, besides its initial state:
+/// what is left of a cause that only imitates differences between experiments is nothing. Empty
+/// where every input is a single step, which shows nothing but gain and offset.
+Eigen::VectorXd errorsBeyondGain(const SimulationData& held, const CurveModel& model);
+
+/// Simulated outputs of the held-out windows, in the same way.
+std::vector<Eigen::VectorXd> heldOutSimulations(const SimulationData& held,
+                                                const CurveModel& model);
+
+/// Fit [%]: 100 (1 - |error| / |y - mean|), over all windows.
+double heldOutFit(const SimulationData& held, const Eigen::VectorXd& errors);
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,124 @@
+#include "curves/naming.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace uncertainty_identification {
+namespace {
+
+/// A shape with the parameters that come closest to a free curve.
+struct ClosestShape {
+  double distance = std::numeric_limits<double>::infinity();
+  const Shape* shape = nullptr;
+  Eigen::VectorXd parameters;
+};
+
+ClosestShape closestTo(const Eigen::VectorXd& values, const Curve& place, const Shape* shape) {
+  const Curve curve = place.shaped(shape);
+  ClosestShape closest;
+  closest.shape = shape;
+  for (const std::vector<double>& start : shape->starts) {
+    Eigen::VectorXd parameters(shape->count());
+    const Eigen::Index first = shape->is_whole ? 0 : 1;
+    if (first == 1) parameters[0] = 1;
+    for (std::size_t k = 0; k < start.size(); ++k)
+      parameters[first + static_cast<Eigen::Index>(k)] = start[k];
+    Eigen::VectorXd own = curve.atSamples(parameters);
+    if (first == 1) {
+      parameters[0] = own.dot(values) / (own.squaredNorm() + 1e-12);
+      own *= parameters[0];
+    }
+    const double distance = (values - own).squaredNorm() * (1 + 0.05 * shape->count());
+    if (distance < closest.distance) {
+      closest.distance = distance;
+      closest.parameters = parameters;
+    }
+  }
+  return closest;
+}
+
+std::vector<ClosestShape> closestShapes(const Eigen::VectorXd& values, const Curve& place) {
+  std::vector<ClosestShape> found;
+  for (const Shape* shape : shapesAt(place.place()))
+    if (!shape->needs_zero || !hasPhysicalZero(place.place()) || place.coversZero())
+      found.push_back(closestTo(values, place, shape));
+  std::stable_sort(found.begin(), found.end(),
+                   [](const ClosestShape& left, const ClosestShape& right) {
+                     return left.distance < right.distance;
+                   });
+  return found;
+}
+
+struct Contender {
+  double criterion = 0;
+  std::string shape;
+  SimulationFit fit;
+};
+
+/// The first in the order of shapesAt() of those within 2 of the best; the free curve, which is the
+/// first contender, only where no shape is.
+std::size_t chosen(const std::vector<Contender>& contenders, Place place) {
+  double best = contenders.front().criterion;
+  for (const Contender& each : contenders) best = std::min(best, each.criterion);
+  for (const Shape* shape : shapesAt(place))
+    for (std::size_t k = 1; k < contenders.size(); ++k)
+      if (contenders[k].shape == shape->name && contenders[k].criterion < best + 2) return k;
+  return 0;
+}
+
+void findNearest(const std::vector<Contender>& contenders, const SimulationFit& before,
+                 Naming* naming) {
+  const double gain = before.squared_error - contenders.front().fit.squared_error;
+  if (!(gain > 0)) return;
+  for (std::size_t k = 1; k < contenders.size(); ++k) {
+    const double share = (before.squared_error - contenders[k].fit.squared_error) / gain;
+    if (share <= naming->nearest_share) continue;
+    naming->nearest_share = share;
+    naming->nearest = contenders[k].shape;
+  }
+}
+
+}  // namespace
+
+Naming nameCurve(const SimulationData& data, const SimulationFit& before, const SimulationFit& free,
+                 const SimulationFit& linearised, int shapes, const CurveSearchContext& context) {
+  const Curve& place = free.model.curves.back();
+  if (isScalar(place.place())) return {free, nameOf(place.place()), "", 0, {}};
+  const bool gained =
+      linearised.step.size() == 0 || free.squared_error < 0.97 * before.squared_error;
+  const int own = place.parameters();
+  CurveModel from = free.model;
+  if (!gained) {
+    from.theta.head(before.parameters()) = before.model.theta;
+    from.theta.tail(own) = linearised.step.tail(own);
+    from.initial = before.model.initial;
+  }
+  const Eigen::VectorXd values = place.atSamples(from.theta.tail(own));
+  const double samples = effectiveSamples(gained ? free : before);
+  std::vector<Contender> contenders{{criterion(free, samples), "curve", free}};
+  std::vector<ClosestShape> closest = closestShapes(values, place);
+  if (static_cast<int>(closest.size()) > shapes) closest.resize(static_cast<std::size_t>(shapes));
+  for (const ClosestShape& each : closest) {
+    CurveModel model = from;
+    model.curves.back() = place.shaped(each.shape);
+    Eigen::VectorXd theta(from.theta.size() - own + each.parameters.size());
+    theta << from.theta.head(from.theta.size() - own), each.parameters;
+    model.theta = std::move(theta);
+    SimulationFit fit = fitFreely(data, std::move(model), context.limits(15));
+    const double reached = criterion(fit, samples);
+    contenders.push_back({reached, each.shape->name, std::move(fit)});
+  }
+  const std::size_t best = chosen(contenders, place.place());
+  Naming naming;
+  naming.shape = contenders[best].shape;
+  if (best == 0) findNearest(contenders, before, &naming);
+  for (std::size_t k = 0; k < contenders.size(); ++k)
+    if (k != best)
+      naming.others.push_back(
+          {contenders[k].shape, contenders[k].criterion - contenders[best].criterion});
+  naming.fit = std::move(contenders[best].fit);
+  return naming;
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,41 @@
+#include "curves/place.h"
+
+#include <array>
+
+namespace uncertainty_identification {
+
+std::string nameOf(Place place) {
+  static const std::array<const char*, 15> kNames{
+      "input",       "position",  "rate",           "position_gain", "input_times_position",
+      "sensor",      "play",      "rate_limit",     "time_gain",     "time",
+      "output_play", "covariate", "covariate_gain", "rate_gain",     "output_state"};
+  return kNames.at(static_cast<std::size_t>(place));
+}
+
+bool isScalar(Place place) {
+  return place == Place::play || place == Place::rate_limit || place == Place::output_play;
+}
+
+int linearPart(Place place) {
+  switch (place) {
+    case Place::input:
+    case Place::position:
+    case Place::rate:
+    case Place::sensor:
+    case Place::output_state:
+      return 2;
+    default:
+      return 1;
+  }
+}
+
+bool hasPhysicalZero(Place place) {
+  return place == Place::input || place == Place::position || place == Place::rate ||
+         place == Place::rate_gain || place == Place::output_state;
+}
+
+bool isFedBack(Place place) {
+  return place == Place::position || place == Place::rate || place == Place::output_state;
+}
+
+}  // namespace uncertainty_identification

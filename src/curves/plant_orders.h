@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "curves/search_context.h"
+#include "curves/simulation_fit.h"
+
+namespace uncertainty_identification {
+
+/// A linear model of another size than the present one, fitted with the same curves.
+struct PlantChange {
+  enum class Kind { order, direct, delay };
+  Kind kind = Kind::order;
+  SimulationFit fit;
+};
+
+/// Linear models of all orders, without curves.
+struct LinearPlants {
+  /// Those that the search begins with: the smallest that leaving windows out cannot tell from a
+  /// larger one, and that with one order more. To be chosen, a higher order must lower the root
+  /// mean square of what is left out by 30 %: curves are sought on top of it, and higher orders
+  /// compete with them.
+  std::vector<SimulationFit> starts;
+  std::vector<SimulationFit> of_order;  ///< the best of orders 1, 2, ...
+};
+
+LinearPlants fitLinearPlants(const SimulationData& data, int max_order,
+                             const CurveSearchContext& context);
+
+/// The model with one order more, with a direct term, and with more dead time. On top of a model
+/// without curves also the linear ones of one and two orders more, since a chain of lags looks like
+/// dead time.
+std::vector<PlantChange> largerPlants(const SimulationData& data, const SimulationFit& fit,
+                                      const LinearPlants& linear, int max_order,
+                                      const CurveSearchContext& context);
+
+/// The model with fewer orders, as long as leaving windows out loses less than 3 %.
+SimulationFit smallerPlant(const SimulationData& data, SimulationFit fit,
+                           const CurveSearchContext& context);
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,247 @@
+#include "curves/preparation.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <unsupported/Eigen/FFT>
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr double kPerPeriod = 24;
+constexpr double kFewestSamples = 2500;
+constexpr int kShortest = 60, kLongest = 400, kFewestWindows = 10;
+constexpr std::size_t kManyExperiments = 8;
+
+/// The output with missing samples interpolated.
+Eigen::VectorXd filledOutput(const Experiment& experiment) {
+  Eigen::VectorXd y = experiment.y;
+  int last = -1;
+  for (int k = 0; k < experiment.samples(); ++k) {
+    if (!experiment.isValid(k) || !std::isfinite(y[k])) continue;
+    for (int j = last + 1; j < k; ++j)
+      y[j] = last < 0 ? y[k] : y[last] + (y[k] - y[last]) * (j - last) / (k - last);
+    last = k;
+  }
+  for (int j = last + 1; j < experiment.samples(); ++j) y[j] = last < 0 ? 0 : y[last];
+  return y;
+}
+
+/// Frequency [1/sample] below which 99.5 % of the power of the detrended output lies; the noise
+/// floor, seen in the highest quarter, is taken off.
+double bandwidth(const Experiment& experiment) {
+  const Eigen::VectorXd y = filledOutput(experiment);
+  const Eigen::Index samples = y.size();
+  Eigen::Index length = 1;
+  while (length < samples) length *= 2;
+  Eigen::VectorXd windowed = Eigen::VectorXd::Zero(length);
+  for (Eigen::Index k = 0; k < samples; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(samples - 1);
+    windowed[k] =
+        (y[k] - y[0] - (y[samples - 1] - y[0]) * share) * 0.5 * (1 - std::cos(2 * M_PI * share));
+  }
+  Eigen::FFT<double> transform;
+  Eigen::VectorXcd spectrum;
+  transform.fwd(spectrum, windowed);
+  Eigen::ArrayXd power = spectrum.head(length / 2 + 1).array().abs2();
+  std::vector<double> top(power.data() + power.size() * 3 / 4, power.data() + power.size());
+  std::nth_element(top.begin(), top.begin() + static_cast<std::ptrdiff_t>(top.size() / 2),
+                   top.end());
+  power = (power - 2 * top[top.size() / 2]).max(0.0);
+  const double total = power.sum();
+  if (!(total > 0)) return 0.5;
+  double sum = 0;
+  for (Eigen::Index k = 0; k < power.size(); ++k) {
+    sum += power[k];
+    if (sum >= 0.995 * total) return static_cast<double>(k) / static_cast<double>(length);
+  }
+  return 0.5;
+}
+
+double medianOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+int thinningFor(const std::vector<Experiment>& experiments) {
+  double samples = 0;
+  std::vector<double> widths;
+  for (const Experiment& experiment : experiments) {
+    samples += experiment.samples();
+    if (experiment.samples() >= 8) widths.push_back(bandwidth(experiment));
+  }
+  if (widths.empty()) return 1;
+  const double by_bandwidth = 1 / (kPerPeriod * std::max(medianOf(widths), 1e-9));
+  return std::max(1, static_cast<int>(std::min(by_bandwidth, samples / kFewestSamples) + 1e-9));
+}
+
+Scale scaleOf(double sum, double squares, double count, bool remove_mean) {
+  const double mean = sum / std::max(count, 1.0);
+  const double deviation =
+      std::sqrt(std::max(squares / std::max(count, 1.0) - mean * mean, 0.0)) + 1e-12;
+  return {remove_mean || std::abs(mean) > 3 * deviation ? mean : 0.0, deviation};
+}
+
+/// Means of `thinning` samples each.
+Eigen::VectorXd averaged(const Eigen::VectorXd& signal, int thinning) {
+  if (thinning == 1) return signal;
+  const Eigen::Index length = signal.size() / thinning;
+  Eigen::VectorXd means(length);
+  for (Eigen::Index k = 0; k < length; ++k)
+    means[k] = signal.segment(k * thinning, thinning).mean();
+  return means;
+}
+
+Eigen::VectorXd scaled(const Eigen::VectorXd& signal, const Scale& scale) {
+  return ((signal.array() - scale.offset) / scale.unit).matrix();
+}
+
+/// The whole experiment as one window.
+SimulationWindow wholeWindow(const Experiment& experiment, const SignalScales& scales) {
+  SimulationWindow whole;
+  const int samples = experiment.samples();
+  whole.u = scaled(experiment.u, scales.u);
+  whole.y = scaled(filledOutput(experiment), scales.y);
+  whole.measured.resize(samples);
+  for (int k = 0; k < samples; ++k) whole.measured[k] = experiment.isValid(k) ? 1 : 0;
+  whole.time = Eigen::VectorXd::LinSpaced(samples, 0, 1);
+  for (const auto& [name, signal] : experiment.signals)
+    if (const auto scale = scales.covariates.find(name); scale != scales.covariates.end())
+      whole.covariates[name] = scaled(signal, scale->second);
+  return whole;
+}
+
+SimulationWindow cut(const SimulationWindow& whole, int begin, int length, double sample_time) {
+  SimulationWindow window;
+  window.record = whole.record;
+  window.start = begin * sample_time;
+  window.u = whole.u.segment(begin, length);
+  window.y = whole.y.segment(begin, length);
+  window.measured = whole.measured.segment(begin, length);
+  window.time = whole.time.segment(begin, length);
+  for (const auto& [name, signal] : whole.covariates)
+    window.covariates[name] = signal.segment(begin, length);
+  return window;
+}
+
+/// Takes every so manieth window, so that at most `most` samples are left.
+void keepAtMost(int most, std::vector<SimulationWindow>* windows) {
+  int samples = 0;
+  for (const SimulationWindow& window : *windows) samples += window.samples();
+  if (most == 0 || samples <= most) return;
+  const auto each = static_cast<std::size_t>((samples + most - 1) / most);
+  std::vector<SimulationWindow> kept;
+  for (std::size_t k = 0; k < windows->size(); k += each) kept.push_back(std::move((*windows)[k]));
+  *windows = std::move(kept);
+}
+
+/// Windows of an experiment are left out together where there are many experiments.
+void group(std::size_t experiments, SimulationData* data) {
+  data->groups.clear();
+  int record = -1;
+  for (std::size_t w = 0; w < data->windows.size(); ++w) {
+    const SimulationWindow& window = data->windows[w];
+    if (experiments < kManyExperiments || window.record != record)
+      data->groups.push_back(static_cast<int>(w));
+    record = window.record;
+    data->longest = std::max(data->longest, window.samples());
+    data->samples += static_cast<int>(window.measured.sum());
+  }
+  data->groups.push_back(static_cast<int>(data->windows.size()));
+}
+
+}  // namespace
+
+WindowPlan planWindows(const std::vector<Experiment>& experiments) {
+  WindowPlan plan;
+  plan.thinning = thinningFor(experiments);
+  int total = 0, longest = 0;
+  for (const Experiment& experiment : experiments) {
+    const int samples = experiment.samples() / plan.thinning;
+    total += samples;
+    longest = std::max(longest, samples);
+  }
+  plan.one_of_each = experiments.size() >= kManyExperiments && longest <= kLongest;
+  plan.length =
+      plan.one_of_each
+          ? longest
+          : std::min(longest, std::min(kLongest, std::max(kShortest, total / kFewestWindows)));
+  return plan;
+}
+
+Experiment thinned(const Experiment& experiment, int thinning) {
+  if (thinning <= 1) return experiment;
+  Experiment kept = experiment;
+  kept.sample_time *= thinning;
+  kept.u = averaged(experiment.u, thinning);
+  for (auto& [name, signal] : kept.signals) signal = averaged(signal, thinning);
+  const Eigen::Index samples = kept.u.size();
+  kept.y.resize(samples);
+  if (kept.stamp_offset.size() > 0) kept.stamp_offset.resize(samples);
+  if (!kept.valid.empty()) kept.valid.resize(static_cast<std::size_t>(samples));
+  for (Eigen::Index k = 0; k < samples; ++k) {
+    kept.y[k] = experiment.y[k * thinning];
+    if (kept.stamp_offset.size() > 0) kept.stamp_offset[k] = experiment.stamp_offset[k * thinning];
+    if (!kept.valid.empty())
+      kept.valid[static_cast<std::size_t>(k)] =
+          experiment.valid[static_cast<std::size_t>(k * thinning)];
+  }
+  return kept;
+}
+
+SignalScales scalesOf(const std::vector<Experiment>& experiments) {
+  double count = 0, measured = 0;
+  Eigen::Array4d sums = Eigen::Array4d::Zero();
+  SignalScales scales;
+  std::map<std::string, Eigen::Array2d> covariates;
+  for (const Experiment& experiment : experiments) {
+    count += experiment.samples();
+    sums[0] += experiment.u.sum();
+    sums[1] += experiment.u.squaredNorm();
+    for (int k = 0; k < experiment.samples(); ++k) {
+      if (!experiment.isValid(k)) continue;
+      measured += 1;
+      sums[2] += experiment.y[k];
+      sums[3] += experiment.y[k] * experiment.y[k];
+    }
+    for (const auto& [name, signal] : experiment.signals) {
+      auto& of = covariates.emplace(name, Eigen::Array2d::Zero()).first->second;
+      of += Eigen::Array2d(signal.sum(), signal.squaredNorm());
+    }
+  }
+  scales.u = scaleOf(sums[0], sums[1], count, false);
+  scales.y = scaleOf(sums[2], sums[3], measured, true);
+  for (const auto& [name, of] : covariates) {
+    const bool everywhere =
+        std::all_of(experiments.begin(), experiments.end(),
+                    [&](const Experiment& each) { return each.signals.count(name) > 0; });
+    if (everywhere) scales.covariates[name] = scaleOf(of[0], of[1], count, true);
+  }
+  return scales;
+}
+
+SimulationData windowsOf(const std::vector<Experiment>& experiments, const WindowPlan& plan,
+                         const SignalScales& scales, int most) {
+  SimulationData data;
+  data.scales = scales;
+  for (std::size_t r = 0; r < experiments.size(); ++r) {
+    const Experiment experiment = thinned(experiments[r], plan.thinning);
+    data.sample_time = experiment.sample_time;
+    SimulationWindow whole = wholeWindow(experiment, scales);
+    whole.record = static_cast<int>(r);
+    const int pieces =
+        plan.one_of_each
+            ? 1
+            : std::max(1, (whole.samples() + plan.length / 2) / std::max(plan.length, 1));
+    const int length = whole.samples() / pieces;
+    for (int piece = 0; piece < pieces && length > 0; ++piece)
+      data.windows.push_back(cut(whole, piece * length, length, data.sample_time));
+  }
+  keepAtMost(most, &data.windows);
+  group(experiments.size(), &data);
+  return data;
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "curves/simulation_data.h"
+#include "uncertainty_identification/data/experiment.h"
+
+namespace uncertainty_identification {
+
+/// How records become windows. One setting for all data.
+struct WindowPlan {
+  int thinning = 1;          ///< each so manieth sample is kept, the input averaged in between
+  int length = 0;            ///< [samples after thinning] of a window, about
+  bool one_of_each = false;  ///< every experiment is one window
+};
+
+/// Thins by the output's bandwidth: 24 samples a period of the frequency below which 99.5 % of the
+/// power of the detrended output lies, but at least 2,500 samples in all. Cuts long records into at
+/// least 10 windows of 60 to 400 samples.
+WindowPlan planWindows(const std::vector<Experiment>& experiments);
+
+/// The experiment with each so manieth sample: inputs and covariates averaged in between, outputs
+/// taken at its start, which is exact for inputs that are held.
+Experiment thinned(const Experiment& experiment, int thinning);
+
+/// Scales of the signals of all experiments.
+SignalScales scalesOf(const std::vector<Experiment>& experiments);
+
+/// The windows of `experiments`; at most `most` samples in all, 0: no limit.
+SimulationData windowsOf(const std::vector<Experiment>& experiments, const WindowPlan& plan,
+                         const SignalScales& scales, int most);
+
+}  // namespace uncertainty_identification

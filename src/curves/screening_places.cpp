@@ -1,0 +1,183 @@
+#include "curves/screening_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "curves/free_simulation.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Signal = Eigen::VectorXd SimulationWindow::*;
+
+Eigen::VectorXd joined(const SimulationData& data, Signal signal) {
+  Eigen::Index count = 0;
+  for (const SimulationWindow& window : data.windows) count += window.samples();
+  Eigen::VectorXd all(count);
+  Eigen::Index at = 0;
+  for (const SimulationWindow& window : data.windows) {
+    all.segment(at, window.samples()) = window.*signal;
+    at += window.samples();
+  }
+  return all;
+}
+
+Eigen::VectorXd joinedCovariate(const SimulationData& data, const std::string& name) {
+  std::vector<double> all;
+  for (const SimulationWindow& window : data.windows) {
+    const Eigen::VectorXd& signal = window.covariates.at(name);
+    all.insert(all.end(), signal.data(), signal.data() + signal.size());
+  }
+  return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+}
+
+/// A signal in the simulation, without the first sample of each window.
+Eigen::VectorXd simulatedSignal(const SimulationData& data, const CurveModel& model,
+                                Eigen::VectorXd FreeSimulation::*signal) {
+  const std::vector<CurveTable> tables = tablesOf(model);
+  std::vector<double> all;
+  for (std::size_t w = 0; w < data.windows.size(); ++w) {
+    const FreeSimulation simulated =
+        simulateFreely(model, tables, data.windows[w], model.initial[w], false);
+    const Eigen::VectorXd& values = simulated.*signal;
+    all.insert(all.end(), values.data() + 1, values.data() + values.size());
+  }
+  return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+}
+
+Curve curveAt(const SimulationData& data, const PlaceOf& at, CurveModel* model) {
+  const SignalScales& scales = data.scales;
+  switch (at.place) {
+    case Place::input:
+    case Place::input_times_position:
+      return {at.place, nullptr, joined(data, &SimulationWindow::u), scales.u.zero()};
+    case Place::rate:
+    case Place::rate_gain: {
+      Eigen::VectorXd rates = simulatedSignal(data, *model, &FreeSimulation::rate);
+      if (!model->has(Place::rate) && !model->has(Place::rate_gain)) {
+        const double size = std::sqrt(rates.array().square().mean()) + 1e-9;
+        model->rate_scale *= size;
+        rates /= size;
+      }
+      return {at.place, nullptr, rates, 0};
+    }
+    case Place::time:
+    case Place::time_gain:
+      return {at.place, nullptr, joined(data, &SimulationWindow::time), 0};
+    case Place::covariate:
+    case Place::covariate_gain:
+      return {at.place, nullptr, joinedCovariate(data, at.covariate),
+              scales.covariates.at(at.covariate).zero(), at.covariate};
+    case Place::sensor:  // what goes in is the output before the sensor's curve
+      return {at.place, nullptr, simulatedSignal(data, *model, &FreeSimulation::y),
+              scales.y.zero()};
+    case Place::play:
+    case Place::rate_limit:
+    case Place::output_play:
+      return Curve(at.place);
+    default:
+      return {at.place, nullptr, joined(data, &SimulationWindow::y), scales.y.zero()};
+  }
+}
+
+std::vector<PlaceOf> placesFor(const SimulationData& data, const CurveModel& model) {
+  std::vector<PlaceOf> all{{Place::input, ""}, {Place::position, ""}};
+  if (model.order > 1) all.push_back({Place::output_state, ""});
+  for (const Place place : {Place::rate, Place::position_gain, Place::input_times_position,
+                            Place::rate_gain, Place::sensor, Place::time_gain, Place::time})
+    all.push_back({place, ""});
+  for (const auto& [name, scale] : data.scales.covariates) {
+    all.push_back({Place::covariate, name});
+    all.push_back({Place::covariate_gain, name});
+  }
+  for (const Place place : {Place::play, Place::rate_limit, Place::output_play})
+    all.push_back({place, ""});
+  const auto taken = [&](const PlaceOf& at) {
+    return std::any_of(model.curves.begin(), model.curves.end(), [&](const Curve& curve) {
+      return curve.place() == at.place && curve.covariate() == at.covariate;
+    });
+  };
+  all.erase(std::remove_if(all.begin(), all.end(), taken), all.end());
+  return all;
+}
+
+/// Widths of a play, or limits of the rate, to begin with.
+std::vector<double> widthsFor(const SimulationData& data, Place place) {
+  if (place != Place::rate_limit) return {0.1, 0.25, 0.5};
+  std::vector<double> changes;
+  for (const SimulationWindow& window : data.windows)
+    for (Eigen::Index k = 1; k < window.u.size(); ++k)
+      if (const double change = std::abs(window.u[k] - window.u[k - 1]); change > 1e-9)
+        changes.push_back(change);
+  if (changes.empty()) return {};
+  std::sort(changes.begin(), changes.end());
+  std::vector<double> widths;
+  for (const double share : {0.5, 0.8, 0.97})
+    widths.push_back(
+        0.6 * changes[static_cast<std::size_t>(share * static_cast<double>(changes.size() - 1))]);
+  return widths;
+}
+
+}  // namespace
+
+CurveModel extended(const SimulationData& data, const SimulationFit& fit, const PlaceOf& place,
+                    double width) {
+  CurveModel model = fit.model;
+  const Curve curve = curveAt(data, place, &model);
+  Eigen::VectorXd theta(model.theta.size() + curve.parameters());
+  theta << model.theta, Eigen::VectorXd::Constant(curve.parameters(), width);
+  model.theta = std::move(theta);
+  model.curves.push_back(curve);
+  return model;
+}
+
+std::vector<ScreenedPlace> screenPlaces(const SimulationData& data, const SimulationFit& fit,
+                                        const std::function<bool(Place)>& excluded,
+                                        const CurveSearchContext& context) {
+  std::vector<PlaceOf> places = placesFor(data, fit.model);
+  places.erase(std::remove_if(places.begin(), places.end(),
+                              [&](const PlaceOf& at) { return excluded && excluded(at.place); }),
+               places.end());
+  std::vector<ScreenedPlace> found(places.size());
+  context.pool->forEach(static_cast<int>(places.size()), [&](int index) {
+    const PlaceOf& place = places[static_cast<std::size_t>(index)];
+    ScreenedPlace& screened = found[static_cast<std::size_t>(index)];
+    screened.place = place;
+    screened.fit.left_out = std::numeric_limits<double>::infinity();
+    std::vector<double> widths{0};
+    if (isScalar(place.place)) widths = widthsFor(data, place.place);
+    for (const double width : widths) {
+      const CurveModel model = extended(data, fit, place, width);
+      if (model.curves.back().parameters() == 0) continue;
+      SimulationFit stepped = stepLinearly(data, model);
+      if (stepped.left_out < screened.fit.left_out) screened.fit = std::move(stepped);
+    }
+  });
+  found.erase(std::remove_if(found.begin(), found.end(),
+                             [](const ScreenedPlace& each) { return each.fit.step.size() == 0; }),
+              found.end());
+  std::stable_sort(found.begin(), found.end(),
+                   [](const ScreenedPlace& left, const ScreenedPlace& right) {
+                     return left.fit.left_out < right.fit.left_out;
+                   });
+  return found;
+}
+
+SimulationFit fitPlace(const SimulationData& data, const SimulationFit& before,
+                       const ScreenedPlace& screened, const CurveSearchContext& context) {
+  SimulationFit best;
+  best.squared_error = std::numeric_limits<double>::infinity();
+  for (const double share : {0.0, 1.0, 0.4}) {
+    CurveModel model = screened.fit.model;
+    model.theta += share * screened.fit.step;
+    model.initial = before.model.initial;
+    if (share > 0 && !isSimulable(model)) continue;
+    SimulationFit fitted = fitFreely(data, std::move(model), context.limits(5));
+    if (fitted.squared_error < best.squared_error) best = std::move(fitted);
+  }
+  return fitFreely(data, std::move(best.model), context.limits(25));
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace uncertainty_identification {
+
+/// A stretch of a record, in standard deviations of the signals. It is simulated from an initial
+/// state of its own.
+struct SimulationWindow {
+  int record = 0;           ///< index of the experiment that it was cut from
+  double start = 0;         ///< [s] from the beginning of the experiment
+  Eigen::VectorXd u, y;     ///< T each
+  Eigen::ArrayXd measured;  ///< T weights, 1 = y was measured, 0 = missing
+  Eigen::VectorXd time;     ///< T, 0 to 1 over the whole experiment
+  std::map<std::string, Eigen::VectorXd> covariates;  ///< T each
+
+  int samples() const { return static_cast<int>(u.size()); }
+};
+
+/// What turns signals into standard deviations: scaled = (raw - offset) / unit.
+struct Scale {
+  double offset = 0, unit = 1;
+
+  double zero() const { return offset / unit; }  ///< added to count from the physical zero
+};
+
+struct SignalScales {
+  Scale u, y;
+  std::map<std::string, Scale> covariates;
+};
+
+/// Windows of all records with one sample time.
+struct SimulationData {
+  std::vector<SimulationWindow> windows;
+  SignalScales scales;
+  double sample_time = 0;
+  int longest = 0;  ///< samples of the longest window
+  int samples = 0;  ///< measured output samples
+
+  /// Index of the first window of each group of windows that is left out together, and the number
+  /// of windows at the end.
+  std::vector<int> groups;
+};
+
+}  // namespace uncertainty_identification

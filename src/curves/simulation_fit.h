@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "curves/curve_model.h"
+#include "curves/simulation_data.h"
+
+namespace uncertainty_identification {
+
+/// A model fitted to the free simulation of all windows by least squares, with what leaving each
+/// group of windows out would give. All errors are in standard deviations of the output.
+struct SimulationFit {
+  CurveModel model;
+  double squared_error = 0;     ///< of all windows, their initial states fitted
+  double left_out = 0;          ///< of all windows, each predicted from the others
+  Eigen::VectorXd left_out_of;  ///< its parts: groups, or thirds of windows where groups are few
+  std::vector<Eigen::VectorXd> residuals;  ///< of each window, 0 where y is missing
+  Eigen::VectorXd step;                    ///< of theta, of a linearised fit
+  Eigen::MatrixXd covariance;              ///< of theta, robust: groups are the independent units
+
+  int parameters() const { return model.parameters(); }
+};
+
+/// When to stop.
+struct FitLimits {
+  int iterations = 20;
+  double tolerance = 2e-4;         ///< relative fall of the squared error that counts as progress
+  std::function<bool()> going_on;  ///< false: stop with what has been reached; may be empty
+};
+
+/// Initial states of all windows, each by Levenberg and Marquardt on its first `samples`.
+std::vector<Eigen::VectorXd> initialStates(const SimulationData& data, const CurveModel& model,
+                                           int samples, int iterations = 6);
+
+/// Squared error of the free simulation from the model's initial states; huge where it diverges.
+double simulationError(const SimulationData& data, const CurveModel& model);
+
+/// Levenberg and Marquardt on the free simulation. The windows' initial states are eliminated.
+SimulationFit fitFreely(const SimulationData& data, CurveModel model, const FitLimits& limits);
+
+/// One linearised step from the model, whose curves are at zero, without a further simulation.
+SimulationFit stepLinearly(const SimulationData& data, const CurveModel& model);
+
+/// Whether the plant may have these poles: within the unit circle, a little beyond it where curves
+/// are fed back.
+bool isSimulable(const CurveModel& model);
+
+/// Number of independent samples among the residuals, by their autocorrelation.
+double effectiveSamples(const SimulationFit& fit);
+
+/// BIC with the effective number of samples, which is that of the model that others are compared
+/// to.
+double criterion(const SimulationFit& fit, double effective_samples);
+
+/// Student's t of what leaving windows out says: of the paired differences of squared errors, or of
+/// their logarithms if larger.
+double pairedT(const SimulationFit& before, const SimulationFit& after);
+
+}  // namespace uncertainty_identification

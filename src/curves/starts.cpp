@@ -1,0 +1,123 @@
+#include "curves/starts.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include "curves/simulation_fit.h"
+#include "math/polynomial.h"
+
+namespace uncertainty_identification {
+namespace {
+
+/// signal / A(q), from rest.
+Eigen::VectorXd filteredBy(const Eigen::VectorXd& a, const Eigen::VectorXd& signal) {
+  Eigen::VectorXd out = signal;
+  for (Eigen::Index k = 0; k < signal.size(); ++k)
+    for (Eigen::Index i = 0; i < std::min(k, a.size()); ++i) out[k] -= a[i] * out[k - 1 - i];
+  return out;
+}
+
+/// Poles near or outside the unit circle moved to 0.99.
+Eigen::VectorXd pulledIn(const Eigen::VectorXd& a) {
+  if (isStable(a, 0.998)) return a;
+  Eigen::VectorXcd poles = roots(a);
+  for (std::complex<double>& pole : poles) pole /= std::max(1.0, std::abs(pole) / 0.99);
+  Eigen::VectorXcd polynomial = Eigen::VectorXcd::Zero(poles.size() + 1);
+  polynomial[0] = 1;
+  for (Eigen::Index k = 0; k < poles.size(); ++k)
+    for (Eigen::Index i = k + 1; i > 0; --i) polynomial[i] -= poles[k] * polynomial[i - 1];
+  return polynomial.tail(a.size()).real();
+}
+
+struct Regression {
+  Eigen::MatrixXd regressors;
+  Eigen::VectorXd output;
+};
+
+/// y = -a y(k-i) + b u(k-i-delay) [+ b_0 u(k-delay)] + constant, all filtered by 1/A.
+Regression regressionOf(const SimulationData& data, int order, bool direct, int delay,
+                        const Eigen::VectorXd& a, int first) {
+  const int columns = 2 * order + (direct ? 1 : 0) + 1;
+  Regression made{Eigen::MatrixXd(data.samples, columns), Eigen::VectorXd(data.samples)};
+  Eigen::Index row = 0;
+  for (const SimulationWindow& window : data.windows) {
+    const Eigen::VectorXd y = filteredBy(a, window.y), u = filteredBy(a, window.u),
+                          one = filteredBy(a, Eigen::VectorXd::Ones(window.samples()));
+    for (int k = std::max(first, order); k < window.samples(); ++k) {
+      if (window.measured[k] == 0 || row == made.output.size()) continue;
+      for (int i = 0; i < order; ++i) {
+        made.regressors(row, i) = -y[k - 1 - i];
+        made.regressors(row, order + i) = u[std::max(k - 1 - i - delay, 0)];
+      }
+      if (direct) made.regressors(row, 2 * order) = u[std::max(k - delay, 0)];
+      made.regressors(row, columns - 1) = one[k];
+      made.output[row++] = y[k];
+    }
+  }
+  made.regressors.conservativeResize(row, columns);
+  made.output.conservativeResize(row);
+  return made;
+}
+
+/// A constant at the output as a bias of the plant's input.
+double biasOf(const Eigen::VectorXd& theta, int order, bool direct) {
+  const double gain = theta.segment(order, order + (direct ? 1 : 0)).sum();
+  if (std::abs(gain) < 1e-6) return 0;
+  return std::min(std::max(theta[theta.size() - 1] / gain, -20.0), 20.0);
+}
+
+}  // namespace
+
+CurveModel linearStart(const SimulationData& data, int order, bool direct, int delay,
+                       int iterations) {
+  CurveModel best;
+  double least = std::numeric_limits<double>::infinity();
+  Eigen::VectorXd a = Eigen::VectorXd::Zero(order);
+  for (int k = 0; k < iterations; ++k) {
+    const int first = k == 0 ? order : std::min(3 * order + 2, data.longest / 4);
+    const Regression regression = regressionOf(data, order, direct, delay, a, first);
+    if (regression.output.size() <= regression.regressors.cols()) break;
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+    decomposition.setThreshold(1e-9);
+    CurveModel model;
+    model.order = order;
+    model.direct = direct;
+    model.delay = delay;
+    model.theta = decomposition.compute(regression.regressors).solve(regression.output);
+    if (!model.theta.allFinite()) break;
+    a = pulledIn(model.theta.head(order));
+    model.theta.head(order) = a;
+    model.theta[model.biasIndex()] = biasOf(model.theta, order, direct);
+    model.initial = initialStates(data, model, data.longest, 3);
+    const double error = simulationError(data, model);
+    if (error < least || best.theta.size() == 0) {
+      least = error;
+      best = std::move(model);
+    }
+  }
+  return best;
+}
+
+CurveModel withCancellingPair(const CurveModel& model, double pole) {
+  const int n = model.order;
+  CurveModel larger = model;
+  larger.order = n + 1;
+  larger.initial.clear();
+  const Eigen::Vector2d pair(1, -pole);
+  const Eigen::VectorXd a = product(withLeadingOne(model.theta.head(n)), pair);
+  Eigen::VectorXd b(n + 1);
+  b << model.directGain(), model.theta.segment(n, n);
+  b = product(b, pair);
+  const Eigen::Index rest = model.theta.size() - model.biasIndex();
+  larger.theta.resize(2 * (n + 1) + (model.direct ? 1 : 0) + rest);
+  larger.theta.head(n + 1) = a.tail(n + 1);
+  larger.theta.segment(n + 1, n + 1) = b.tail(n + 1);
+  if (model.direct) larger.theta[2 * n + 2] = b[0];
+  larger.theta.tail(rest) = model.theta.tail(rest);
+  return larger;
+}
+
+}  // namespace uncertainty_identification

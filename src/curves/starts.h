@@ -1,0 +1,16 @@
+#pragma once
+
+#include "curves/curve_model.h"
+#include "curves/simulation_data.h"
+
+namespace uncertainty_identification {
+
+/// A linear model by ARX and the iteration of Steiglitz and McBride: of its iterates, that with the
+/// least error of the free simulation. Poles outside 0.998 are pulled to 0.99.
+CurveModel linearStart(const SimulationData& data, int order, bool direct, int delay,
+                       int iterations = 8);
+
+/// The model with one order more: a pole at `pole` that a zero cancels.
+CurveModel withCancellingPair(const CurveModel& model, double pole);
+
+}  // namespace uncertainty_identification

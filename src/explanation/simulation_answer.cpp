@@ -1,0 +1,156 @@
+#include "explanation/simulation_answer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+#include "curves/describe_curve.h"
+#include "explanation/acceptance.h"
+#include "explanation/residual_checks.h"
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// Found in the samples themselves or by a test of the input: no curve can imitate them.
+bool isOfSamples(const Cause& cause) {
+  return cause.name == "sens_quant" || cause.name == "sens_dropout" || cause.name == "sens_clip" ||
+         cause.name == "exp_feedback";
+}
+
+/// Logarithm of the ratio of squared errors, by fits [%].
+double logRatio(double before, double after) {
+  return 2 * std::log(std::max(100 - after, 1e-6) / std::max(100 - before, 1e-6));
+}
+
+/// The same of all causes of the likelihood together.
+double likelihoodRatio(const std::vector<Cause>& causes) {
+  double sum = 0;
+  for (const Cause& cause : causes)
+    if (cause.gain && std::isfinite(cause.gain->nrmse_fit_percent.after))
+      sum += logRatio(cause.gain->nrmse_fit_percent.before, cause.gain->nrmse_fit_percent.after);
+  return sum;
+}
+
+std::string namesOf(const std::vector<Cause>& causes) {
+  std::string names;
+  for (const Cause& cause : causes) names += (names.empty() ? "" : ", ") + cause.name;
+  return names;
+}
+
+Cause ofSimulation(const SimulationCause& found) {
+  constexpr double kNormal90 = 1.6449;
+  Cause cause;
+  cause.name = found.what.name;
+  cause.variant = found.what.covariate;
+  cause.group = found.what.name.rfind("act_", 0) == 0    ? "actuator"
+                : found.what.name.rfind("sens_", 0) == 0 ? "sensor"
+                : found.what.name.rfind("exp_", 0) == 0  ? "experiment"
+                                                         : "plant";
+  cause.description = found.description;
+  cause.advice = found.advice;
+  cause.confidence = kNan;
+  for (const PlaceAndShape& tie : found.ties)
+    if (tie.name != cause.name && std::find(cause.equivalent.begin(), cause.equivalent.end(),
+                                            tie.name) == cause.equivalent.end())
+      cause.equivalent.push_back(tie.name);
+  for (const ShapeValue& value : found.values)
+    cause.parameters.push_back({value.name, "", value.value, value.standard_error,
+                                value.value - kNormal90 * value.standard_error,
+                                value.value + kNormal90 * value.standard_error});
+  const Comparison none{kNan, kNan};
+  cause.gain = Gain{kNan, kNan, kNan, kNan, {found.fit_before, found.fit_after},
+                    none, none, none, none, none};
+  cause.simulation = found;
+  return cause;
+}
+
+/// The curves are the causes. A cause of the likelihood of the same name lends its values and
+/// gains.
+void takeCurves(Explanation* explanation) {
+  std::vector<Cause> causes, dropped;
+  for (const SimulationCause& found : explanation->simulation.causes)
+    causes.push_back(ofSimulation(found));
+  for (Cause& cause : explanation->causes) {
+    const bool is_curve = std::any_of(causes.begin(), causes.end(),
+                                      [&](const Cause& other) { return other.name == cause.name; });
+    if (isOfSamples(cause) && !is_curve)
+      causes.push_back(std::move(cause));
+    else if (!is_curve)
+      dropped.push_back(std::move(cause));
+  }
+  if (!dropped.empty())
+    explanation->warnings.push_back(
+        namesOf(dropped) +
+        ": found by the likelihood of a model that cannot contain what the simulation shows, and "
+        "therefore not named");
+  explanation->causes = std::move(causes);
+  explanation->after = explanation->before;
+  explanation->checks_after = explanation->checks_before;
+  explanation->residual_after = explanation->residual_before;
+  for (ExperimentPicture& picture : explanation->pictures) {
+    picture.simulated_after = picture.simulated_before;
+    picture.deviation_after = picture.deviation_before;
+  }
+  explanation->verdict = Verdict::partly_explained;
+  std::ostringstream text;
+  text.precision(3);
+  for (std::size_t k = 0; k < explanation->simulation.causes.size(); ++k)
+    text << (k > 0 ? "; " : "") << explanation->simulation.causes[k].description << " ("
+         << explanation->simulation.causes[k].what.name << ")";
+  text << ": the fit of simulating held-out data rises from " << explanation->simulation.fit_before
+       << " to " << explanation->simulation.fit_after
+       << " %. The identified model with its noise and its mixture does not contain this, so the "
+          "tests of its residuals still fail";
+  explanation->message = text.str();
+}
+
+/// Causes inside the plant, actuator or sensor that neither pass the tests nor show in simulation.
+void dropUnconfirmed(Explanation* explanation) {
+  const std::vector<std::string> curves = curveCauseNames();
+  const auto is_unconfirmed = [&](const Cause& cause) {
+    return !isOfSamples(cause) && cause.gain && !isClear(*cause.gain) &&
+           std::find(curves.begin(), curves.end(), cause.name) != curves.end();
+  };
+  const auto first =
+      std::stable_partition(explanation->causes.begin(), explanation->causes.end(),
+                            [&](const Cause& cause) { return !is_unconfirmed(cause); });
+  if (first == explanation->causes.end()) return;
+  const std::vector<Cause> dropped(first, explanation->causes.end());
+  explanation->causes.erase(first, explanation->causes.end());
+  explanation->warnings.push_back(namesOf(dropped) +
+                                  ": raises the likelihood, but the free simulation does not "
+                                  "confirm it, and tests still fail; not named");
+}
+
+/// Gives the likelihood's causes the curves of the same name.
+void lendCurves(Explanation* explanation) {
+  for (Cause& cause : explanation->causes)
+    for (const SimulationCause& found : explanation->simulation.causes)
+      if (found.what.name == cause.name) cause.simulation = found;
+}
+
+}  // namespace
+
+void joinSimulation(Explanation* explanation) {
+  const SimulationCauses& simulation = explanation->simulation;
+  if (!simulation.skipped.empty()) return;
+  const bool passed = allPassed(explanation->checks_after);
+  if (simulation.causes.empty()) {
+    if (!passed) dropUnconfirmed(explanation);
+    return;
+  }
+  const double by_curves = logRatio(simulation.fit_before, simulation.fit_after);
+  // Where all tests pass, only a curve that takes half of the error away is believed instead.
+  const bool stands = passed && (by_curves > std::log(0.5) ||
+                                 likelihoodRatio(explanation->causes) <= 0.5 * by_curves);
+  if (stands)
+    lendCurves(explanation);
+  else
+    takeCurves(explanation);
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "uncertainty_identification/explanation/explanation.h"
+
+namespace uncertainty_identification {
+
+/// Joins what the likelihood found with what explanation->simulation shows. The likelihood's causes
+/// stand where all tests of the residuals pass with them and the simulation gains about as much by
+/// them, or little by the curves. Otherwise the curves are the causes: effects of noise, samples
+/// and experiments that were found beside a curve that the likelihood's model cannot contain may
+/// only be its symptoms.
+void joinSimulation(Explanation* explanation);
+
+}  // namespace uncertainty_identification

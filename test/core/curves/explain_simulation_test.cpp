@@ -1,0 +1,152 @@
+#include "curves/explain_simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr int kRuns = 12, kHeld = 6, kSamples = 200;
+
+/// Runs of y' = 0.9 y + 0.2 through(u) - force(y), with inputs held for some samples.
+std::vector<Experiment> runs(int count, unsigned seed, const std::function<double(double)>& through,
+                             const std::function<double(double)>& force, double gain_spread = 0.02) {
+  std::mt19937_64 engine(seed);
+  const auto uniform = [&] { return static_cast<double>(engine() >> 11) / 9007199254740992.0; };
+  const auto normal = [&] {
+    double sum = -6;
+    for (int k = 0; k < 12; ++k) sum += uniform();
+    return sum;
+  };
+  std::vector<Experiment> all(static_cast<std::size_t>(count));
+  for (Experiment& run : all) {
+    run.id = "run " + std::to_string(&run - all.data());
+    run.sample_time = 0.1;
+    run.u.resize(kSamples);
+    run.y.resize(kSamples);
+    const double gain = 1 + gain_spread * normal();
+    double x = 0, level = 0;
+    int left = 0;
+    for (int k = 0; k < kSamples; ++k) {
+      if (left-- == 0) {
+        left = 5 + static_cast<int>(15 * uniform());
+        level = 4 * uniform() - 2;
+      }
+      run.u[k] = level;
+      run.y[k] = x + 0.02 * normal();
+      x = 0.9 * x + 0.2 * gain * through(level) - force(x);
+    }
+  }
+  return all;
+}
+
+double same(double u) { return u; }
+double none(double) { return 0; }
+double deadZone(double u) { return std::abs(u) < 0.5 ? 0 : u > 0 ? u - 0.5 : u + 0.5; }
+
+SimulationCauses explained(const std::vector<Experiment>& all, int threads = 1,
+                           SimulationSearchOptions options = {}) {
+  WorkerPool pool(threads);
+  const std::vector<Experiment> fitted(all.begin(), all.end() - kHeld),
+      held(all.end() - kHeld, all.end());
+  return explainSimulation(fitted, held, options, &pool);
+}
+
+TEST(ExplainSimulation, FindsNothingInALinearPlant) {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const SimulationCauses found = explained(runs(kRuns + kHeld, seed, same, none));
+    EXPECT_TRUE(found.causes.empty()) << found.causes.front().description;
+    EXPECT_EQ(found.fit_before, found.fit_after);
+    EXPECT_EQ(found.pictures.size(), 2u);
+  }
+}
+
+TEST(ExplainSimulation, NamesADeadZoneWithItsWidthAndCurve) {
+  const SimulationCauses found = explained(runs(kRuns + kHeld, 4, deadZone, none));
+  ASSERT_EQ(found.causes.size(), 1u);
+  const SimulationCause& cause = found.causes.front();
+  EXPECT_EQ(cause.what.name, "act_deadzone");
+  EXPECT_EQ(cause.what.place, "input");
+  EXPECT_EQ(cause.what.shape, "dead_zone");
+  ASSERT_EQ(cause.values.size(), 1u);
+  EXPECT_EQ(cause.values[0].name, "half_width");
+  EXPECT_GT(cause.values[0].standard_error, 0);
+  // Four standard errors: one in 16,000 by chance, but that they are estimated.
+  EXPECT_NEAR(cause.values[0].value, 0.5, 4 * cause.values[0].standard_error);
+  EXPECT_LT(cause.values[0].standard_error, 0.02);
+  EXPECT_GT(found.fit_after, 90);
+  EXPECT_LT(found.fit_before, found.fit_after);
+  // The curve is flat within the zone and has one slope outside.
+  ASSERT_EQ(cause.curve.signal.size(), 41u);
+  EXPECT_EQ(cause.curve.unit, "input");
+  for (std::size_t k = 0; k < cause.curve.signal.size(); ++k) {
+    EXPECT_LE(cause.curve.lower_90[k], cause.curve.value[k]);
+    EXPECT_GE(cause.curve.upper_90[k], cause.curve.value[k]);
+  }
+  const double middle = cause.curve.value[20], beside = cause.curve.value[22], end = cause.curve.value[40];
+  EXPECT_NEAR(middle, beside, 0.02);
+  EXPECT_GT(end - middle, 1);
+}
+
+TEST(ExplainSimulation, NamesAForceInThePlant) {
+  const SimulationCauses found = explained(
+      runs(kRuns + kHeld, 5, same, [](double x) { return 0.05 * x * std::abs(x); }));
+  ASSERT_FALSE(found.causes.empty());
+  EXPECT_EQ(found.causes.front().what.name, "plant_drag");
+  EXPECT_EQ(found.causes.front().what.place, "position");
+  EXPECT_GT(found.fit_after, found.fit_before + 2);
+}
+
+/// Gains that differ by a tenth are no curve, though a memory of the first samples would help.
+TEST(ExplainSimulation, DoesNotTakeDifferencesBetweenRunsForACurve) {
+  for (const unsigned seed : {6u, 7u, 8u})
+    EXPECT_TRUE(explained(runs(kRuns + kHeld, seed, same, none, 0.1)).causes.empty());
+}
+
+TEST(ExplainSimulation, DoesNotDependOnThreads) {
+  const std::vector<Experiment> all = runs(kRuns + kHeld, 9, deadZone, none);
+  const SimulationCauses one = explained(all, 1), two = explained(all, 2);
+  ASSERT_EQ(one.causes.size(), two.causes.size());
+  EXPECT_EQ(one.fit_after, two.fit_after);
+  EXPECT_EQ(one.causes.front().values[0].value, two.causes.front().values[0].value);
+}
+
+TEST(ExplainSimulation, HoldsOutWindowsOfTooFewRuns) {
+  const std::vector<Experiment> all = runs(8, 10, deadZone, none);
+  WorkerPool pool(1);
+  const SimulationCauses found = explainSimulation(all, {}, {}, &pool);
+  ASSERT_EQ(found.causes.size(), 1u);
+  EXPECT_EQ(found.causes.front().what.name, "act_deadzone");
+}
+
+TEST(ExplainSimulation, LeavesOutPlacesWhoseNamesAreAllExcluded) {
+  SimulationSearchOptions options;
+  options.excluded = {"act_deadzone", "act_saturation", "act_asymmetry", "act_hammerstein"};
+  const SimulationCauses found =
+      explained(runs(kRuns + kHeld, 4, deadZone, none), 1, options);
+  for (const SimulationCause& cause : found.causes) EXPECT_NE(cause.what.place, "input");
+}
+
+TEST(ExplainSimulation, SaysWhyItDidNotSearch) {
+  WorkerPool pool(1);
+  EXPECT_EQ(explainSimulation(runs(1, 1, same, none), {}, {}, &pool).skipped,
+            "fewer than 200 samples");  // three windows of 66
+  std::vector<Experiment> constant = runs(8, 1, same, none);
+  for (Experiment& run : constant) run.u.setConstant(3);
+  EXPECT_EQ(explainSimulation(constant, {}, {}, &pool).skipped, "the input is constant");
+}
+
+TEST(ExplainSimulation, CanBeCancelled) {
+  SimulationSearchOptions options;
+  int asked = 0;
+  options.progress = [&asked](const std::string&) { return ++asked < 3; };
+  const SimulationCauses found = explained(runs(kRuns + kHeld, 4, deadZone, none), 1, options);
+  EXPECT_TRUE(found.ended_early);
+  EXPECT_TRUE(found.causes.empty());
+}
+
+}  // namespace
+}  // namespace uncertainty_identification

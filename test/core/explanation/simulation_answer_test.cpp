@@ -1,0 +1,110 @@
+#include "explanation/simulation_answer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/mentions.h"
+
+namespace uncertainty_identification {
+namespace {
+
+Check checkThat(bool passed) { return {"whiteness", 1, passed ? 0.5 : 1e-9, passed, ""}; }
+
+Cause ofLikelihood(const std::string& name, double before, double after) {
+  Cause cause;
+  cause.name = name;
+  cause.confidence = 0.99;
+  cause.gain = Gain{};
+  cause.gain->nrmse_fit_percent = {before, after};
+  return cause;
+}
+
+/// The simulation shows friction, by which its fit rises from 90 to 98 %.
+Explanation withFriction(bool passes, std::vector<Cause> causes) {
+  Explanation explanation;
+  explanation.checks_before = {checkThat(false)};
+  explanation.checks_after = {checkThat(passes)};
+  explanation.verdict = passes ? Verdict::explained : Verdict::partly_explained;
+  explanation.causes = std::move(causes);
+  explanation.simulation.fit_before = 90;
+  explanation.simulation.fit_after = 98;
+  SimulationCause friction;
+  friction.what = {"plant_coulomb", "rate", "coulomb", ""};
+  friction.description = "Coulomb friction";
+  friction.values = {{"amplitude", 2, 0.1}};
+  friction.ties = {{"act_backlash", "play", "play", ""}};
+  friction.fit_before = 90;
+  friction.fit_after = 98;
+  explanation.simulation.causes = {friction};
+  return explanation;
+}
+
+TEST(SimulationAnswer, ReplacesCausesWithWhichTestsStillFail) {
+  Explanation found = withFriction(false, {ofLikelihood("sens_hum", 90, 89), ofLikelihood("exp_feedback", 0, 0)});
+  joinSimulation(&found);
+  ASSERT_EQ(found.causes.size(), 2u);
+  const Cause& friction = found.causes[0];
+  EXPECT_EQ(friction.name, "plant_coulomb");
+  EXPECT_EQ(friction.group, "plant");
+  EXPECT_TRUE(std::isnan(friction.confidence));
+  EXPECT_EQ(friction.equivalent, std::vector<std::string>{"act_backlash"});
+  ASSERT_TRUE(friction.gain);
+  EXPECT_EQ(friction.gain->nrmse_fit_percent.after, 98);
+  EXPECT_TRUE(std::isnan(friction.gain->log_density));
+  ASSERT_EQ(friction.parameters.size(), 1u);
+  EXPECT_NEAR(friction.parameters[0].upper_90, 2.1645, 1e-4);
+  EXPECT_EQ(found.causes[1].name, "exp_feedback");  // seen by a test of the input
+  EXPECT_EQ(found.verdict, Verdict::partly_explained);
+  EXPECT_TRUE(test::mentions(found.message, "from 90 to 98 %")) << found.message;
+  ASSERT_EQ(found.warnings.size(), 1u);
+  EXPECT_TRUE(test::mentions(found.warnings[0], "sens_hum: found by the likelihood"));
+}
+
+TEST(SimulationAnswer, LeavesCausesWithWhichTestsPassAndTheSimulationGains) {
+  Explanation found = withFriction(true, {ofLikelihood("plant_coulomb", 90, 97)});
+  joinSimulation(&found);
+  ASSERT_EQ(found.causes.size(), 1u);
+  EXPECT_EQ(found.causes[0].confidence, 0.99);
+  ASSERT_TRUE(found.causes[0].simulation);
+  EXPECT_EQ(found.causes[0].simulation->what.shape, "coulomb");
+  EXPECT_EQ(found.verdict, Verdict::explained);
+}
+
+/// White residuals alone are no explanation: a lag or a pole makes most errors white.
+TEST(SimulationAnswer, ReplacesCausesByWhichTheSimulationGainsLittle) {
+  Explanation found = withFriction(true, {ofLikelihood("sens_lag", 90, 90.5)});
+  joinSimulation(&found);
+  ASSERT_EQ(found.causes.size(), 1u);
+  EXPECT_EQ(found.causes[0].name, "plant_coulomb");
+}
+
+TEST(SimulationAnswer, LeavesWhatPassesWhereCurvesGainLittle) {
+  Explanation found = withFriction(true, {ofLikelihood("plant_parameter_spread", 90, 90)});
+  found.simulation.fit_after = 91;
+  joinSimulation(&found);
+  ASSERT_EQ(found.causes.size(), 1u);
+  EXPECT_EQ(found.causes[0].name, "plant_parameter_spread");
+}
+
+TEST(SimulationAnswer, DropsWhatNeitherTestsNorSimulationConfirm) {
+  Explanation found = withFriction(
+      false, {ofLikelihood("act_hammerstein", 90, 90.1), ofLikelihood("noise_tails", 90, 90)});
+  found.simulation.causes.clear();
+  found.causes[0].gain->standard_error = found.causes[1].gain->standard_error = 1;
+  joinSimulation(&found);
+  ASSERT_EQ(found.causes.size(), 1u);
+  EXPECT_EQ(found.causes[0].name, "noise_tails");
+  EXPECT_TRUE(test::mentions(found.warnings.at(0), "act_hammerstein: raises the likelihood"));
+}
+
+TEST(SimulationAnswer, ChangesNothingWhereTheSimulationWasNotSearched) {
+  Explanation found = withFriction(false, {ofLikelihood("sens_hum", 90, 89)});
+  found.simulation.causes.clear();
+  found.simulation.skipped = "fewer than 200 samples";
+  joinSimulation(&found);
+  ASSERT_EQ(found.causes.size(), 1u);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
