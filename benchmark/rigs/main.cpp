@@ -1,4 +1,5 @@
-// Explains simulated machines with the default configuration, and counts how often the right cause is named.
+// Explains simulated machines with the default configuration, and counts how often the right cause
+// is named.
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <cstdio>
@@ -35,7 +36,9 @@ double match(const SimulationCause& named, const Rig& rig, std::vector<bool>* fo
   for (const double share : {1.0, 0.5}) {
     for (std::size_t k = 0; k < rig.causes.size(); ++k) {
       if ((*found)[k]) continue;
-      const auto is_right = [&](const PlaceAndShape& what) { return isRight(placeOf(what), rig.causes[k]); };
+      const auto is_right = [&](const PlaceAndShape& what) {
+        return isRight(placeOf(what), rig.causes[k]);
+      };
       const bool hit = share == 1 ? is_right(named.what)
                                   : std::any_of(named.ties.begin(), named.ties.end(), is_right);
       if (!hit) continue;
@@ -59,11 +62,10 @@ Answer answerTo(const Rig& rig, std::uint64_t seed) {
   for (const Cause& cause : explanation.causes) {
     answer.text += (answer.text.empty() ? "" : ", ") + cause.name;
     const double earned = cause.simulation ? match(*cause.simulation, rig, &found) : 0;
-    const bool is_structural =
-        cause.name.rfind("noise_", 0) != 0 && cause.name.rfind("exp_", 0) != 0 &&
-        cause.name != "plant_parameter_spread";  // which the rigs have
-    if (cause.simulation)
-      answer.text += " (" + placeOf(cause.simulation->what) + ")";
+    const bool is_structural = cause.name.rfind("noise_", 0) != 0 &&
+                               cause.name.rfind("exp_", 0) != 0 &&
+                               cause.name != "plant_parameter_spread";  // which the rigs have
+    if (cause.simulation) answer.text += " (" + placeOf(cause.simulation->what) + ")";
     answer.wrong += earned == 0 && is_structural;
     answer.right += earned / static_cast<double>(rig.causes.size());
   }
@@ -81,21 +83,23 @@ int run(int first_seed, int seeds, const std::string& only) {
       (is_clean ? clean : rigs) += 1;
       (is_clean ? silent : right) += is_clean ? answer.wrong == 0 : answer.right;
       seconds.push_back(answer.seconds);
-      const char* word = is_clean ? (answer.wrong == 0 ? "right" : "FALSE")
+      const char* word = is_clean              ? (answer.wrong == 0 ? "right" : "FALSE")
                          : answer.right > 0.99 ? "right"
-                         : answer.right > 0    ? "half" : "WRONG";
-      std::printf("%-5s %-36s seed %d: fit %5.1f -> %5.1f %%, %4.1f s: %s\n", word, rig.name.c_str(),
-                  first_seed + k, answer.fit_before, answer.fit_after, answer.seconds,
-                  answer.text.empty() ? "nothing" : answer.text.c_str());
+                         : answer.right > 0    ? "half"
+                                               : "WRONG";
+      std::printf("%-5s %-36s seed %d: fit %5.1f -> %5.1f %%, %4.1f s: %s\n", word,
+                  rig.name.c_str(), first_seed + k, answer.fit_before, answer.fit_after,
+                  answer.seconds, answer.text.empty() ? "nothing" : answer.text.c_str());
       std::fflush(stdout);
     }
   }
   if (seconds.empty()) return 2;
   std::sort(seconds.begin(), seconds.end());
-  std::printf("right %.1f of %.0f (%.0f %%); nothing structural named in %.0f of %.0f without a cause; "
-              "median %.1f s, worst %.1f s\n",
-              right, rigs, 100 * right / std::max(rigs, 1.0), silent, clean,
-              seconds[seconds.size() / 2], seconds.back());
+  std::printf(
+      "right %.1f of %.0f (%.0f %%); nothing structural named in %.0f of %.0f without a cause; "
+      "median %.1f s, worst %.1f s\n",
+      right, rigs, 100 * right / std::max(rigs, 1.0), silent, clean, seconds[seconds.size() / 2],
+      seconds.back());
   return 0;
 }
 
@@ -105,8 +109,8 @@ int run(int first_seed, int seeds, const std::string& only) {
 int main(int count, char** values) {
   namespace options = boost::program_options;
   options::options_description known("options");
-  known.add_options()("help", "what this is")(
-      "first-seed", options::value<int>()->default_value(1), "of the first set of each rig")(
+  known.add_options()("help", "what this is")("first-seed", options::value<int>()->default_value(1),
+                                              "of the first set of each rig")(
       "seeds", options::value<int>()->default_value(1), "sets of each rig")(
       "only", options::value<std::string>()->default_value(""), "rigs whose name contains this");
   options::variables_map given;
@@ -115,7 +119,6 @@ int main(int count, char** values) {
     std::cout << "Explains simulated machines with the default configuration.\n" << known;
     return 0;
   }
-  return uncertainty_identification::rigs::run(given["first-seed"].as<int>(),
-                                               given["seeds"].as<int>(),
-                                               given["only"].as<std::string>());
+  return uncertainty_identification::rigs::run(
+      given["first-seed"].as<int>(), given["seeds"].as<int>(), given["only"].as<std::string>());
 }

@@ -1,12 +1,9 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "curves/naming.h"
-#include "curves/screening_places.h"
-#include "curves/search_context.h"
+#include "curves/curve_candidates.h"
 
 namespace uncertainty_identification {
 
@@ -31,7 +28,7 @@ struct FoundCurve {
 };
 
 struct CurveSearchResult {
-  SimulationFit base, fit;
+  WindowFit base, fit;
   std::vector<FoundCurve> causes;  ///< those with a curve are in the order of fit.model.curves
   double held_error = 0;           ///< squared, of all held-out windows
   bool ended_early = false;
@@ -39,14 +36,12 @@ struct CurveSearchResult {
 
 struct CurveSearchLimits {
   int max_causes = 3;
-  int max_order = 4;
-  int places = 4;             ///< how many of the screened places are fitted fully
+  CandidateLimits candidates;
   double least_t = 3;         ///< over windows
   double least_gain = 0.08;   ///< of the squared error, windows left out, and held out
   double least_share = 0.03;  ///< of the base's squared error
-  double least_fit = 30;      ///< [%] held out, with the causes: a poor simulation names nothing
   double least_held_t = 1.7;  ///< paired, over held-out windows: 95 %, one-sided
-  std::function<bool(Place)> excluded;  ///< places that are not tried; may be empty
+  double least_fit = 30;      ///< [%] held out, with the causes: a poor simulation names nothing
 };
 
 /// Looks for the curves that the free simulation of a small linear model lacks. `held` decides

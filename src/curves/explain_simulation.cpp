@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "curves/curve_search.h"
+#include "curves/curve_words.h"
 #include "curves/describe_curve.h"
 #include "curves/held_out.h"
 #include "curves/preparation.h"
@@ -124,7 +125,7 @@ SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
 
   CurveSearchLimits limits;
   limits.max_causes = std::min(limits.max_causes, options.max_causes);
-  limits.excluded = exclusionOf(options.excluded);
+  limits.candidates.excluded = exclusionOf(options.excluded);
   CurveSearchContext context;
   context.pool = pool;
   std::mutex telling;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "curves/free_simulation.h"
-#include "curves/simulation_fit.h"
+#include "curves/initial_states.h"
 #include "curves/window_products.h"
 
 namespace uncertainty_identification {

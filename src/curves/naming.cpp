@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "curves/fit_comparison.h"
+
 namespace uncertainty_identification {
 namespace {
 
@@ -53,7 +55,7 @@ std::vector<ClosestShape> closestShapes(const Eigen::VectorXd& values, const Cur
 struct Contender {
   double criterion = 0;
   std::string shape;
-  SimulationFit fit;
+  WindowFit fit;
 };
 
 /// The first in the order of shapesAt() of those within 2 of the best; the free curve, which is the
@@ -67,7 +69,7 @@ std::size_t chosen(const std::vector<Contender>& contenders, Place place) {
   return 0;
 }
 
-void findNearest(const std::vector<Contender>& contenders, const SimulationFit& before,
+void findNearest(const std::vector<Contender>& contenders, const WindowFit& before,
                  Naming* naming) {
   const double gain = before.squared_error - contenders.front().fit.squared_error;
   if (!(gain > 0)) return;
@@ -81,8 +83,8 @@ void findNearest(const std::vector<Contender>& contenders, const SimulationFit& 
 
 }  // namespace
 
-Naming nameCurve(const SimulationData& data, const SimulationFit& before, const SimulationFit& free,
-                 const SimulationFit& linearised, int shapes, const CurveSearchContext& context) {
+Naming nameCurve(const SimulationData& data, const WindowFit& before, const WindowFit& free,
+                 const WindowFit& linearised, int shapes, const CurveSearchContext& context) {
   const Curve& place = free.model.curves.back();
   if (isScalar(place.place())) return {free, nameOf(place.place()), "", 0, {}};
   const bool gained =
@@ -105,7 +107,7 @@ Naming nameCurve(const SimulationData& data, const SimulationFit& before, const 
     Eigen::VectorXd theta(from.theta.size() - own + each.parameters.size());
     theta << from.theta.head(from.theta.size() - own), each.parameters;
     model.theta = std::move(theta);
-    SimulationFit fit = fitFreely(data, std::move(model), context.limits(15));
+    WindowFit fit = fitFreely(data, std::move(model), context.limits(15));
     const double reached = criterion(fit, samples);
     contenders.push_back({reached, each.shape->name, std::move(fit)});
   }

@@ -15,7 +15,7 @@ struct OtherShape {
 
 /// What the last curve of a model is called.
 struct Naming {
-  SimulationFit fit;         ///< with the named shape, or with the free curve
+  WindowFit fit;             ///< with the named shape, or with the free curve
   std::string shape;         ///< "coulomb"; "curve": no shape is as good as the free curve
   std::string nearest;       ///< of a free curve: the shape that has most of its gain
   double nearest_share = 0;  ///< share of the gain, 0 to 1
@@ -26,7 +26,7 @@ struct Naming {
 /// with it by BIC with the effective number of samples. Of shapes within 2, the first in
 /// shapesAt() is named. Where the full fit of the free curve gained nothing, the shapes start from
 /// `linearised`, the step of the screening, if it has one.
-Naming nameCurve(const SimulationData& data, const SimulationFit& before, const SimulationFit& free,
-                 const SimulationFit& linearised, int shapes, const CurveSearchContext& context);
+Naming nameCurve(const SimulationData& data, const WindowFit& before, const WindowFit& free,
+                 const WindowFit& linearised, int shapes, const CurveSearchContext& context);
 
 }  // namespace uncertainty_identification

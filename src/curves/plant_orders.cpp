@@ -4,13 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "curves/fit_comparison.h"
 #include "curves/starts.h"
 
 namespace uncertainty_identification {
 namespace {
 
 /// Number of states and direct terms, by which models are ordered.
-double sizeOf(const SimulationFit& fit) { return fit.model.order + (fit.model.direct ? 0.5 : 0.0); }
+double sizeOf(const WindowFit& fit) { return fit.model.order + (fit.model.direct ? 0.5 : 0.0); }
 
 CurveModel withDirectTerm(const CurveModel& model) {
   CurveModel larger = model;
@@ -21,20 +22,20 @@ CurveModel withDirectTerm(const CurveModel& model) {
   return larger;
 }
 
-SimulationFit withDelay(const SimulationData& data, const SimulationFit& fit, int delay,
-                        const CurveSearchContext& context) {
+WindowFit withDelay(const SimulationData& data, const WindowFit& fit, int delay,
+                    const CurveSearchContext& context) {
   CurveModel later = fit.model;
   later.delay = delay;
-  SimulationFit best = fitFreely(data, later, context.limits(10));
+  WindowFit best = fitFreely(data, later, context.limits(10));
   if (!fit.model.curves.empty()) return best;
-  SimulationFit anew = fitFreely(data, linearStart(data, fit.model.order, fit.model.direct, delay),
-                                 context.limits(10));
+  WindowFit anew = fitFreely(data, linearStart(data, fit.model.order, fit.model.direct, delay),
+                             context.limits(10));
   return anew.left_out < best.left_out ? anew : best;
 }
 
 /// The model with the dead time that a scan finds, if it lowers what is left out by a quarter.
-SimulationFit withScannedDelay(const SimulationData& data, SimulationFit fit,
-                               const CurveSearchContext& context) {
+WindowFit withScannedDelay(const SimulationData& data, WindowFit fit,
+                           const CurveSearchContext& context) {
   CurveModel best;
   double least = 0.9 * fit.squared_error;
   for (const int delay : {1, 2, 3, 4, 6, 8, 12, 16, 24}) {
@@ -48,7 +49,7 @@ SimulationFit withScannedDelay(const SimulationData& data, SimulationFit fit,
     }
   }
   if (best.delay == 0) return fit;
-  SimulationFit later = fitFreely(data, std::move(best), context.limits(15));
+  WindowFit later = fitFreely(data, std::move(best), context.limits(15));
   return later.left_out < 0.75 * fit.left_out ? later : fit;
 }
 
@@ -57,24 +58,24 @@ SimulationFit withScannedDelay(const SimulationData& data, SimulationFit fit,
 LinearPlants fitLinearPlants(const SimulationData& data, int max_order,
                              const CurveSearchContext& context) {
   constexpr double kFall = 0.7;
-  std::vector<SimulationFit> fits(static_cast<std::size_t>(2 * max_order));
-  const auto at = [&](int order, bool direct) -> SimulationFit& {
+  std::vector<WindowFit> fits(static_cast<std::size_t>(2 * max_order));
+  const auto at = [&](int order, bool direct) -> WindowFit& {
     return fits[static_cast<std::size_t>(2 * (order - 1) + (direct ? 1 : 0))];
   };
   context.pool->forEach(2, [&](int direct) {
     for (int order = 1; order <= max_order; ++order) {
-      SimulationFit& best = at(order, direct != 0);
+      WindowFit& best = at(order, direct != 0);
       best = fitFreely(data, linearStart(data, order, direct != 0, 0), context.limits(15));
       if (order > 1) {
-        SimulationFit other = fitFreely(
-            data, withCancellingPair(at(order - 1, direct != 0).model, 0.5), context.limits(15));
+        WindowFit other = fitFreely(data, withCancellingPair(at(order - 1, direct != 0).model, 0.5),
+                                    context.limits(15));
         if (other.squared_error < best.squared_error) best = std::move(other);
       }
       if (direct == 0) best = withScannedDelay(data, std::move(best), context);
     }
   });
-  const SimulationFit* chosen = &fits.front();
-  for (const SimulationFit& fit : fits) {
+  const WindowFit* chosen = &fits.front();
+  for (const WindowFit& fit : fits) {
     const double orders = std::max(1.0, std::floor(sizeOf(fit)) - chosen->model.order);
     if (fit.left_out < chosen->left_out * std::pow(kFall, 2 * orders) && pairedT(*chosen, fit) > 1)
       chosen = &fit;
@@ -83,13 +84,13 @@ LinearPlants fitLinearPlants(const SimulationData& data, int max_order,
   found.starts.push_back(*chosen);
   if (chosen->model.order < max_order) found.starts.push_back(at(chosen->model.order + 1, false));
   for (int order = 1; order <= max_order; ++order) {
-    const SimulationFit &plain = at(order, false), &direct = at(order, true);
+    const WindowFit &plain = at(order, false), &direct = at(order, true);
     found.of_order.push_back(direct.left_out < 0.9 * plain.left_out ? direct : plain);
   }
   return found;
 }
 
-std::vector<PlantChange> largerPlants(const SimulationData& data, const SimulationFit& fit,
+std::vector<PlantChange> largerPlants(const SimulationData& data, const WindowFit& fit,
                                       const LinearPlants& linear, int max_order,
                                       const CurveSearchContext& context) {
   std::vector<PlantChange> changes;
@@ -112,7 +113,7 @@ std::vector<PlantChange> largerPlants(const SimulationData& data, const Simulati
       change.fit =
           withDelay(data, fit, fit.model.delay + std::vector<int>{1, 2, 3, 5}[k - delays], context);
   });
-  for (const SimulationFit& other : linear.of_order) {
+  for (const WindowFit& other : linear.of_order) {
     const int more = other.model.order - fit.model.order;
     if (fit.model.curves.empty() && more > 0 && more <= 2)
       changes.push_back({PlantChange::Kind::order, other});
@@ -120,8 +121,8 @@ std::vector<PlantChange> largerPlants(const SimulationData& data, const Simulati
   return changes;
 }
 
-SimulationFit smallerPlant(const SimulationData& data, SimulationFit fit,
-                           const CurveSearchContext& context) {
+WindowFit smallerPlant(const SimulationData& data, WindowFit fit,
+                       const CurveSearchContext& context) {
   while (fit.model.order > 1 && context.going_on()) {
     CurveModel smaller = linearStart(data, fit.model.order - 1, fit.model.direct, fit.model.delay);
     const Eigen::Index curves = fit.model.theta.size() - fit.model.linearParameters();
@@ -131,7 +132,7 @@ SimulationFit smallerPlant(const SimulationData& data, SimulationFit fit,
     smaller.curves = fit.model.curves;
     smaller.rate_scale = fit.model.rate_scale;
     smaller.initial.clear();
-    SimulationFit refitted = fitFreely(data, std::move(smaller), context.limits(15));
+    WindowFit refitted = fitFreely(data, std::move(smaller), context.limits(15));
     if (!(refitted.left_out < 1.03 * fit.left_out)) break;
     fit = std::move(refitted);
   }

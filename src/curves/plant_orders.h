@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "curves/search_context.h"
-#include "curves/simulation_fit.h"
+#include "curves/window_fit.h"
 
 namespace uncertainty_identification {
 
@@ -11,7 +11,7 @@ namespace uncertainty_identification {
 struct PlantChange {
   enum class Kind { order, direct, delay };
   Kind kind = Kind::order;
-  SimulationFit fit;
+  WindowFit fit;
 };
 
 /// Linear models of all orders, without curves.
@@ -20,8 +20,8 @@ struct LinearPlants {
   /// larger one, and that with one order more. To be chosen, a higher order must lower the root
   /// mean square of what is left out by 30 %: curves are sought on top of it, and higher orders
   /// compete with them.
-  std::vector<SimulationFit> starts;
-  std::vector<SimulationFit> of_order;  ///< the best of orders 1, 2, ...
+  std::vector<WindowFit> starts;
+  std::vector<WindowFit> of_order;  ///< the best of orders 1, 2, ...
 };
 
 LinearPlants fitLinearPlants(const SimulationData& data, int max_order,
@@ -30,12 +30,12 @@ LinearPlants fitLinearPlants(const SimulationData& data, int max_order,
 /// The model with one order more, with a direct term, and with more dead time. On top of a model
 /// without curves also the linear ones of one and two orders more, since a chain of lags looks like
 /// dead time.
-std::vector<PlantChange> largerPlants(const SimulationData& data, const SimulationFit& fit,
+std::vector<PlantChange> largerPlants(const SimulationData& data, const WindowFit& fit,
                                       const LinearPlants& linear, int max_order,
                                       const CurveSearchContext& context);
 
 /// The model with fewer orders, as long as leaving windows out loses less than 3 %.
-SimulationFit smallerPlant(const SimulationData& data, SimulationFit fit,
-                           const CurveSearchContext& context);
+WindowFit smallerPlant(const SimulationData& data, WindowFit fit,
+                       const CurveSearchContext& context);
 
 }  // namespace uncertainty_identification

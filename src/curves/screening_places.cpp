@@ -122,7 +122,7 @@ std::vector<double> widthsFor(const SimulationData& data, Place place) {
 
 }  // namespace
 
-CurveModel extended(const SimulationData& data, const SimulationFit& fit, const PlaceOf& place,
+CurveModel extended(const SimulationData& data, const WindowFit& fit, const PlaceOf& place,
                     double width) {
   CurveModel model = fit.model;
   const Curve curve = curveAt(data, place, &model);
@@ -133,7 +133,7 @@ CurveModel extended(const SimulationData& data, const SimulationFit& fit, const 
   return model;
 }
 
-std::vector<ScreenedPlace> screenPlaces(const SimulationData& data, const SimulationFit& fit,
+std::vector<ScreenedPlace> screenPlaces(const SimulationData& data, const WindowFit& fit,
                                         const std::function<bool(Place)>& excluded,
                                         const CurveSearchContext& context) {
   std::vector<PlaceOf> places = placesFor(data, fit.model);
@@ -151,7 +151,7 @@ std::vector<ScreenedPlace> screenPlaces(const SimulationData& data, const Simula
     for (const double width : widths) {
       const CurveModel model = extended(data, fit, place, width);
       if (model.curves.back().parameters() == 0) continue;
-      SimulationFit stepped = stepLinearly(data, model);
+      WindowFit stepped = stepLinearly(data, model);
       if (stepped.left_out < screened.fit.left_out) screened.fit = std::move(stepped);
     }
   });
@@ -165,16 +165,16 @@ std::vector<ScreenedPlace> screenPlaces(const SimulationData& data, const Simula
   return found;
 }
 
-SimulationFit fitPlace(const SimulationData& data, const SimulationFit& before,
-                       const ScreenedPlace& screened, const CurveSearchContext& context) {
-  SimulationFit best;
+WindowFit fitPlace(const SimulationData& data, const WindowFit& before,
+                   const ScreenedPlace& screened, const CurveSearchContext& context) {
+  WindowFit best;
   best.squared_error = std::numeric_limits<double>::infinity();
   for (const double share : {0.0, 1.0, 0.4}) {
     CurveModel model = screened.fit.model;
     model.theta += share * screened.fit.step;
     model.initial = before.model.initial;
     if (share > 0 && !isSimulable(model)) continue;
-    SimulationFit fitted = fitFreely(data, std::move(model), context.limits(5));
+    WindowFit fitted = fitFreely(data, std::move(model), context.limits(5));
     if (fitted.squared_error < best.squared_error) best = std::move(fitted);
   }
   return fitFreely(data, std::move(best.model), context.limits(25));

@@ -15,22 +15,22 @@ struct PlaceOf {
 };
 
 /// The model of `fit` with a free curve at `place`, zero, or with a width or limit of `width`.
-CurveModel extended(const SimulationData& data, const SimulationFit& fit, const PlaceOf& place,
+CurveModel extended(const SimulationData& data, const WindowFit& fit, const PlaceOf& place,
                     double width = 0);
 
 /// The linearised fit of every place that the model does not have yet and that is not excluded, the
 /// best first.
 struct ScreenedPlace {
   PlaceOf place;
-  SimulationFit fit;
+  WindowFit fit;
 };
-std::vector<ScreenedPlace> screenPlaces(const SimulationData& data, const SimulationFit& fit,
+std::vector<ScreenedPlace> screenPlaces(const SimulationData& data, const WindowFit& fit,
                                         const std::function<bool(Place)>& excluded,
                                         const CurveSearchContext& context);
 
 /// The free curve of a screened place fitted fully: from zero, from the linearised step and from
 /// 0.4 of it.
-SimulationFit fitPlace(const SimulationData& data, const SimulationFit& before,
-                       const ScreenedPlace& screened, const CurveSearchContext& context);
+WindowFit fitPlace(const SimulationData& data, const WindowFit& before,
+                   const ScreenedPlace& screened, const CurveSearchContext& context);
 
 }  // namespace uncertainty_identification

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "curves/simulation_fit.h"
+#include "curves/window_fit.h"
 #include "math/worker_pool.h"
 
 namespace uncertainty_identification {

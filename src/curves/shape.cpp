@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 namespace uncertainty_identification {
@@ -130,57 +131,33 @@ std::vector<Shape> brokenShapes() {
            true}};
 }
 
-std::vector<std::string> namesAt(Place place) {
-  switch (place) {
-    case Place::input:
-      return {"dead_zone",
-              "saturation",
-              "dead_zone_saturation",
-              "asymmetric_dead_zone",
-              "asymmetric_slope",
-              "hinge",
-              "square",
-              "cubic",
-              "signed_square",
-              "polynomial",
-              "exponential",
-              "power",
-              "tanh",
-              "root"};
-    case Place::position:
-      return {"cubic",         "square",
-              "signed_square", "polynomial",
-              "root",          "exponential",
-              "sine",          "coulomb",
-              "stribeck",      "asymmetric_coulomb",
-              "hinge",         "asymmetric_slope",
-              "dead_zone",     "power"};
-    case Place::output_state:
-      return {"cubic",       "square", "signed_square", "polynomial", "root",
-              "exponential", "sine",   "hinge",         "power",      "coulomb"};
-    case Place::rate:
-      return {"coulomb", "stribeck", "asymmetric_coulomb", "signed_square",
-              "cubic",   "square",   "asymmetric_slope"};
-    case Place::position_gain:
-      return {"linear", "square", "tanh", "magnitude", "exponential", "hinge"};
-    case Place::input_times_position:
-      return {"linear", "square", "tanh", "magnitude", "exponential"};
-    case Place::rate_gain:
-      return {"coulomb", "linear", "magnitude"};
-    case Place::sensor:
-      return {"saturation", "hinge", "square",    "cubic",         "exponential", "polynomial",
-              "magnitude",  "root",  "dead_zone", "signed_square", "tanh"};
-    case Place::time_gain:
-      return {"linear", "square", "step", "exponential"};
-    case Place::time:
-      return {"linear", "square", "step"};
-    case Place::covariate:
-      return {"linear", "square", "magnitude"};
-    case Place::covariate_gain:
-      return {"linear", "square"};
-    default:
-      return {};
-  }
+/// Names of the shapes at a place, the simplest first.
+const std::map<Place, std::vector<std::string>>& namesAtPlaces() {
+  static const std::map<Place, std::vector<std::string>> kNames{
+      {Place::input,
+       {"dead_zone", "saturation", "dead_zone_saturation", "asymmetric_dead_zone",
+        "asymmetric_slope", "hinge", "square", "cubic", "signed_square", "polynomial",
+        "exponential", "power", "tanh", "root"}},
+      {Place::position,
+       {"cubic", "square", "signed_square", "polynomial", "root", "exponential", "sine", "coulomb",
+        "stribeck", "asymmetric_coulomb", "hinge", "asymmetric_slope", "dead_zone", "power"}},
+      {Place::output_state,
+       {"cubic", "square", "signed_square", "polynomial", "root", "exponential", "sine", "hinge",
+        "power", "coulomb"}},
+      {Place::rate,
+       {"coulomb", "stribeck", "asymmetric_coulomb", "signed_square", "cubic", "square",
+        "asymmetric_slope"}},
+      {Place::position_gain, {"linear", "square", "tanh", "magnitude", "exponential", "hinge"}},
+      {Place::input_times_position, {"linear", "square", "tanh", "magnitude", "exponential"}},
+      {Place::rate_gain, {"coulomb", "linear", "magnitude"}},
+      {Place::sensor,
+       {"saturation", "hinge", "square", "cubic", "exponential", "polynomial", "magnitude", "root",
+        "dead_zone", "signed_square", "tanh"}},
+      {Place::time_gain, {"linear", "square", "step", "exponential"}},
+      {Place::time, {"linear", "square", "step"}},
+      {Place::covariate, {"linear", "square", "magnitude"}},
+      {Place::covariate_gain, {"linear", "square"}}};
+  return kNames;
 }
 
 const Shape& shapeOf(const std::string& name) {
@@ -203,7 +180,9 @@ const std::vector<Shape>& shapes() {
 
 std::vector<const Shape*> shapesAt(Place place) {
   std::vector<const Shape*> found;
-  for (const std::string& name : namesAt(place)) found.push_back(&shapeOf(name));
+  const auto names = namesAtPlaces().find(place);
+  if (names == namesAtPlaces().end()) return found;
+  for (const std::string& name : names->second) found.push_back(&shapeOf(name));
   return found;
 }
 

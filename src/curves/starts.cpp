@@ -6,7 +6,8 @@
 #include <complex>
 #include <limits>
 
-#include "curves/simulation_fit.h"
+#include "curves/initial_states.h"
+#include "curves/window_fit.h"
 #include "math/polynomial.h"
 
 namespace uncertainty_identification {

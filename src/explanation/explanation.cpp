@@ -11,16 +11,17 @@
 #include "configuration/require.h"
 #include "configuration/thread_count.h"
 #include "curves/explain_simulation.h"
-#include "curves/preparation.h"
 #include "explanation/base_model.h"
 #include "explanation/estimate_fit.h"
 #include "explanation/intervals.h"
+#include "explanation/limits_of_time.h"
 #include "explanation/order_candidates.h"
 #include "explanation/residual_checks.h"
 #include "explanation/residual_picture.h"
 #include "explanation/search_outcome.h"
 #include "explanation/simulation_answer.h"
 #include "explanation/verdict.h"
+#include "explanation/warnings.h"
 #include "explanation/wording.h"
 #include "model/sensitivity.h"
 #include "uncertainty_identification/errors.h"
@@ -46,12 +47,8 @@ class Explaining {
   bool isExcluded(const std::string& name) const;
   std::vector<SpoiltSamples> maskSpoilt(Split* data);
   void searchSimulation(const Split& data);
-  void thin(Split* data);
   Estimate identify(const std::vector<Experiment>& experiments);
   SearchOutcome bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt);
-  void warnOfOtherOrders(const Estimate& chosen, const Estimate& explained);
-  void warnOfTie(const SearchOutcome& other, const SearchOutcome& best);
-  void noteHeldOut(const Split& data);
   FitContext context(const Estimate& estimate);
   Cause described(const FoundCause& found, const SearchState& state) const;
   void describeModels(const SearchState& base, const SearchState& found);
@@ -119,24 +116,6 @@ void Explaining::searchSimulation(const Split& data) {
   if (explanation_.simulation.ended_early && !cancelled_) ran_out_of_time_ = true;
 }
 
-/// Records that are sampled far faster than the output moves are thinned, where they are so long
-/// that the likelihood would take minutes. The model then has the longer sample time.
-void Explaining::thin(Split* data) {
-  constexpr int kMany = 5000;  // samples
-  int samples = 0;
-  for (const Experiment& experiment : data->train) samples += experiment.samples();
-  const int thinning = std::min(planWindows(data->train).thinning, (samples + kMany - 1) / kMany);
-  if (configuration_.explanation.time_limit <= 0 || thinning <= 1) return;
-  for (auto* part : {&data->train, &data->held})
-    for (Experiment& experiment : *part) experiment = thinned(experiment, thinning);
-  configuration_.sample_time = 0;
-  std::ostringstream text;
-  text << "the records hold " << samples << " samples to fit to, far faster than the output moves: "
-       << "each " << thinning << " were taken together, so that the model has a sample time of "
-       << data->train.front().sample_time << " s; explanation.time_limit: 0 explains all samples";
-  thinning_ = text.str();
-}
-
 Estimate Explaining::identify(const std::vector<Experiment>& experiments) {
   NominalModelOptions& nominal = configuration_.nominal_model;
   const bool may_simplify = nominal.orders_auto && configuration_.explanation.time_limit > 0;
@@ -149,13 +128,7 @@ Estimate Explaining::identify(const std::vector<Experiment>& experiments) {
     return go(at, half);
   });
   if (cancelled_ || !may_simplify || chosen.termination != Termination::cancelled) return chosen;
-  // The choice of orders takes too long: those that the free simulation chose.
-  nominal = NominalModelOptions();
-  nominal.orders_auto = false;
-  nominal.na = nominal.nb = std::max(1, explanation_.simulation.order);
-  nominal.nc = 0;
-  nominal.nd = 1;
-  nominal.delay = 1;
+  nominal = ofOrder(explanation_.simulation.order);
   simplification_ =
       "the choice of orders did not end within half of explanation.time_limit; the "
       "model has the order " +
@@ -163,38 +136,6 @@ Estimate Explaining::identify(const std::vector<Experiment>& experiments) {
   return Identifier(configuration_).identify(experiments, {}, [&](const Progress& at) {
     return go(at, 0);
   });
-}
-
-void Explaining::warnOfOtherOrders(const Estimate& chosen, const Estimate& explained) {
-  const std::string before = orderText(chosen), after = orderText(explained);
-  if (before == after) return;
-  explanation_.warnings.push_back("nominal_model.orders: auto chose " + before +
-                                  " by the error of simulations; the likelihood of all experiments "
-                                  "asks for " +
-                                  after + ", and that model is explained");
-}
-
-void Explaining::warnOfTie(const SearchOutcome& other, const SearchOutcome& best) {
-  if (other.penalisedLikelihood() <= best.penalisedLikelihood() ||
-      other.found.causes.size() <= best.found.causes.size())
-    return;
-  std::string names;
-  for (const FoundCause& cause : other.found.causes)
-    names += (names.empty() ? "" : " and ") + named(*cause.effect);
-  explanation_.warnings.push_back(
-      "with " + orderText(other.estimate) + ", " + names +
-      " would explain the data as well as the orders above; if you know "
-      "the orders, give them: nominal_model.na, nb, nc, nd, delay");
-}
-
-void Explaining::noteHeldOut(const Split& data) {
-  if (data.fitted_to) {
-    explanation_.warnings.push_back(
-        "too few experiments to hold any out of the fit: gains are measured on those fitted to, "
-        "which makes them too large; record four or more, or give others by --validation");
-    return;
-  }
-  for (const Experiment& experiment : data.held) explanation_.held_out.push_back(experiment.id);
 }
 
 FitContext Explaining::context(const Estimate& estimate) {
@@ -238,10 +179,11 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
                                  return worth(left) < worth(right);
                                });
   explanation_.warnings = best->estimate.warnings;
-  for (const std::string& text : {thinning_, simplification_})
-    if (!text.empty()) explanation_.warnings.push_back(text);
-  warnOfOtherOrders(chosen, best->estimate);
-  for (const SearchOutcome& other : outcomes) warnOfTie(other, *best);
+  std::vector<std::string> remarks{thinning_, simplification_,
+                                   otherOrdersWarning(chosen, best->estimate)};
+  for (const SearchOutcome& other : outcomes) remarks.push_back(tieWarning(other, *best));
+  for (std::string& text : remarks)
+    if (!text.empty()) explanation_.warnings.push_back(std::move(text));
   std::vector<std::string> labels;
   for (const FoundCause& cause : best->found.causes) labels.push_back(cause.effect->label());
   for (std::string& warning : best->refusals.warnings(labels))
@@ -263,10 +205,13 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   requireKnown(configuration_.explanation.exclude, experiments);
   Split data = split(configuration_, experiments, validation);
   searchSimulation(data);
-  thin(&data);
+  if (configuration_.explanation.time_limit > 0) thinning_ = thinLongRecords(&data);
+  if (!thinning_.empty()) configuration_.sample_time = 0;
   const std::vector<SpoiltSamples> spoilt = maskSpoilt(&data);
   const SearchOutcome best = bestOutcome(data, spoilt);
-  noteHeldOut(data);
+  for (const Experiment& experiment : data.held)
+    if (!data.fitted_to) explanation_.held_out.push_back(experiment.id);
+  if (data.fitted_to) explanation_.warnings.push_back(kNothingHeldOut);
   explanation_.before = best.estimate;
   explanation_.checks_before =
       checkResiduals(best.base.fit, best.base.train, best.base.heavy_tails);

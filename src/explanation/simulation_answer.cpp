@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "curves/describe_curve.h"
+#include "curves/curve_words.h"
 #include "explanation/acceptance.h"
 #include "explanation/residual_checks.h"
 

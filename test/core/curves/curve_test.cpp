@@ -38,7 +38,8 @@ TEST(Curve, HasNoLinearPart) {
 }
 
 TEST(Curve, TableGivesTheCurveAndItsSlope) {
-  const Curve curve = Curve(Place::position, nullptr, spreadSamples(), 0).shaped(shapesAt(Place::position)[0]);
+  const Curve curve =
+      Curve(Place::position, nullptr, spreadSamples(), 0).shaped(shapesAt(Place::position)[0]);
   ASSERT_EQ(curve.shape()->name, "cubic");
   const Eigen::VectorXd parameters = Eigen::VectorXd::Constant(1, 0.7);
   const CurveTable table = curve.table(parameters);
@@ -46,9 +47,10 @@ TEST(Curve, TableGivesTheCurveAndItsSlope) {
     int left = 0;
     double share = 0;
     const double slope = table.locate(z, &left, &share);
-    const double value =
-        (1 - share) * table.columns(0, left) + share * table.columns(0, left + 1);
-    const auto at = [&](double x) { return curve.at(Eigen::VectorXd::Constant(1, x), parameters)[0]; };
+    const double value = (1 - share) * table.columns(0, left) + share * table.columns(0, left + 1);
+    const auto at = [&](double x) {
+      return curve.at(Eigen::VectorXd::Constant(1, x), parameters)[0];
+    };
     EXPECT_NEAR(value, at(z), 1e-4);
     EXPECT_NEAR(slope, (at(z + 1e-3) - at(z - 1e-3)) / 2e-3, 0.02);
   }

@@ -13,7 +13,8 @@ constexpr int kRuns = 12, kHeld = 6, kSamples = 200;
 
 /// Runs of y' = 0.9 y + 0.2 through(u) - force(y), with inputs held for some samples.
 std::vector<Experiment> runs(int count, unsigned seed, const std::function<double(double)>& through,
-                             const std::function<double(double)>& force, double gain_spread = 0.02) {
+                             const std::function<double(double)>& force,
+                             double gain_spread = 0.02) {
   std::mt19937_64 engine(seed);
   const auto uniform = [&] { return static_cast<double>(engine() >> 11) / 9007199254740992.0; };
   const auto normal = [&] {
@@ -86,14 +87,15 @@ TEST(ExplainSimulation, NamesADeadZoneWithItsWidthAndCurve) {
     EXPECT_LE(cause.curve.lower_90[k], cause.curve.value[k]);
     EXPECT_GE(cause.curve.upper_90[k], cause.curve.value[k]);
   }
-  const double middle = cause.curve.value[20], beside = cause.curve.value[22], end = cause.curve.value[40];
+  const double middle = cause.curve.value[20], beside = cause.curve.value[22],
+               end = cause.curve.value[40];
   EXPECT_NEAR(middle, beside, 0.02);
   EXPECT_GT(end - middle, 1);
 }
 
 TEST(ExplainSimulation, NamesAForceInThePlant) {
-  const SimulationCauses found = explained(
-      runs(kRuns + kHeld, 5, same, [](double x) { return 0.05 * x * std::abs(x); }));
+  const SimulationCauses found =
+      explained(runs(kRuns + kHeld, 5, same, [](double x) { return 0.05 * x * std::abs(x); }));
   ASSERT_FALSE(found.causes.empty());
   EXPECT_EQ(found.causes.front().what.name, "plant_drag");
   EXPECT_EQ(found.causes.front().what.place, "position");
@@ -125,8 +127,7 @@ TEST(ExplainSimulation, HoldsOutWindowsOfTooFewRuns) {
 TEST(ExplainSimulation, LeavesOutPlacesWhoseNamesAreAllExcluded) {
   SimulationSearchOptions options;
   options.excluded = {"act_deadzone", "act_saturation", "act_asymmetry", "act_hammerstein"};
-  const SimulationCauses found =
-      explained(runs(kRuns + kHeld, 4, deadZone, none), 1, options);
+  const SimulationCauses found = explained(runs(kRuns + kHeld, 4, deadZone, none), 1, options);
   for (const SimulationCause& cause : found.causes) EXPECT_NE(cause.what.place, "input");
 }
 

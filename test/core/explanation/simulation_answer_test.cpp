@@ -41,7 +41,8 @@ Explanation withFriction(bool passes, std::vector<Cause> causes) {
 }
 
 TEST(SimulationAnswer, ReplacesCausesWithWhichTestsStillFail) {
-  Explanation found = withFriction(false, {ofLikelihood("sens_hum", 90, 89), ofLikelihood("exp_feedback", 0, 0)});
+  Explanation found =
+      withFriction(false, {ofLikelihood("sens_hum", 90, 89), ofLikelihood("exp_feedback", 0, 0)});
   joinSimulation(&found);
   ASSERT_EQ(found.causes.size(), 2u);
   const Cause& friction = found.causes[0];

@@ -1,4 +1,4 @@
-#include "curves/simulation_fit.h"
+#include "curves/window_fit.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "curves/initial_states.h"
 #include "curves/window_products.h"
 #include "math/polynomial.h"
 
@@ -86,7 +87,7 @@ Eigen::MatrixXd ridged(const Eigen::MatrixXd& information, const Eigen::VectorXd
 
 /// Exact leave-one-group-out of the linearised fit: theta without a group differs by
 /// (H - H_g + R)^-1 g_g.
-void leaveGroupsOut(const SimulationData& data, const Linearisation& at, SimulationFit* fit) {
+void leaveGroupsOut(const SimulationData& data, const Linearisation& at, WindowFit* fit) {
   const Eigen::MatrixXd& information = at.sum.jj;
   const Eigen::MatrixXd ridge =
       ridged(information, priorPrecision(fit->model, at.sum.rr, data.samples));
@@ -127,9 +128,9 @@ void leaveGroupsOut(const SimulationData& data, const Linearisation& at, Simulat
   fit->covariance = groups / std::max(groups - 1, 1.0) * (inverse * spread * inverse);
 }
 
-SimulationFit concluded(const SimulationData& data, CurveModel model, const Linearisation& at,
-                        Eigen::VectorXd step) {
-  SimulationFit fit;
+WindowFit concluded(const SimulationData& data, CurveModel model, const Linearisation& at,
+                    Eigen::VectorXd step) {
+  WindowFit fit;
   fit.model = std::move(model);
   fit.step = std::move(step);
   leaveGroupsOut(data, at, &fit);
@@ -169,17 +170,6 @@ bool improve(const SimulationData& data, const Linearisation& at, double* dampin
   return false;
 }
 
-/// The state of a plant at rest at the window's first samples.
-Eigen::VectorXd stateAtRest(const CurveModel& model, const SimulationWindow& window) {
-  const int n = model.order;
-  Eigen::VectorXd state(n);
-  state[0] = window.y[0];
-  for (int i = 1; i < n; ++i)
-    state[i] = -model.theta.segment(i, n - i).sum() * window.y[0] +
-               model.theta.segment(n + i, n - i).sum() * window.u[0];
-  return state;
-}
-
 }  // namespace
 
 bool isSimulable(const CurveModel& model) {
@@ -187,49 +177,6 @@ bool isSimulable(const CurveModel& model) {
                                     [](const Curve& curve) { return isFedBack(curve.place()); });
   return model.theta.allFinite() &&
          isStable(model.theta.head(model.order), fed_back ? 1.02 : 1.0005);
-}
-
-std::vector<Eigen::VectorXd> initialStates(const SimulationData& data, const CurveModel& model,
-                                           int samples, int iterations) {
-  constexpr double kChange = 1e-3;
-  const std::vector<CurveTable> tables = tablesOf(model);
-  std::vector<Eigen::VectorXd> states;
-  for (const SimulationWindow& whole : data.windows) {
-    SimulationWindow window = whole;
-    const int length = std::min(samples, whole.samples());
-    window.u.conservativeResize(length);
-    window.y.conservativeResize(length);
-    window.measured.conservativeResize(length);
-    const auto residual = [&](const Eigen::VectorXd& from) -> Eigen::VectorXd {
-      return window.measured *
-             (window.y - simulateFreely(model, tables, window, from, false).y).array();
-    };
-    Eigen::VectorXd state = stateAtRest(model, whole), now = residual(state);
-    double damping = 1e-2;
-    for (int k = 0; k < iterations; ++k) {
-      Eigen::MatrixXd slopes(length, model.order);
-      for (int i = 0; i < model.order; ++i) {
-        Eigen::VectorXd other = state;
-        other[i] += kChange;
-        slopes.col(i) = (now - residual(other)) / kChange;
-      }
-      Eigen::MatrixXd information = slopes.transpose() * slopes;
-      information.diagonal() *= 1 + damping;
-      information.diagonal().array() += 1e-6 * information.trace() + 1e-8;
-      const Eigen::VectorXd next = state + solved(information, slopes.transpose() * now);
-      const Eigen::VectorXd after = residual(next);
-      const bool is_better = after.squaredNorm() < now.squaredNorm();
-      const bool is_done = is_better && after.squaredNorm() > 0.999 * now.squaredNorm();
-      if (is_better) {
-        state = next;
-        now = after;
-      }
-      damping *= is_better ? 0.2 : 10;
-      if (is_done) break;
-    }
-    states.push_back(state);
-  }
-  return states;
 }
 
 double simulationError(const SimulationData& data, const CurveModel& model) {
@@ -243,7 +190,7 @@ double simulationError(const SimulationData& data, const CurveModel& model) {
   return std::isfinite(sum) ? sum : kHopeless;
 }
 
-SimulationFit fitFreely(const SimulationData& data, CurveModel model, const FitLimits& limits) {
+WindowFit fitFreely(const SimulationData& data, CurveModel model, const FitLimits& limits) {
   if (model.initial.size() != data.windows.size() || model.initial.front().size() != model.order)
     model.initial = initialStates(data, model, data.longest);
   Linearisation at = linearise(data, model);
@@ -261,50 +208,10 @@ SimulationFit fitFreely(const SimulationData& data, CurveModel model, const FitL
   return concluded(data, std::move(model), at, {});
 }
 
-SimulationFit stepLinearly(const SimulationData& data, const CurveModel& model) {
+WindowFit stepLinearly(const SimulationData& data, const CurveModel& model) {
   const Linearisation at = linearise(data, model);
   const Eigen::MatrixXd ridge = ridged(at.sum.jj, priorPrecision(model, at.sum.rr, data.samples));
   return concluded(data, model, at, solved(at.sum.jj + ridge, at.sum.jr));
-}
-
-double effectiveSamples(const SimulationFit& fit) {
-  Eigen::Index longest = 0;
-  double power = 0, samples = 0;
-  for (const Eigen::VectorXd& residual : fit.residuals) {
-    longest = std::max(longest, residual.size());
-    power += residual.squaredNorm();
-    samples += static_cast<double>(residual.size());
-  }
-  double time = 1;
-  for (Eigen::Index lag = 1; lag < std::min<Eigen::Index>(200, longest / 2); ++lag) {
-    double product = 0;
-    for (const Eigen::VectorXd& residual : fit.residuals) {
-      const Eigen::Index pairs = residual.size() - lag;
-      if (pairs > 0) product += residual.head(pairs).dot(residual.tail(pairs));
-    }
-    if (product < 0.05 * power) break;
-    time += 2 * product / power;
-  }
-  return samples / time;
-}
-
-double criterion(const SimulationFit& fit, double effective_samples) {
-  double samples = 0;
-  for (const Eigen::VectorXd& residual : fit.residuals)
-    samples += static_cast<double>(residual.size());
-  return effective_samples * std::log(fit.squared_error / samples) +
-         fit.parameters() * std::log(std::max(effective_samples, 8.0));
-}
-
-double pairedT(const SimulationFit& before, const SimulationFit& after) {
-  const auto t = [](const Eigen::ArrayXd& gains) {
-    const auto count = static_cast<double>(gains.size());
-    const double mean = gains.mean();
-    const double variance = (gains - mean).square().sum() / std::max(count - 1, 1.0);
-    return mean / (std::sqrt(variance / count) + 1e-12);
-  };
-  const Eigen::ArrayXd worse = before.left_out_of.array(), better = after.left_out_of.array();
-  return std::max(t(worse - better), t(((worse + 1e-12) / (better + 1e-12)).log()));
 }
 
 }  // namespace uncertainty_identification

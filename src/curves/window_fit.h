@@ -11,7 +11,7 @@ namespace uncertainty_identification {
 
 /// A model fitted to the free simulation of all windows by least squares, with what leaving each
 /// group of windows out would give. All errors are in standard deviations of the output.
-struct SimulationFit {
+struct WindowFit {
   CurveModel model;
   double squared_error = 0;     ///< of all windows, their initial states fitted
   double left_out = 0;          ///< of all windows, each predicted from the others
@@ -30,32 +30,17 @@ struct FitLimits {
   std::function<bool()> going_on;  ///< false: stop with what has been reached; may be empty
 };
 
-/// Initial states of all windows, each by Levenberg and Marquardt on its first `samples`.
-std::vector<Eigen::VectorXd> initialStates(const SimulationData& data, const CurveModel& model,
-                                           int samples, int iterations = 6);
-
 /// Squared error of the free simulation from the model's initial states; huge where it diverges.
 double simulationError(const SimulationData& data, const CurveModel& model);
 
 /// Levenberg and Marquardt on the free simulation. The windows' initial states are eliminated.
-SimulationFit fitFreely(const SimulationData& data, CurveModel model, const FitLimits& limits);
+WindowFit fitFreely(const SimulationData& data, CurveModel model, const FitLimits& limits);
 
 /// One linearised step from the model, whose curves are at zero, without a further simulation.
-SimulationFit stepLinearly(const SimulationData& data, const CurveModel& model);
+WindowFit stepLinearly(const SimulationData& data, const CurveModel& model);
 
 /// Whether the plant may have these poles: within the unit circle, a little beyond it where curves
 /// are fed back.
 bool isSimulable(const CurveModel& model);
-
-/// Number of independent samples among the residuals, by their autocorrelation.
-double effectiveSamples(const SimulationFit& fit);
-
-/// BIC with the effective number of samples, which is that of the model that others are compared
-/// to.
-double criterion(const SimulationFit& fit, double effective_samples);
-
-/// Student's t of what leaving windows out says: of the paired differences of squared errors, or of
-/// their logarithms if larger.
-double pairedT(const SimulationFit& before, const SimulationFit& after);
 
 }  // namespace uncertainty_identification

@@ -1,0 +1,129 @@
+#include "curves/curve_candidates.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "curves/fit_comparison.h"
+
+namespace uncertainty_identification {
+namespace {
+
+/// Of places that the data cannot tell apart, the first is named.
+int rankOf(const CurveCandidate& candidate) {
+  constexpr Place kOrder[] = {
+      Place::input,        Place::position,      Place::rate,
+      Place::output_state, Place::sensor,        Place::time_gain,
+      Place::covariate,    Place::position_gain, Place::input_times_position,
+      Place::rate_gain,    Place::time,          Place::covariate_gain,
+      Place::play,         Place::rate_limit,    Place::output_play};
+  return static_cast<int>(std::find(std::begin(kOrder), std::end(kOrder), candidate.place.place) -
+                          std::begin(kOrder));
+}
+
+CandidateKind kindOf(PlantChange::Kind kind) {
+  return kind == PlantChange::Kind::order    ? CandidateKind::order
+         : kind == PlantChange::Kind::direct ? CandidateKind::direct
+                                             : CandidateKind::delay;
+}
+
+void addCurves(const SimulationData& data, const WindowFit& now, const CandidateLimits& limits,
+               const CurveSearchContext& context, std::vector<CurveCandidate>* all) {
+  constexpr int kShapes = 5;
+  std::vector<ScreenedPlace> screened = screenPlaces(data, now, limits.excluded, context);
+  if (static_cast<int>(screened.size()) > limits.places)
+    screened.resize(static_cast<std::size_t>(limits.places));
+  std::vector<CurveCandidate> found(screened.size() * 2);
+  context.pool->forEach(static_cast<int>(screened.size()), [&](int index) {
+    const auto k = static_cast<std::size_t>(index);
+    if (!context.going_on()) return;
+    CurveCandidate& whole = found[2 * k];
+    whole = {CandidateKind::curve, screened[k].place, fitPlace(data, now, screened[k], context), {}};
+    whole.naming = nameCurve(data, now, whole.fit, screened[k].fit, kShapes, context);
+    found[2 * k + 1] = whole;  // a free curve has leverage: its shape competes as well
+    found[2 * k + 1].fit = whole.naming.fit;
+  });
+  for (CurveCandidate& candidate : found)
+    if (candidate.fit.parameters() > 0) all->push_back(std::move(candidate));
+}
+
+/// Dead time must beat order + 2; a higher order must beat dead time where that gains much.
+void dropDominated(const WindowFit& now, std::vector<CurveCandidate>* all) {
+  constexpr double kMuch = 0.75, kAsGood = 1.1, kNone = 1e30;
+  double order = kNone, delay = kNone;
+  for (const CurveCandidate& each : *all) {
+    if (each.kind == CandidateKind::order) order = std::min(order, each.fit.left_out);
+    if (each.kind == CandidateKind::delay) delay = std::min(delay, each.fit.left_out);
+  }
+  const auto is_dominated = [&](const CurveCandidate& each) {
+    if (each.kind == CandidateKind::delay)
+      return each.fit.left_out > kMuch * now.left_out || each.fit.left_out > kAsGood * order;
+    return each.kind == CandidateKind::order && delay < kMuch * now.left_out &&
+           delay <= kAsGood * order;
+  };
+  all->erase(std::remove_if(all->begin(), all->end(), is_dominated), all->end());
+}
+
+/// A force that varies between samples acts on both states of a discrete plant, so that a curve of
+/// the output's own state may lead that of the position. It is the position that is meant.
+bool isSameForce(const CurveCandidate& position, const CurveCandidate& best, const WindowFit& now) {
+  constexpr double kShare = 0.95;  // of the gain
+  return best.place.place == Place::output_state && position.place.place == Place::position &&
+         now.left_out - position.fit.left_out > kShare * (now.left_out - best.fit.left_out);
+}
+
+/// What is left out, with a penalty for each parameter.
+double penalised(const CurveCandidate& candidate) {
+  const WindowFit& fit = candidate.naming.fit;
+  return fit.left_out * (1 + 2 * fit.parameters() / effectiveSamples(fit));
+}
+
+}  // namespace
+
+std::vector<CurveCandidate> candidatesFor(const SimulationData& data, const WindowFit& now,
+                                     const LinearPlants& linear, const CandidateLimits& limits,
+                                     const CurveSearchContext& context) {
+  std::vector<CurveCandidate> all;
+  const int most = now.model.curves.empty() ? limits.max_order : std::min(limits.max_order, 3);
+  for (PlantChange& change : largerPlants(data, now, linear, most, context))
+    all.push_back({kindOf(change.kind), {}, std::move(change.fit), {}});
+  addCurves(data, now, limits, context, &all);
+  dropDominated(now, &all);
+  std::stable_sort(all.begin(), all.end(), [](const CurveCandidate& left, const CurveCandidate& right) {
+    return left.fit.left_out < right.fit.left_out;
+  });
+  return all;
+}
+
+std::vector<CurveCandidate> tiedWithFirst(const std::vector<CurveCandidate>& all, const WindowFit& now) {
+  constexpr std::size_t kMost = 8;
+  constexpr double kSignificant = 2, kNear = 1.05, kFar = 1.25, kRival = 1.1;
+  if (all.front().kind == CandidateKind::delay) return {all.front()};
+  const WindowFit& best = all.front().fit;
+  std::vector<CurveCandidate> found;
+  for (const CurveCandidate& each : all) {
+    const bool is_rival = pairedT(each.fit, best) < kSignificant ||
+                          each.fit.left_out < kRival * best.left_out ||
+                          isSameForce(each, all.front(), now);
+    if (each.kind == CandidateKind::curve && is_rival && found.size() < kMost)
+      found.push_back(each);
+  }
+  const CurveCandidate first = *std::min_element(
+      found.begin(), found.end(), [](const CurveCandidate& left, const CurveCandidate& right) {
+        return penalised(left) < penalised(right);
+      });
+  const double least = penalised(first);
+  const auto is_apart = [&](const CurveCandidate& each) {
+    return penalised(each) >= kNear * least && !isSameForce(each, first, now) &&
+           (penalised(each) >= kFar * least ||
+            pairedT(each.naming.fit, first.naming.fit) >= kSignificant);
+  };
+  found.erase(std::remove_if(found.begin(), found.end(), is_apart), found.end());
+  std::stable_sort(found.begin(), found.end(), [](const CurveCandidate& left, const CurveCandidate& right) {
+    return std::make_pair(rankOf(left), penalised(left)) <
+           std::make_pair(rankOf(right), penalised(right));
+  });
+  return found;
+}
+
+}  // namespace uncertainty_identification

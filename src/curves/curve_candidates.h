@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "curves/naming.h"
+#include "curves/plant_orders.h"
+#include "curves/screening_places.h"
+
+namespace uncertainty_identification {
+
+enum class CandidateKind { order, direct, delay, curve };
+
+/// A change of the model that competes in a round.
+struct CurveCandidate {
+  CandidateKind kind = CandidateKind::curve;
+  PlaceOf place;
+  WindowFit fit;
+  Naming naming;  ///< of curves
+
+  /// Dead time, or the named curve.
+  const WindowFit& accepted() const { return kind == CandidateKind::curve ? naming.fit : fit; }
+};
+
+/// How many candidates there are.
+struct CandidateLimits {
+  int max_order = 4;                    ///< of the plant; 3 once the model has a curve
+  int places = 4;                       ///< how many of the screened places are fitted fully
+  std::function<bool(Place)> excluded;  ///< places that are not tried; may be empty
+};
+
+/// Larger plants, dead time and curves on top of a model, the best first.
+std::vector<CurveCandidate> candidatesFor(const SimulationData& data, const WindowFit& now,
+                                     const LinearPlants& linear, const CandidateLimits& limits,
+                                     const CurveSearchContext& context);
+
+/// The curves that leaving windows out cannot tell from the first candidate, which is a curve or
+/// dead time. The first of them is the one to be named.
+std::vector<CurveCandidate> tiedWithFirst(const std::vector<CurveCandidate>& all, const WindowFit& now);
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,48 @@
+#include "curves/fit_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace uncertainty_identification {
+
+double effectiveSamples(const WindowFit& fit) {
+  Eigen::Index longest = 0;
+  double power = 0, samples = 0;
+  for (const Eigen::VectorXd& residual : fit.residuals) {
+    longest = std::max(longest, residual.size());
+    power += residual.squaredNorm();
+    samples += static_cast<double>(residual.size());
+  }
+  double time = 1;
+  for (Eigen::Index lag = 1; lag < std::min<Eigen::Index>(200, longest / 2); ++lag) {
+    double product = 0;
+    for (const Eigen::VectorXd& residual : fit.residuals) {
+      const Eigen::Index pairs = residual.size() - lag;
+      if (pairs > 0) product += residual.head(pairs).dot(residual.tail(pairs));
+    }
+    if (product < 0.05 * power) break;
+    time += 2 * product / power;
+  }
+  return samples / time;
+}
+
+double criterion(const WindowFit& fit, double effective_samples) {
+  double samples = 0;
+  for (const Eigen::VectorXd& residual : fit.residuals)
+    samples += static_cast<double>(residual.size());
+  return effective_samples * std::log(fit.squared_error / samples) +
+         fit.parameters() * std::log(std::max(effective_samples, 8.0));
+}
+
+double pairedT(const WindowFit& before, const WindowFit& after) {
+  const auto t = [](const Eigen::ArrayXd& gains) {
+    const auto count = static_cast<double>(gains.size());
+    const double mean = gains.mean();
+    const double variance = (gains - mean).square().sum() / std::max(count - 1, 1.0);
+    return mean / (std::sqrt(variance / count) + 1e-12);
+  };
+  const Eigen::ArrayXd worse = before.left_out_of.array(), better = after.left_out_of.array();
+  return std::max(t(worse - better), t(((worse + 1e-12) / (better + 1e-12)).log()));
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "curves/window_fit.h"
+
+/// Which of two fits is better, where residuals are not independent.
+namespace uncertainty_identification {
+
+/// Number of independent samples among the residuals, by their autocorrelation.
+double effectiveSamples(const WindowFit& fit);
+
+/// BIC with the effective number of samples, which is that of the model that others are compared
+/// to.
+double criterion(const WindowFit& fit, double effective_samples);
+
+/// Student's t of what leaving windows out says: of the paired differences of squared errors, or of
+/// their logarithms if larger.
+double pairedT(const WindowFit& before, const WindowFit& after);
+
+}  // namespace uncertainty_identification

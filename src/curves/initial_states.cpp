@@ -1,0 +1,67 @@
+#include "curves/initial_states.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+#include "curves/free_simulation.h"
+
+namespace uncertainty_identification {
+namespace {
+
+/// The state of a plant at rest at the window's first samples.
+Eigen::VectorXd stateAtRest(const CurveModel& model, const SimulationWindow& window) {
+  const int n = model.order;
+  Eigen::VectorXd state(n);
+  state[0] = window.y[0];
+  for (int i = 1; i < n; ++i)
+    state[i] = -model.theta.segment(i, n - i).sum() * window.y[0] +
+               model.theta.segment(n + i, n - i).sum() * window.u[0];
+  return state;
+}
+
+}  // namespace
+
+std::vector<Eigen::VectorXd> initialStates(const SimulationData& data, const CurveModel& model,
+                                           int samples, int iterations) {
+  constexpr double kChange = 1e-3;
+  const std::vector<CurveTable> tables = tablesOf(model);
+  std::vector<Eigen::VectorXd> states;
+  for (const SimulationWindow& whole : data.windows) {
+    SimulationWindow window = whole;
+    const int length = std::min(samples, whole.samples());
+    window.u.conservativeResize(length);
+    window.y.conservativeResize(length);
+    window.measured.conservativeResize(length);
+    const auto residual = [&](const Eigen::VectorXd& from) -> Eigen::VectorXd {
+      return window.measured *
+             (window.y - simulateFreely(model, tables, window, from, false).y).array();
+    };
+    Eigen::VectorXd state = stateAtRest(model, whole), now = residual(state);
+    double damping = 1e-2;
+    for (int k = 0; k < iterations; ++k) {
+      Eigen::MatrixXd slopes(length, model.order);
+      for (int i = 0; i < model.order; ++i) {
+        Eigen::VectorXd other = state;
+        other[i] += kChange;
+        slopes.col(i) = (now - residual(other)) / kChange;
+      }
+      Eigen::MatrixXd information = slopes.transpose() * slopes;
+      information.diagonal() *= 1 + damping;
+      information.diagonal().array() += 1e-6 * information.trace() + 1e-8;
+      const Eigen::VectorXd next = state + information.ldlt().solve(slopes.transpose() * now);
+      const Eigen::VectorXd after = residual(next);
+      const bool is_better = after.squaredNorm() < now.squaredNorm();
+      const bool is_done = is_better && after.squaredNorm() > 0.999 * now.squaredNorm();
+      if (is_better) {
+        state = next;
+        now = after;
+      }
+      damping *= is_better ? 0.2 : 10;
+      if (is_done) break;
+    }
+    states.push_back(state);
+  }
+  return states;
+}
+
+}  // namespace uncertainty_identification

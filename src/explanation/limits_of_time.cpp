@@ -1,0 +1,35 @@
+#include "explanation/limits_of_time.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "curves/preparation.h"
+
+namespace uncertainty_identification {
+
+std::string thinLongRecords(Split* data) {
+  constexpr int kMany = 5000;  // samples
+  int samples = 0;
+  for (const Experiment& experiment : data->train) samples += experiment.samples();
+  const int thinning = std::min(planWindows(data->train).thinning, (samples + kMany - 1) / kMany);
+  if (thinning <= 1) return "";
+  for (auto* part : {&data->train, &data->held})
+    for (Experiment& experiment : *part) experiment = thinned(experiment, thinning);
+  std::ostringstream text;
+  text << "the records hold " << samples << " samples to fit to, far faster than the output moves: "
+       << "each " << thinning << " were taken together, so that the model has a sample time of "
+       << data->train.front().sample_time << " s; explanation.time_limit: 0 explains all samples";
+  return text.str();
+}
+
+NominalModelOptions ofOrder(int order) {
+  NominalModelOptions nominal;
+  nominal.orders_auto = false;
+  nominal.na = nominal.nb = std::max(1, order);
+  nominal.nc = 0;
+  nominal.nd = 1;
+  nominal.delay = 1;
+  return nominal;
+}
+
+}  // namespace uncertainty_identification

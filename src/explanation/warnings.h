@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "explanation/search_outcome.h"
+
+/// Warnings about the model that is explained.
+namespace uncertainty_identification {
+
+/// The likelihood asks for other orders than the simulation chose. Empty: it does not.
+std::string otherOrdersWarning(const Estimate& chosen, const Estimate& explained);
+
+/// On top of other orders, other causes explain the data as well. Empty: they do not.
+std::string tieWarning(const SearchOutcome& other, const SearchOutcome& best);
+
+extern const char* const kNothingHeldOut;
+
+}  // namespace uncertainty_identification
