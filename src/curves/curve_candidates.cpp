@@ -38,7 +38,8 @@ void addCurves(const SimulationData& data, const WindowFit& now, const Candidate
     const auto k = static_cast<std::size_t>(index);
     if (!context.going_on()) return;
     CurveCandidate& whole = found[2 * k];
-    whole = {CandidateKind::curve, screened[k].place, fitPlace(data, now, screened[k], context), {}};
+    whole = {
+        CandidateKind::curve, screened[k].place, fitPlace(data, now, screened[k], context), {}};
     whole.naming = nameCurve(data, now, whole.fit, screened[k].fit, kShapes, context);
     found[2 * k + 1] = whole;  // a free curve has leverage: its shape competes as well
     found[2 * k + 1].fit = whole.naming.fit;
@@ -81,21 +82,23 @@ double penalised(const CurveCandidate& candidate) {
 }  // namespace
 
 std::vector<CurveCandidate> candidatesFor(const SimulationData& data, const WindowFit& now,
-                                     const LinearPlants& linear, const CandidateLimits& limits,
-                                     const CurveSearchContext& context) {
+                                          const LinearPlants& linear, const CandidateLimits& limits,
+                                          const CurveSearchContext& context) {
   std::vector<CurveCandidate> all;
   const int most = now.model.curves.empty() ? limits.max_order : std::min(limits.max_order, 3);
   for (PlantChange& change : largerPlants(data, now, linear, most, context))
     all.push_back({kindOf(change.kind), {}, std::move(change.fit), {}});
   addCurves(data, now, limits, context, &all);
   dropDominated(now, &all);
-  std::stable_sort(all.begin(), all.end(), [](const CurveCandidate& left, const CurveCandidate& right) {
-    return left.fit.left_out < right.fit.left_out;
-  });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const CurveCandidate& left, const CurveCandidate& right) {
+                     return left.fit.left_out < right.fit.left_out;
+                   });
   return all;
 }
 
-std::vector<CurveCandidate> tiedWithFirst(const std::vector<CurveCandidate>& all, const WindowFit& now) {
+std::vector<CurveCandidate> tiedWithFirst(const std::vector<CurveCandidate>& all,
+                                          const WindowFit& now) {
   constexpr std::size_t kMost = 8;
   constexpr double kSignificant = 2, kNear = 1.05, kFar = 1.25, kRival = 1.1;
   if (all.front().kind == CandidateKind::delay) return {all.front()};
@@ -119,10 +122,11 @@ std::vector<CurveCandidate> tiedWithFirst(const std::vector<CurveCandidate>& all
             pairedT(each.naming.fit, first.naming.fit) >= kSignificant);
   };
   found.erase(std::remove_if(found.begin(), found.end(), is_apart), found.end());
-  std::stable_sort(found.begin(), found.end(), [](const CurveCandidate& left, const CurveCandidate& right) {
-    return std::make_pair(rankOf(left), penalised(left)) <
-           std::make_pair(rankOf(right), penalised(right));
-  });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const CurveCandidate& left, const CurveCandidate& right) {
+                     return std::make_pair(rankOf(left), penalised(left)) <
+                            std::make_pair(rankOf(right), penalised(right));
+                   });
   return found;
 }
 

@@ -31,11 +31,12 @@ struct CandidateLimits {
 
 /// Larger plants, dead time and curves on top of a model, the best first.
 std::vector<CurveCandidate> candidatesFor(const SimulationData& data, const WindowFit& now,
-                                     const LinearPlants& linear, const CandidateLimits& limits,
-                                     const CurveSearchContext& context);
+                                          const LinearPlants& linear, const CandidateLimits& limits,
+                                          const CurveSearchContext& context);
 
 /// The curves that leaving windows out cannot tell from the first candidate, which is a curve or
 /// dead time. The first of them is the one to be named.
-std::vector<CurveCandidate> tiedWithFirst(const std::vector<CurveCandidate>& all, const WindowFit& now);
+std::vector<CurveCandidate> tiedWithFirst(const std::vector<CurveCandidate>& all,
+                                          const WindowFit& now);
 
 }  // namespace uncertainty_identification

@@ -6,15 +6,15 @@ namespace uncertainty_identification {
 
 const char* const kNothingHeldOut =
     "too few experiments to hold any out of the fit: gains are measured on those fitted to, "
-        "which makes them too large; record four or more, or give others by --validation";
+    "which makes them too large; record four or more, or give others by --validation";
 
 std::string otherOrdersWarning(const Estimate& chosen, const Estimate& explained) {
   const std::string before = orderText(chosen), after = orderText(explained);
   if (before == after) return "";
   return "nominal_model.orders: auto chose " + before +
-                                  " by the error of simulations; the likelihood of all experiments "
-                                  "asks for " +
-                                  after + ", and that model is explained";
+         " by the error of simulations; the likelihood of all experiments "
+         "asks for " +
+         after + ", and that model is explained";
 }
 
 std::string tieWarning(const SearchOutcome& other, const SearchOutcome& best) {
@@ -24,9 +24,9 @@ std::string tieWarning(const SearchOutcome& other, const SearchOutcome& best) {
   std::string names;
   for (const FoundCause& cause : other.found.causes)
     names += (names.empty() ? "" : " and ") + named(*cause.effect);
-  return       "with " + orderText(other.estimate) + ", " + names +
-      " would explain the data as well as the orders above; if you know "
-      "the orders, give them: nominal_model.na, nb, nc, nd, delay";
+  return "with " + orderText(other.estimate) + ", " + names +
+         " would explain the data as well as the orders above; if you know "
+         "the orders, give them: nominal_model.na, nb, nc, nd, delay";
 }
 
 }  // namespace uncertainty_identification

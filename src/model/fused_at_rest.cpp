@@ -16,7 +16,7 @@ typedef double Vector4 __attribute__((vector_size(4 * sizeof(double))));
 typedef double Vector8 __attribute__((vector_size(8 * sizeof(double))));
 
 template <typename Vector, bool kDerivatives, int kOrder, int kRegressors>
-UI_INLINE void sweepAll(const FusedInput<kOrder, kRegressors>& in,
+UI_INLINE void sweepAll(const FusedBlock<kOrder, kRegressors>& in,
                         FusedSums<kOrder, kRegressors>* sums) {
   constexpr int kWidth = sizeof(Vector) / sizeof(double);
   for (int lane = 0; lane < in.lanes; lane += kWidth) {
@@ -25,26 +25,26 @@ UI_INLINE void sweepAll(const FusedInput<kOrder, kRegressors>& in,
 }
 
 template <int kOrder, int kRegressors>
-using Sweep = void (*)(const FusedInput<kOrder, kRegressors>&, FusedSums<kOrder, kRegressors>*);
+using Sweep = void (*)(const FusedBlock<kOrder, kRegressors>&, FusedSums<kOrder, kRegressors>*);
 
 // One version per vector unit. The vectors of each are as wide as its registers: wider ones would
 // be split into several registers, the sums would no longer fit into the registers, and the loop
 // would be five times slower.
 template <bool kDerivatives, int kOrder, int kRegressors>
-void sweepBaseline(const FusedInput<kOrder, kRegressors>& in,
+void sweepBaseline(const FusedBlock<kOrder, kRegressors>& in,
                    FusedSums<kOrder, kRegressors>* sums) {
   sweepAll<Vector2, kDerivatives>(in, sums);
 }
 
 #if defined(__x86_64__)
 template <bool kDerivatives, int kOrder, int kRegressors>
-__attribute__((target("avx2,fma"))) void sweepAvx2(const FusedInput<kOrder, kRegressors>& in,
+__attribute__((target("avx2,fma"))) void sweepAvx2(const FusedBlock<kOrder, kRegressors>& in,
                                                    FusedSums<kOrder, kRegressors>* sums) {
   sweepAll<Vector4, kDerivatives>(in, sums);
 }
 
 template <bool kDerivatives, int kOrder, int kRegressors>
-__attribute__((target("avx512f"))) void sweepAvx512(const FusedInput<kOrder, kRegressors>& in,
+__attribute__((target("avx512f"))) void sweepAvx512(const FusedBlock<kOrder, kRegressors>& in,
                                                     FusedSums<kOrder, kRegressors>* sums) {
   sweepAll<Vector8, kDerivatives>(in, sums);
 }
@@ -66,9 +66,9 @@ Sweep<kOrder, kRegressors> chooseSweep() {
 #endif
 
 template <int kOrder, int kRegressors>
-FusedInput<kOrder, kRegressors> inputOf(const Block& block, const Polynomials& p,
+FusedBlock<kOrder, kRegressors> inputOf(const Block& block, const Polynomials& p,
                                         const MatrixXd& T) {
-  FusedInput<kOrder, kRegressors> in = {};
+  FusedBlock<kOrder, kRegressors> in = {};
   std::copy_n(p.b.data(), p.b.size(), in.b);
   std::copy_n(p.a.data(), p.a.size(), in.a);
   std::copy_n(p.c.data(), p.c.size(), in.c);

@@ -17,7 +17,7 @@ namespace uncertainty_identification {
 
 /// Polynomials padded with zeros to a common order, and the block's samples.
 template <int kOrder, int kRegressors>
-struct FusedInput {
+struct FusedBlock {
   double b[kOrder], a[kOrder], c[kOrder], d[kOrder];
   double T[kRegressors + 1][kRegressors + 1];  ///< [lag][regressor]
   int delay, samples, lanes;
@@ -138,7 +138,7 @@ struct FusedAccumulator {
 /// y. Given u/(A C) and y/C, the numerators are FIR filters:
 ///   x/C = B u/(A C), (D/C) u/A, g = (D/C) x, w/C = (y - x)/C, e = D w/C.
 template <typename Vector, bool kDerivatives, int kOrder, int kRegressors>
-UI_INLINE void fusedSweep(const FusedInput<kOrder, kRegressors>& in, int lane,
+UI_INLINE void fusedSweep(const FusedBlock<kOrder, kRegressors>& in, int lane,
                           FusedSums<kOrder, kRegressors>* sums) {
   constexpr int kPrefetch = 16 * kLanes;  // [values] distance of memory prefetches
   constexpr int kDepth = kOrder + kRegressors;

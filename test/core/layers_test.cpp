@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <string>
 #include <vector>
@@ -132,6 +133,28 @@ TEST(Layers, PublicHeadersIncludeNoPrivateOnes) {
     EXPECT_TRUE(own.empty() || own != include.included)
         << include.file << " includes " << include.included << ", which is not installed";
   }
+}
+
+/// Two types of one name in two libraries are linked as one: what follows is memory destroyed, and
+/// no message.
+TEST(Layers, NoTypeNameIsUsedTwice) {
+  static const std::regex definition(
+      R"(^(?:struct|class|enum class) ([A-Z]\w*)(?: final)?(?: :.*)? \{)");
+  std::map<std::string, std::string> defined;
+  for (const char* folder : {"include", "src"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(PROJECT_FOLDER) / folder)) {
+      if (entry.path().extension() != ".h") continue;
+      std::ifstream in(entry.path());
+      for (std::string line; std::getline(in, line);) {
+        std::smatch match;
+        if (!std::regex_search(line, match, definition)) continue;
+        const auto [other, is_new] = defined.emplace(match[1], entry.path().string());
+        EXPECT_TRUE(is_new || other->second == entry.path().string())
+            << match[1] << " is defined in " << other->second << " and in " << entry.path();
+      }
+    }
+  }
+  EXPECT_GT(defined.size(), 200u);
 }
 
 }  // namespace

@@ -65,6 +65,21 @@ TEST(ExplanationMessage, HoldsCausesWithParametersAndGain) {
   EXPECT_TRUE(std::isnan(cause.bode_area_after));
 }
 
+TEST(ExplanationMessage, HoldsPlaceShapeAndCurve) {
+  const Message message = toMessage(test::exampleExplanation(), ros::Time(), 0);
+  const messages::Cause& cause = message.causes[0];
+  EXPECT_EQ(cause.place, "input");
+  EXPECT_EQ(cause.shape, "dead_zone");
+  EXPECT_EQ(cause.ties, std::vector<std::string>{"play: play"});
+  EXPECT_EQ(cause.curve_of, "input");
+  EXPECT_EQ(cause.curve_signal, (std::vector<double>{-1, 0, 1}));
+  EXPECT_EQ(cause.curve_value, (std::vector<double>{-0.69, 0, 0.69}));
+  EXPECT_EQ(cause.curve_lower_90, (std::vector<double>{-0.7, -0.01, 0.68}));
+  EXPECT_EQ(cause.curve_upper_90, (std::vector<double>{-0.68, 0.01, 0.7}));
+  EXPECT_TRUE(message.causes[1].place.empty());
+  EXPECT_TRUE(message.causes[1].curve_signal.empty());
+}
+
 TEST(ExplanationMessage, WhatHasNoGainSaysSo) {
   const auto cause = toMessage(test::exampleExplanation(), ros::Time(), 0).causes[1];
   EXPECT_FALSE(cause.has_gain);

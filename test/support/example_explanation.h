@@ -40,6 +40,25 @@ inline Explanation exampleExplanation() {
                      {},
                      "open the loop while recording",
                      {}}};
+  SimulationCause zone;
+  zone.what = {"act_deadzone", "input", "dead_zone", ""};
+  zone.description = "the input acts through a dead zone";
+  zone.advice = "drive the actuator slowly";
+  zone.values = {{"half_width", 0.31, 0.004}};
+  zone.curve = {"input",           "input", {-1, 0, 1}, {-0.69, 0, 0.69}, {-0.7, -0.01, 0.68},
+                {-0.68, 0.01, 0.7}};
+  zone.ties = {{"act_backlash", "play", "play", ""}};
+  zone.fit_before = 81;
+  zone.fit_after = 89.5;
+  example.causes[0].simulation = zone;
+  example.simulation.preparation = "12 records, simulated in 24 windows";
+  example.simulation.order = 2;
+  example.simulation.causes = {zone};
+  example.simulation.fit_before = 81;
+  example.simulation.fit_after = 89.5;
+  example.simulation.pictures = {
+      {"run1", 0.5, 0.1, Vector2d(0.5, kNan), Vector2d(0.4, 1), Vector2d(0.5, 2)}};
+  example.simulation.seconds = 0.25;
   example.candidates = {{"act_deadzone", "", 412.5, 12.25, 1.0 / 3},
                         {"plant_temp", "temp", -3, kNan, kNan}};
   example.warnings = {"only 12 experiments were kept out of the fit"};

@@ -65,7 +65,8 @@ TEST(WindowFit, FindsThePlantAndEachWindowsInitialState) {
     EXPECT_NEAR(fit.model.theta[index], truth, 4 * error);  // one in 16,000 by chance
   }
   // 0.01 a sample, less one in a hundred for each initial state and the three parameters.
-  EXPECT_NEAR(fit.squared_error, 0.01 * (data.samples - 20 - 3), 4 * 0.01 * std::sqrt(2.0 * data.samples));
+  EXPECT_NEAR(fit.squared_error, 0.01 * (data.samples - 20 - 3),
+              4 * 0.01 * std::sqrt(2.0 * data.samples));
   EXPECT_NEAR(effectiveSamples(fit), data.samples, 0.2 * data.samples);
 }
 

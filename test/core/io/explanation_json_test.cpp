@@ -60,6 +60,29 @@ TEST(ExplanationJson, HoldsTheFieldsOfTheFormat) {
   EXPECT_EQ(tree["residuals_after"]["of_experiment"], json({1, 0.75}));
 }
 
+TEST(ExplanationJson, HoldsPlaceShapeAndCurveOfWhatTheSimulationShows) {
+  const json tree = toJson(exampleExplanation());
+  const json& zone = tree["causes"][0]["simulation"];
+  EXPECT_EQ(zone["place"], "input");
+  EXPECT_EQ(zone["shape"], "dead_zone");
+  EXPECT_EQ(zone["values"][0],
+            json({{"name", "half_width"}, {"value", 0.31}, {"standard_error", 0.004}}));
+  EXPECT_EQ(zone["curve"]["signal"], json({-1, 0, 1}));
+  EXPECT_EQ(zone["curve"]["upper_90"], json({-0.68, 0.01, 0.7}));
+  EXPECT_EQ(
+      zone["ties"][0],
+      json({{"name", "act_backlash"}, {"place", "play"}, {"shape", "play"}, {"covariate", ""}}));
+  EXPECT_TRUE(tree["causes"][1]["simulation"].is_null());
+  EXPECT_EQ(tree["simulation"]["causes"][0], zone);
+  EXPECT_EQ(tree["simulation"]["fit_after"], 89.5);
+  EXPECT_EQ(tree["simulation"]["pictures"][0]["after"], json({0.5, 2}));
+  EXPECT_TRUE(tree["simulation"]["pictures"][0]["measured"][1].is_null());
+  const Explanation back = explanationFromJson(tree);
+  EXPECT_EQ(back.simulation.preparation, "12 records, simulated in 24 windows");
+  EXPECT_EQ(back.causes[0].simulation->what.shape, "dead_zone");
+  EXPECT_FALSE(back.causes[1].simulation.has_value());
+}
+
 TEST(ExplanationJson, TheModelIsAResultWithItsEffects) {
   const Explanation example = exampleExplanation();
   const json tree = toJson(example);

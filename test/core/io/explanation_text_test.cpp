@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "support/example_explanation.h"
 
 namespace uncertainty_identification {
@@ -49,6 +51,19 @@ TEST(ExplanationText, GivesAProbabilityWhereNothingIsLeftWrong) {
   Explanation explained = exampleExplanation();
   explained.verdict = Verdict::explained;
   expectPart(explanationText(explained), "\nCause 1: act_deadzone, actuator, probability 98 %\n");
+}
+
+TEST(ExplanationText, ShowsPlaceTiesAndCurveOfWhatTheSimulationShows) {
+  Explanation example = test::exampleExplanation();
+  example.causes[0].confidence = std::numeric_limits<double>::quiet_NaN();
+  const std::string text = explanationText(example);
+  for (const char* part :
+       {"Cause 1: act_deadzone, actuator, found in the free simulation", "input: dead_zone",
+        "81 -> 89.5", "play (act_backlash)", "curve at input -1", "-0.69, 90 %: -0.7 to -0.68",
+        "What to do: move the actuator slowly"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " is missing in\n" << text;
+  // The likelihood knows nothing of it: there are no nats to show.
+  EXPECT_EQ(text.find("gain per experiment [nats]"), std::string::npos) << text;
 }
 
 TEST(ExplanationText, SaysWhatHasNoGain) {

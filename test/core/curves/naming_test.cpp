@@ -1,0 +1,96 @@
+#include "curves/naming.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "curves/fit_comparison.h"
+#include "curves/screening_places.h"
+#include "curves/starts.h"
+
+namespace uncertainty_identification {
+namespace {
+
+/// Windows of a sensor that reads through `curve`, behind a plant of the first order.
+template <typename Function>
+SimulationData sensorWindows(const Function& curve) {
+  std::mt19937_64 engine(1);
+  std::normal_distribution<double> normal;
+  SimulationData data;
+  for (int w = 0; w < 16; ++w) {
+    SimulationWindow window;
+    window.u.resize(150);
+    window.y.resize(150);
+    double x = 0, level = 0;
+    for (int k = 0; k < 150; ++k) {
+      if (k % 10 == 0) level = normal(engine);
+      window.u[k] = level;
+      window.y[k] = curve(x) + 0.01 * normal(engine);
+      x = 0.8 * x + 0.2 * level;
+    }
+    window.measured = Eigen::ArrayXd::Ones(150);
+    window.time = Eigen::VectorXd::LinSpaced(150, 0, 1);
+    data.windows.push_back(window);
+    data.groups.push_back(w);
+  }
+  data.groups.push_back(16);
+  data.longest = 150;
+  data.samples = 16 * 150;
+  data.sample_time = 1;
+  return data;
+}
+
+class NamingACurve : public testing::Test {
+ protected:
+  Naming named(const SimulationData& data, PlaceOf place) {
+    const WindowFit before = fitFreely(data, linearStart(data, 1, false, 0), {});
+    for (const ScreenedPlace& screened : screenPlaces(data, before, {}, context()))
+      if (screened.place.place == place.place)
+        return nameCurve(data, before, fitPlace(data, before, screened, context()), screened.fit, 5,
+                         context());
+    ADD_FAILURE() << "the place was not screened";
+    return {};
+  }
+
+  CurveSearchContext context() {
+    CurveSearchContext made;
+    made.pool = &pool_;
+    made.going_on = [] { return true; };
+    return made;
+  }
+
+ private:
+  WorkerPool pool_{1};
+};
+
+TEST_F(NamingACurve, NamesTheShapeOfTheTruth) {
+  const Naming square =
+      named(sensorWindows([](double x) { return x + 0.3 * x * x; }), {Place::sensor, ""});
+  EXPECT_TRUE(square.shape == "square" || square.shape == "exponential") << square.shape;
+  const Naming limit = named(
+      sensorWindows([](double x) { return std::min(std::max(x, -0.6), 0.6); }), {Place::sensor, ""});
+  EXPECT_EQ(limit.shape, "saturation");
+  EXPECT_GT(limit.others.size(), 3u);
+}
+
+/// Where no shape comes close, the curve itself is the answer.
+TEST_F(NamingACurve, LeavesACurveOfNoShapeAsItIs) {
+  const Naming found = named(
+      sensorWindows([](double x) { return x + 0.25 * std::sin(6 * x); }), {Place::sensor, ""});
+  EXPECT_EQ(found.shape, "curve");
+  EXPECT_TRUE(found.fit.model.curves.back().isFree());
+  for (const OtherShape& other : found.others) EXPECT_GE(other.behind, 2);
+}
+
+TEST_F(NamingACurve, TheCriterionCountsIndependentSamples) {
+  WindowFit fit;
+  fit.squared_error = 10;
+  fit.residuals = {Eigen::VectorXd::Ones(100)};
+  fit.model.theta = Eigen::VectorXd::Zero(4);
+  EXPECT_NEAR(criterion(fit, 50), 50 * std::log(0.1) + 4 * std::log(50.0), 1e-12);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
