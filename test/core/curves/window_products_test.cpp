@@ -39,8 +39,8 @@ TEST(WindowProducts, GiveTheErrorAfterAStep) {
   EXPECT_NEAR(products.total().rr, products.residual.squaredNorm(), 1e-12);
   EXPECT_LE(products.total().rr, products.squared_error);  // the initial state is fitted
   EXPECT_EQ(products.residual[11], 0);
-  // b and the bias act linearly, so that a step of them is exact once the initial state follows.
-  const Eigen::Vector3d step(0, 0.05, -0.02);
+  // The output is linear in b, so that a step of it is exact once the initial state follows.
+  const Eigen::Vector3d step(0, 0.05, 0);
   CurveModel moved = model;
   moved.theta += step;
   const WindowProducts after = productsOf(moved, {}, window, initial, 2);
