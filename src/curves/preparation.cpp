@@ -214,9 +214,10 @@ SignalScales scalesOf(const std::vector<Experiment>& experiments) {
   scales.u = scaleOf(sums[0], sums[1], count, false);
   scales.y = scaleOf(sums[2], sums[3], measured, true);
   for (const auto& [name, of] : covariates) {
+    const std::string& wanted = name;  // a lambda may not capture a structured binding
     const bool everywhere =
         std::all_of(experiments.begin(), experiments.end(),
-                    [&](const Experiment& each) { return each.signals.count(name) > 0; });
+                    [&wanted](const Experiment& each) { return each.signals.count(wanted) > 0; });
     if (everywhere) scales.covariates[name] = scaleOf(of[0], of[1], count, true);
   }
   return scales;

@@ -60,7 +60,7 @@ Eigen::VectorXd priorPrecision(const CurveModel& model, double squared_error, in
   return precision;
 }
 
-Eigen::VectorXd solved(Eigen::MatrixXd matrix, const Eigen::VectorXd& right) {
+Eigen::VectorXd solved(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
   if (!matrix.allFinite() || !right.allFinite()) return Eigen::VectorXd::Zero(right.size());
   return matrix.partialPivLu().solve(right);
 }

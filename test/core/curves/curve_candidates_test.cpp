@@ -16,8 +16,10 @@ CurveCandidate leaving(CandidateKind kind, Place place, const Eigen::Vector4d& e
   candidate.fit.left_out = candidate.fit.squared_error = errors.sum();
   candidate.fit.model.theta = Eigen::Vector3d::Zero();
   for (int k = 0; k < 4; ++k)
-    candidate.fit.residuals.push_back(Eigen::VectorXd::LinSpaced(500, -1, 1).unaryExpr(
-        [](double x) { return std::sin(1e4 * x); }));
+    candidate.fit.residuals.push_back(
+        Eigen::VectorXd::LinSpaced(500, -1, 1).unaryExpr([](double x) {
+          return std::sin(1e4 * x);
+        }));
   candidate.naming.fit = candidate.fit;
   return candidate;
 }
@@ -30,8 +32,8 @@ WindowFit now() { return curve(Place::input, Eigen::Vector4d(10, 11, 9, 10)).fit
 
 TEST(TiedWithFirst, HoldsWhatWindowsCannotTellApart) {
   const std::vector<CurveCandidate> tied =
-      tiedWithFirst({curve(Place::sensor, {1, 1.2, 0.9, 1}), curve(Place::input, {1.1, 1.1, 1, 0.95}),
-                     curve(Place::rate, {5, 6, 5, 5.5})},
+      tiedWithFirst({curve(Place::sensor, {1, 1.2, 0.9, 1}),
+                     curve(Place::input, {1.1, 1.1, 1, 0.95}), curve(Place::rate, {5, 6, 5, 5.5})},
                     now());
   ASSERT_EQ(tied.size(), 2u);
   EXPECT_EQ(tied[0].place.place, Place::input);  // which comes first among those that tie

@@ -106,7 +106,9 @@ TEST(FreeSimulation, PlayHoldsTheOutputWithinItsWidth) {
   const Eigen::VectorXd y = simulated(model, window, Eigen::VectorXd::Zero(1));
   for (int k = 1; k < kLength; ++k) {
     EXPECT_LE(std::abs(y[k] - window.u[k]), 0.5 + 1e-5);
-    if (std::abs(y[k - 1] - window.u[k]) < 0.49) EXPECT_EQ(y[k], y[k - 1]);
+    if (std::abs(y[k - 1] - window.u[k]) < 0.49) {
+      EXPECT_EQ(y[k], y[k - 1]);
+    }
   }
 }
 

@@ -69,16 +69,17 @@ TEST_F(NamingACurve, NamesTheShapeOfTheTruth) {
   const Naming square =
       named(sensorWindows([](double x) { return x + 0.3 * x * x; }), {Place::sensor, ""});
   EXPECT_TRUE(square.shape == "square" || square.shape == "exponential") << square.shape;
-  const Naming limit = named(
-      sensorWindows([](double x) { return std::min(std::max(x, -0.6), 0.6); }), {Place::sensor, ""});
+  const Naming limit =
+      named(sensorWindows([](double x) { return std::min(std::max(x, -0.6), 0.6); }),
+            {Place::sensor, ""});
   EXPECT_EQ(limit.shape, "saturation");
   EXPECT_GT(limit.others.size(), 3u);
 }
 
 /// Where no shape comes close, the curve itself is the answer.
 TEST_F(NamingACurve, LeavesACurveOfNoShapeAsItIs) {
-  const Naming found = named(
-      sensorWindows([](double x) { return x + 0.25 * std::sin(6 * x); }), {Place::sensor, ""});
+  const Naming found = named(sensorWindows([](double x) { return x + 0.25 * std::sin(6 * x); }),
+                             {Place::sensor, ""});
   EXPECT_EQ(found.shape, "curve");
   EXPECT_TRUE(found.fit.model.curves.back().isFree());
   for (const OtherShape& other : found.others) EXPECT_GE(other.behind, 2);

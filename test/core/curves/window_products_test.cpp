@@ -10,7 +10,8 @@ namespace {
 TEST(Orthonormal, SpansTheColumnsAndDropsThoseThatDepend) {
   Eigen::MatrixXd columns(6, 4);
   for (int row = 0; row < 6; ++row) {
-    columns.row(row) << 1, row, 2 * row - 3, row * row;  // the third is twice the second less thrice the first
+    columns.row(row) << 1, row, 2 * row - 3,
+        row * row;  // the third is twice the second less thrice the first
   }
   const Eigen::MatrixXd basis = orthonormal(columns);
   ASSERT_EQ(basis.cols(), 3);
