@@ -269,6 +269,7 @@ CurveSearchResult searchCurves(const SimulationData& data, const SimulationData&
     CurveSearchResult found = search.run(base);
     if (best.base.parameters() == 0) {
       best = std::move(found);
+      if (best.causes.empty()) break;  // one order more only tells which of several places it is
     } else if (isBetter(found, best)) {
       found.base = std::move(best.base);
       best = std::move(found);

@@ -17,7 +17,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr int kMostSamples = 10000;  ///< that are fitted to: enough for a curve, and a bounded time
+constexpr int kMostSamples = 6000;  ///< that are fitted to: enough for a curve, and a bounded time
 constexpr int kFewestSamples = 200, kFewestWindows = 4;
 
 /// The last third of the windows.
@@ -58,17 +58,18 @@ std::string reasonToSkip(const SimulationData& data) {
   return "";
 }
 
+bool isExcluded(const std::vector<std::string>& excluded, Place place, const std::string& shape) {
+  return std::find(excluded.begin(), excluded.end(), causeNamed(place, shape)) != excluded.end();
+}
+
 /// Places whose every cause is excluded by name.
 std::function<bool(Place)> exclusionOf(const std::vector<std::string>& excluded) {
   return [excluded](Place place) {
-    const auto is_excluded = [&](const std::string& shape) {
-      return std::find(excluded.begin(), excluded.end(), causeNamed(place, shape)) !=
-             excluded.end();
-    };
     const std::vector<const Shape*> shapes = shapesAt(place);
-    if (shapes.empty()) return is_excluded(nameOf(place));
-    return std::all_of(shapes.begin(), shapes.end(),
-                       [&](const Shape* shape) { return is_excluded(shape->name); });
+    if (shapes.empty()) return isExcluded(excluded, place, nameOf(place));
+    return std::all_of(shapes.begin(), shapes.end(), [&](const Shape* shape) {
+      return isExcluded(excluded, place, shape->name);
+    });
   };
 }
 
@@ -128,6 +129,9 @@ SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
   limits.candidates.excluded = exclusionOf(options.excluded);
   CurveSearchContext context;
   context.pool = pool;
+  context.excluded = [&](Place place, const std::string& shape) {
+    return isExcluded(options.excluded, place, shape);
+  };
   std::mutex telling;
   bool cancelled = false;
   std::string doing = "simulating";

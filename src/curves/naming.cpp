@@ -40,11 +40,15 @@ ClosestShape closestTo(const Eigen::VectorXd& values, const Curve& place, const 
   return closest;
 }
 
-std::vector<ClosestShape> closestShapes(const Eigen::VectorXd& values, const Curve& place) {
+std::vector<ClosestShape> closestShapes(const Eigen::VectorXd& values, const Curve& place,
+                                        const CurveSearchContext& context) {
   std::vector<ClosestShape> found;
-  for (const Shape* shape : shapesAt(place.place()))
-    if (!shape->needs_zero || !hasPhysicalZero(place.place()) || place.coversZero())
+  for (const Shape* shape : shapesAt(place.place())) {
+    const bool is_excluded = context.excluded && context.excluded(place.place(), shape->name);
+    const bool has_zero = !hasPhysicalZero(place.place()) || place.coversZero();
+    if (!is_excluded && (has_zero || !shape->needs_zero))
       found.push_back(closestTo(values, place, shape));
+  }
   std::stable_sort(found.begin(), found.end(),
                    [](const ClosestShape& left, const ClosestShape& right) {
                      return left.distance < right.distance;
@@ -99,7 +103,7 @@ Naming nameCurve(const SimulationData& data, const WindowFit& before, const Wind
   const Eigen::VectorXd values = place.atSamples(from.theta.tail(own));
   const double samples = effectiveSamples(gained ? free : before);
   std::vector<Contender> contenders{{criterion(free, samples), "curve", free}};
-  std::vector<ClosestShape> closest = closestShapes(values, place);
+  std::vector<ClosestShape> closest = closestShapes(values, place, context);
   if (static_cast<int>(closest.size()) > shapes) closest.resize(static_cast<std::size_t>(shapes));
   for (const ClosestShape& each : closest) {
     CurveModel model = from;

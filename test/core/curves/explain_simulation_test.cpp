@@ -131,6 +131,13 @@ TEST(ExplainSimulation, LeavesOutPlacesWhoseNamesAreAllExcluded) {
   for (const SimulationCause& cause : found.causes) EXPECT_NE(cause.what.place, "input");
 }
 
+TEST(ExplainSimulation, DoesNotNameAShapeThatIsExcluded) {
+  SimulationSearchOptions options;
+  options.excluded = {"act_deadzone"};
+  const SimulationCauses found = explained(runs(kRuns + kHeld, 4, deadZone, none), 1, options);
+  for (const SimulationCause& cause : found.causes) EXPECT_NE(cause.what.name, "act_deadzone");
+}
+
 TEST(ExplainSimulation, SaysWhyItDidNotSearch) {
   WorkerPool pool(1);
   EXPECT_EQ(explainSimulation(runs(1, 1, same, none), {}, {}, &pool).skipped,
