@@ -104,6 +104,18 @@ double fitOf(const SimulationData& held, double squared_error) {
   return heldOutFit(held, Eigen::VectorXd::Constant(1, squared_error));
 }
 
+void describe(const CurveSearchResult& result, const SimulationData& data,
+              const SimulationData& held, SimulationCauses* found) {
+  found->order = result.base.model.order;
+  for (const FoundCurve& cause : result.causes) {
+    found->causes.push_back(describeCurve(cause, result.fit, data));
+    found->causes.back().fit_before = fitOf(held, cause.held_before);
+    found->causes.back().fit_after = fitOf(held, cause.held_after);
+  }
+  found->fit_before = fitOf(held, heldOutErrors(held, result.base.model).sum());
+  found->fit_after = fitOf(held, result.held_error);
+}
+
 }  // namespace
 
 SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
@@ -145,14 +157,7 @@ SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
     doing = what;
   };
   const CurveSearchResult result = searchCurves(data, kept, limits, context);
-  found.order = result.base.model.order;
-  for (const FoundCurve& cause : result.causes) {
-    found.causes.push_back(describeCurve(cause, result.fit, data));
-    found.causes.back().fit_before = fitOf(kept, cause.held_before);
-    found.causes.back().fit_after = fitOf(kept, cause.held_after);
-  }
-  found.fit_before = fitOf(kept, heldOutErrors(kept, result.base.model).sum());
-  found.fit_after = fitOf(kept, result.held_error);
+  describe(result, data, kept, &found);
   found.pictures = picturesOf(held.empty() ? fitted : held, kept, result);
   found.ended_early = result.ended_early;
   found.seconds = seconds();
