@@ -6,7 +6,7 @@ function placeAndShape({place, shape, covariate}) {
   return `${place}${covariate ? ` [${covariate}]` : ''}${shape === place ? '' : `: ${shape}`}`.replace(/_/g, ' ');
 }
 
-function curveFigure(parent, cause) {
+function characteristicFigure(parent, cause) {
   const {of, unit, signal, value, lower_90: lower, upper_90: upper} = cause.curve;
   const values = unit === '1' ? 'factor by which the input acts, less 1' : `in units of the ${unit}`;
   figure(parent, {
@@ -22,10 +22,11 @@ function curveFigure(parent, cause) {
 function windowFigure(parent, {experiment, start, sample_time: step, measured, before, after}, changed) {
   const time = measured.map((value, k) => start + k * step);
   const line = (label, values, color) =>
-    ({label, data: points(time, values), borderColor: color, backgroundColor: color, borderWidth: 1.5});
+    ({label, data: points(time, values), borderColor: color, backgroundColor: color, borderWidth: 1.5,
+      describe: k => [`${label}: ${number(values[k])} at ${number(time[k])}\u00a0s`]});
   figure(parent, {
     title: `Not used for fitting: ${experiment}`, height: 260, caption: '',
-    datasets: [{label: 'measured', showLine: false, pointRadius: 1.6, pointStyle: 'circle', data: points(time, measured), borderColor: kInk, backgroundColor: kInk},
+    datasets: [{...line('measured', measured, kInk), showLine: false, pointRadius: 1.6, pointStyle: 'circle'},
                line(changed ? 'without the causes' : 'simulated', before, kColorBefore),
                ...(changed ? [line('with them', after, kColorAfter)] : [])],
     axes: {x: linearAxis('time [s]', {min: time[0], max: time[time.length - 1]}), y: linearAxis('output')}});
@@ -44,6 +45,6 @@ function showSimulationSearch(parent, {simulation}) {
     parent.append(table([{title: 'Place and shape'}, {title: 'Explains as well'}, {title: 'Fit held out [%]', number: true}],
       causes.map(cause => [placeAndShape(cause), cause.ties.map(placeAndShape).join(', ') || kNone,
                            `${number(cause.fit_before, 3)} \u2192 ${number(cause.fit_after, 3)}`])));
-  for (const cause of causes) if (cause.curve.signal.length > 0) curveFigure(parent, cause);
+  for (const cause of causes) if (cause.curve.signal.length > 0) characteristicFigure(parent, cause);
   for (const picture of simulation.pictures) windowFigure(parent, picture, causes.length > 0);
 }
