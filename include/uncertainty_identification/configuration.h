@@ -199,7 +199,7 @@ struct ExplanationOptions {
   double validation_share =
       0.3;  ///< share of experiments held out if none are given for validation, in (0, 0.9]
   /// [s] after which no further cause is searched for, and the best answer so far is given; 0: none
-  double time_limit = 60;
+  double time_limit = 20;
   std::vector<std::string> exclude;  ///< names of catalogue effects that are not considered
   int after_experiments =
       0;  ///< the node explains after this many new experiments; 0 = only on request

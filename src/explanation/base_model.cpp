@@ -1,15 +1,27 @@
 #include "explanation/base_model.h"
 
+#include <algorithm>
+
+#include "curves/curve_words.h"
 #include "uncertainty_identification/effects/catalogue.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 
+namespace {
+
+bool isCurve(const std::string& name) {
+  const std::vector<std::string> all = curveCauseNames();
+  return std::find(all.begin(), all.end(), name) != all.end();
+}
+
+}  // namespace
+
 void requireKnown(const std::vector<std::string>& excluded,
                   const std::vector<Experiment>& experiments) {
   for (const std::string& name : excluded) {
     const std::string nearest = nearestEffect(name, summarise(experiments));
-    if (nearest == name) continue;
+    if (nearest == name || isCurve(name)) continue;
     throw ConfigurationError("explanation.exclude: found " + name +
                              "; the catalogue has no such effect, the nearest is " + nearest);
   }

@@ -1,5 +1,6 @@
 #include "explanation/estimate_fit.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "uncertainty_identification/identifier.h"
@@ -48,7 +49,7 @@ Fit fitOf(const Estimate& estimate, const FitData& data, const DataSummary& summ
   return evaluated(model, at, data);
 }
 
-Estimate estimateOf(const Fit& fit, const FitData& data, const Estimate& base) {
+Estimate estimateOf(const Fit& fit, const FitData& data, const Estimate& base, int iterations) {
   Estimate start = base;
   start.configuration.nominal_model.fit = PlantFit::likelihood;
   start.configuration.error_model.components = fit.at.mixture.components();
@@ -80,7 +81,12 @@ Estimate estimateOf(const Fit& fit, const FitData& data, const Estimate& base) {
     start.configuration.effects.push_back(std::move(options));
     start.effects.push_back(std::move(estimate));
   }
-  return Identifier(start.configuration).reidentify(start, data.experiments());
+  int& limit = start.configuration.estimation.max_iterations;
+  const int asked = limit;
+  limit = std::min(asked, iterations);
+  Estimate estimate = Identifier(start.configuration).reidentify(start, data.experiments());
+  estimate.configuration.estimation.max_iterations = asked;
+  return estimate;
 }
 
 }  // namespace uncertainty_identification

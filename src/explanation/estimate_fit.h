@@ -13,7 +13,7 @@ std::vector<Experiment> usedBy(const Estimate& estimate, std::vector<Experiment>
 Fit fitOf(const Estimate& estimate, const FitData& data, const DataSummary& summary);
 
 /// The estimate of a fit with effects. The Identifier optimises it from the fit's point, so that it
-/// equals what a configuration with these effects gives.
-Estimate estimateOf(const Fit& fit, const FitData& data, const Estimate& base);
+/// equals what a configuration with these effects gives, unless it needs more than `iterations`.
+Estimate estimateOf(const Fit& fit, const FitData& data, const Estimate& base, int iterations);
 
 }  // namespace uncertainty_identification

@@ -59,7 +59,8 @@ class Explaining {
   ProgressCallback progress_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   bool cancelled_ = false;
-  std::string thinning_, simplification_;  ///< of long records and orders, as warnings tell them
+  std::vector<std::string> leading_curves_;  ///< the only effects that the likelihood tries, if any
+  std::string thinning_, simplification_;    ///< of long records and orders, as warnings tell them
   std::atomic<bool> ran_out_of_time_{false};
   std::mutex reporting_;
   double share_searched_ = 0;  ///< share of the search that is done, 0 to 1
@@ -116,8 +117,11 @@ void Explaining::searchSimulation(const Split& data) {
   if (explanation_.simulation.ended_early && !cancelled_) ran_out_of_time_ = true;
 }
 
+/// Where curves explain most of the error, a choice of orders would only take part of it up.
 Estimate Explaining::identify(const std::vector<Experiment>& experiments) {
   NominalModelOptions& nominal = configuration_.nominal_model;
+  if (nominal.orders_auto && !leading_curves_.empty())
+    nominal = ofOrder(explanation_.simulation.order);
   const bool may_simplify = nominal.orders_auto && configuration_.explanation.time_limit > 0;
   const auto go = [this](const Progress& at, double limit) {
     return report(at.phase, 0.3 * at.fraction, at.log_likelihood) &&
@@ -145,6 +149,9 @@ FitContext Explaining::context(const Estimate& estimate) {
     const std::lock_guard<std::mutex> lock(reporting_);  // called from all threads
     return report("searching causes", 0.3 + 0.6 * share_searched_, reached) && inTime();
   };
+  context.options.on_iterate = [going_on = context.going_on](const TracePoint&) {
+    return going_on();
+  };
   context.report_searched = [this](double share) {
     const std::lock_guard<std::mutex> lock(reporting_);
     share_searched_ = std::max(share_searched_, share);
@@ -158,8 +165,9 @@ FitContext Explaining::context(const Estimate& estimate) {
 SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt) {
   const Estimate chosen = identify(data.train);
   const std::vector<Estimate> candidates = orderCandidates(
-      configuration_, chosen, data.train, context(chosen),
-      [this](const Progress& at) { return report("choosing orders", 0.3, at.log_likelihood); });
+      configuration_, chosen, data.train, context(chosen), [this](const Progress& at) {
+        return report("choosing orders", 0.3, at.log_likelihood) && inTime();
+      });
   // A tie between models is no reason to name a cause.
   const auto worth = [this](const SearchOutcome& of) {
     return of.penalisedLikelihood() -
@@ -167,8 +175,8 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
   };
   std::vector<SearchOutcome> outcomes;
   for (const Estimate& candidate : candidates) {
-    outcomes.push_back(
-        searchOnTopOf(configuration_.explanation, context(candidate), candidate, data, spoilt));
+    outcomes.push_back(searchOnTopOf(configuration_.explanation, context(candidate), candidate,
+                                     data, spoilt, leading_curves_));
     const SearchState& first = outcomes.front().found;
     if (!inTime() || (!first.causes.empty() &&
                       allPassed(checkResiduals(first.fit, first.train, first.heavy_tails))))
@@ -205,6 +213,7 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   requireKnown(configuration_.explanation.exclude, experiments);
   Split data = split(configuration_, experiments, validation);
   searchSimulation(data);
+  leading_curves_ = leadingCurves(explanation_.simulation);
   if (configuration_.explanation.time_limit > 0) thinning_ = thinLongRecords(&data);
   if (!thinning_.empty()) configuration_.sample_time = 0;
   const std::vector<SpoiltSamples> spoilt = maskSpoilt(&data);
@@ -237,10 +246,13 @@ Cause Explaining::described(const FoundCause& found, const SearchState& state) c
 }
 
 void Explaining::describeModels(const SearchState& base, const SearchState& found) {
+  constexpr int kHurried = 10;  // iterations, once the time has run out
   const bool extended = !found.fit.model->effects().empty() ||
                         found.fit.at.mixture.components() != base.fit.at.mixture.components();
   explanation_.after =
-      extended ? estimateOf(found.fit, found.train, explanation_.before) : explanation_.before;
+      extended ? estimateOf(found.fit, found.train, explanation_.before,
+                            ran_out_of_time_ ? kHurried : configuration_.estimation.max_iterations)
+               : explanation_.before;
   const double lost = found.fit.log_likelihood - explanation_.after.log_likelihood;
   if (extended && lost > 1) {
     std::ostringstream nats;

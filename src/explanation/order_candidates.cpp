@@ -127,7 +127,8 @@ class OrderSearch {
     const FitData data(usedBy(start, experiments_));
     const Fit fit = optimise(fitOf(start, data, summarise(data.experiments())), data, context_);
     if (fit.log_likelihood > best->log_likelihood + 1)
-      *best = {estimateOf(fit, data, start), fit.log_likelihood};
+      *best = {estimateOf(fit, data, start, start.configuration.estimation.max_iterations),
+               fit.log_likelihood};
   }
 
   static VectorXd padded(const VectorXd& values, int before, int size) {

@@ -22,7 +22,7 @@ const std::vector<std::pair<std::string, std::string>>& exclusions() {
   return all;
 }
 
-bool contains(const std::vector<std::string>& list, const std::string& name) {
+bool isAmong(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
@@ -52,8 +52,8 @@ Effects Search::considered(const SearchState& state) const {
   Effects effects;
   for (const auto& effect : catalogue_) {
     const std::string& name = effect->name();
-    bool wanted = effect->stage() != Stage::data && !contains(options_.exclude, name) &&
-                  !contains(state.banned, name) && !state.has(name);
+    bool wanted = effect->stage() != Stage::data && !isAmong(options_.exclude, name) &&
+                  !isAmong(state.banned, name) && !state.has(name);
     for (const auto& [one, other] : exclusions())
       wanted = wanted && !(name == one && state.has(other)) && !(name == other && state.has(one));
     if (wanted) effects.push_back(effect);
@@ -70,7 +70,7 @@ std::vector<FittedEffect> Search::rank(const SearchState& state) {
       fittedEffects(state.fit, state.train, considered(state), context_, checks_pass);
   // Effects outside the chain of signals, which are fitted in ways of their own.
   const auto outside = [&](const std::string& name) -> std::shared_ptr<const Effect> {
-    if (contains(options_.exclude, name) || contains(state.banned, name) || state.has(name))
+    if (isAmong(options_.exclude, name) || isAmong(state.banned, name) || state.has(name))
       return nullptr;
     return findEffect(catalogue_, name, "");
   };

@@ -12,6 +12,10 @@
 namespace uncertainty_identification {
 namespace {
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 /// The model of the estimate, optimised by the search's own fit, as the state before any cause.
 SearchState baseOf(const Estimate& estimate, const Split& data, const FitContext& context) {
   SearchState base{{}, FitData(usedBy(estimate, data.train)), FitData(data.held), {}, {}};
@@ -81,18 +85,21 @@ FitContext contextOf(const Estimate& estimate, std::uint64_t seed) {
   return context;
 }
 
-SearchOutcome searchOnTopOf(const ExplanationOptions& options, const FitContext& context,
+SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& context,
                             Estimate estimate, const Split& data,
-                            const std::vector<SpoiltSamples>& spoilt) {
+                            const std::vector<SpoiltSamples>& spoilt,
+                            const std::vector<std::string>& only) {
   SearchState base = baseOf(estimate, data, context);
   const Effects effects = catalogueFor(base);
   addCausesThatSamplesShow(spoilt, effects, &base);
+  const bool tests_feedback = !contains(options.exclude, "exp_feedback");
+  if (!only.empty())
+    for (const auto& effect : effects)
+      if (!contains(only, effect->name())) options.exclude.push_back(effect->name());
   Search search(options, context, effects);
   // The error of a coarse quantisation is neither Gaussian nor white, and hides other effects.
   SearchState found = base.quantised ? base : search.run(base);
-  const auto& excluded = options.exclude;
-  if (std::find(excluded.begin(), excluded.end(), "exp_feedback") == excluded.end())
-    addFeedback(effects, &found);
+  if (tests_feedback) addFeedback(effects, &found);
   return {std::move(estimate), std::move(base), std::move(found), search.tried(),
           search.refusals()};
 }

@@ -26,10 +26,11 @@ struct SearchOutcome {
 /// nothing.
 FitContext contextOf(const Estimate& estimate, std::uint64_t seed);
 
-/// Looks for causes on top of an estimate. The estimate was made from `data.train`, with the
-/// samples masked that are `spoilt`.
-SearchOutcome searchOnTopOf(const ExplanationOptions& options, const FitContext& context,
+/// Looks for causes on top of an estimate, among the effects named by `only`; empty: among all. The
+/// estimate was made from `data.train`, with the samples masked that are `spoilt`.
+SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& context,
                             Estimate estimate, const Split& data,
-                            const std::vector<SpoiltSamples>& spoilt);
+                            const std::vector<SpoiltSamples>& spoilt,
+                            const std::vector<std::string>& only);
 
 }  // namespace uncertainty_identification

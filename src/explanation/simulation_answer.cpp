@@ -13,6 +13,7 @@
 namespace uncertainty_identification {
 namespace {
 
+const double kHalf = std::log(0.5);  ///< of the squared error
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Found in the samples themselves or by a test of the input: no curve can imitate them.
@@ -135,6 +136,16 @@ void lendCurves(Explanation* explanation) {
 
 }  // namespace
 
+std::vector<std::string> leadingCurves(const SimulationCauses& simulation) {
+  std::vector<std::string> names;
+  if (logRatio(simulation.fit_before, simulation.fit_after) > kHalf) return names;
+  for (const SimulationCause& cause : simulation.causes) {
+    names.push_back(cause.what.name);
+    for (const PlaceAndShape& tie : cause.ties) names.push_back(tie.name);
+  }
+  return names;
+}
+
 void joinSimulation(Explanation* explanation) {
   const SimulationCauses& simulation = explanation->simulation;
   if (!simulation.skipped.empty()) return;
@@ -145,8 +156,8 @@ void joinSimulation(Explanation* explanation) {
   }
   const double by_curves = logRatio(simulation.fit_before, simulation.fit_after);
   // Where all tests pass, only a curve that takes half of the error away is believed instead.
-  const bool stands = passed && (by_curves > std::log(0.5) ||
-                                 likelihoodRatio(explanation->causes) <= 0.5 * by_curves);
+  const bool stands =
+      passed && (by_curves > kHalf || likelihoodRatio(explanation->causes) <= 0.5 * by_curves);
   if (stands)
     lendCurves(explanation);
   else

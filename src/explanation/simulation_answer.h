@@ -1,8 +1,15 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "uncertainty_identification/explanation/explanation.h"
 
 namespace uncertainty_identification {
+
+/// The names of the curves that the simulation shows and of those tied with them, where they take
+/// away at least half of the squared error of simulating held-out data; otherwise nothing.
+std::vector<std::string> leadingCurves(const SimulationCauses& simulation);
 
 /// Joins what the likelihood found with what explanation->simulation shows. The likelihood's causes
 /// stand where all tests of the residuals pass with them and the simulation gains about as much by

@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 
+#include "explanation/simulation_answer.h"
 #include "support/core_setup.h"
 #include "support/error_message.h"
 #include "uncertainty_identification/errors.h"
@@ -58,6 +59,48 @@ TEST(Explain, EndsAtItsTimeLimitAndSaysSo) {
     return warning.find("explanation.time_limit") != std::string::npos;
   }));
   EXPECT_NE(explained().termination, Termination::iteration_limit);
+}
+
+/// A search among all effects would take minutes to come to the same answer.
+TEST(Explain, TriesOnlyWhatLeadingCurvesName) {
+  std::vector<Experiment> alike = clean();
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> noise(0, 0.05);
+  for (Experiment& experiment : alike) {  // one plant, whose input lacks the dead zone
+    double x = 0;
+    for (Eigen::Index k = 0; k < experiment.u.size(); ++k) {
+      experiment.y[k] = x + noise(random);
+      x = 0.8 * x + 0.2 * experiment.u[k];
+      experiment.u[k] += kWidth * (experiment.u[k] < 0 ? -1 : 1);
+    }
+  }
+  const Explanation found = explain(configuration(), alike);
+  const std::vector<std::string> named = leadingCurves(found.simulation);
+  ASSERT_FALSE(named.empty()) << found.simulation.fit_before << " " << found.simulation.fit_after;
+  EXPECT_EQ(named[0], "act_deadzone");
+  ASSERT_FALSE(found.candidates.empty());
+  for (const TriedEffect& tried : found.candidates)
+    EXPECT_NE(std::find(named.begin(), named.end(), tried.name), named.end()) << tried.name;
+  EXPECT_GT(explain(configuration(), clean()).candidates.size(), 3u) << "nothing leads";
+}
+
+/// One fit may take longer than the whole time limit: it must ask whether to go on as well.
+TEST(Explain, ReportsWithinEachFit) {
+  Configuration all = configuration();
+  all.explanation.time_limit = 0;
+  int reports = 0;
+  const Explanation found = explain(all, clean(), {}, [&](const Progress& now) {
+    reports += now.phase == "searching causes" ? 1 : 0;
+    return true;
+  });
+  EXPECT_GT(reports, 4 * static_cast<int>(found.candidates.size()));
+}
+
+TEST(Explain, ExcludesCurvesThatAreNoEffectsOfTheCatalogue) {
+  Configuration without = configuration();
+  without.explanation.exclude = {"plant_product"};
+  without.explanation.time_limit = 1e-6;
+  EXPECT_NO_THROW(explain(without, behindDeadZone()));
 }
 
 TEST(Explain, NamesTheCauseWithItsParameterAndGain) {

@@ -72,6 +72,15 @@ TEST(SimulationAnswer, LeavesCausesWithWhichTestsPassAndTheSimulationGains) {
   EXPECT_EQ(found.verdict, Verdict::explained);
 }
 
+TEST(SimulationAnswer, LeadsWhereCurvesTakeHalfOfTheSquaredErrorAway) {
+  SimulationCauses simulation = withFriction(false, {}).simulation;
+  EXPECT_EQ(leadingCurves(simulation), (std::vector<std::string>{"plant_coulomb", "act_backlash"}));
+  simulation.fit_after = 100 - 10 * std::sqrt(0.51);  // from 90 %
+  EXPECT_TRUE(leadingCurves(simulation).empty());
+  simulation.fit_after = 100 - 10 * std::sqrt(0.49);
+  EXPECT_EQ(leadingCurves(simulation).size(), 2u);
+}
+
 /// White residuals alone are no explanation: a lag or a pole makes most errors white.
 TEST(SimulationAnswer, ReplacesCausesByWhichTheSimulationGainsLittle) {
   Explanation found = withFriction(true, {ofLikelihood("sens_lag", 90, 90.5)});

@@ -1,0 +1,31 @@
+#include "explanation/estimate_fit.h"
+
+#include <gtest/gtest.h>
+
+#include "support/core_setup.h"
+#include "uncertainty_identification/identifier.h"
+
+namespace uncertainty_identification {
+namespace {
+
+TEST(EstimateOf, NeedsNoMoreIterationsThanAllowed) {
+  const std::vector<Experiment> experiments = test::example1(2, 20).experiments;
+  Configuration configuration = test::example1Configuration();
+  configuration.bounds.frequencies = 0;
+  const Estimate base = Identifier(configuration).identify(experiments);
+  const FitData data(usedBy(base, experiments));
+  Fit fit = fitOf(base, data, summarise(data.experiments()));
+  fit.at.parameters[0] *= 1.1;
+  fit = evaluated(fit.model, fit.at, data);
+  const Estimate hurried = estimateOf(fit, data, base, 1);
+  const Estimate unhurried = estimateOf(fit, data, base, 500);
+  EXPECT_EQ(hurried.termination, Termination::iteration_limit);
+  EXPECT_LT(hurried.iterations, unhurried.iterations);
+  EXPECT_NEAR(unhurried.log_likelihood, base.log_likelihood, 0.01);
+  EXPECT_EQ(hurried.configuration.estimation.max_iterations,
+            configuration.estimation.max_iterations)
+      << "the limit is of this optimisation, not of whoever identifies again";
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
