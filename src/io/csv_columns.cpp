@@ -175,7 +175,8 @@ class Chooser {
     }
     std::vector<std::string> texts, unused;
     for (std::size_t i = 0; i < header_.names.size(); ++i) {
-      if (isChosen(i) || header_.names[i].empty()) continue;
+      const bool is_unused_time = columns_.time == kAbsent && timeName(header_.names[i]);
+      if (isChosen(i) || header_.names[i].empty() || is_unused_time) continue;
       if (by_name)
         unused.push_back(header_.names[i]);
       else if (header_.is_text[i])

@@ -11,7 +11,6 @@
 namespace uncertainty_identification {
 namespace {
 
-using test::mentions;
 using Configure = std::function<void(Configuration&)>;
 
 /// A file as some program writes it. It holds the samples u = 1.5, -2, 3 and y = 10, 20.25, -0.5 at
@@ -190,8 +189,8 @@ TEST_P(RefusedCsv, SaysWhereAndWhatToWrite) {
   } catch (const Error& error) {
     message = error.what();
   }
-  EXPECT_TRUE(mentions(message, "log.csv")) << message;
-  EXPECT_TRUE(mentions(message, GetParam().remedy)) << message;
+  EXPECT_TRUE(test::mentions(message, "log.csv")) << message;
+  EXPECT_TRUE(test::mentions(message, GetParam().remedy)) << message;
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, RefusedCsv, testing::ValuesIn(refused()));

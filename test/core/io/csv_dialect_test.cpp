@@ -10,7 +10,9 @@ namespace uncertainty_identification {
 namespace {
 
 /// The text as one cell. It must outlive the cell.
-CsvCell cellOf(const std::string& text) { return trimmedCell(text.data(), text.data() + text.size()); }
+CsvCell cellOf(const std::string& text) {
+  return trimmedCell(text.data(), text.data() + text.size());
+}
 
 double numberIn(const std::string& text, CsvDialect dialect = CsvDialect(',')) {
   double value = std::nan("");
@@ -41,9 +43,9 @@ TEST(CsvDialect, NumbersAreExactToTheLastBit) {
     std::snprintf(text, sizeof text, formats[i % 7], value);
     expectExact(text);
   }
-  for (const char* text : {"-0", "+0", "0.000000000000001", "999999999999999", "1234567890123456",
-                           "-123456789.123456", "9007199254740993", "1e400", "-1e-400", "inf",
-                           "-nan", "0x1p-3", "5.", ".5", "-.25"})
+  for (const char* text :
+       {"-0", "+0", "0.000000000000001", "999999999999999", "1234567890123456", "-123456789.123456",
+        "9007199254740993", "1e400", "-1e-400", "inf", "-nan", "0x1p-3", "5.", ".5", "-.25"})
     expectExact(text);
 }
 
@@ -75,7 +77,8 @@ TEST(CsvDialect, TheFirstFractionDecidesOnTheDecimalPoint) {
 }
 
 TEST(CsvDialect, LinesAreSplitOutsideQuotes) {
-  EXPECT_EQ(cells(CsvDialect(','), " a ,\"b, c\",,\"d \"\"e\"\"\"\r"), (Cells{"a", "b, c", "", "d \"e\""}));
+  EXPECT_EQ(cells(CsvDialect(','), " a ,\"b, c\",,\"d \"\"e\"\"\"\r"),
+            (Cells{"a", "b, c", "", "d \"e\""}));
   EXPECT_EQ(cells(CsvDialect(';'), "a,b;c d;"), (Cells{"a,b", "c d", ""}));
   EXPECT_EQ(cells(CsvDialect('\t'), "\ta b\t\t1"), (Cells{"", "a b", "", "1"}));
   EXPECT_EQ(cells(CsvDialect(' '), "  a \t\"b c\"   1  \r"), (Cells{"a", "b c", "1"}));

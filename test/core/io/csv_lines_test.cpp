@@ -63,7 +63,8 @@ TEST_F(CsvLinesTest, WhatIsNoTextIsRefused) {
   const auto complaint = [&](const std::string& content) {
     return messageOf<FileError>([&] { linesOf(content).first(5); });
   };
-  EXPECT_NE(complaint(std::string("t\0,\0u\0", 6)).find("save it as CSV in UTF-8"), std::string::npos);
+  EXPECT_NE(complaint(std::string("t\0,\0u\0", 6)).find("save it as CSV in UTF-8"),
+            std::string::npos);
   EXPECT_NE(complaint("t,u\r1,2\r").find("LF or CR LF"), std::string::npos);
   EXPECT_EQ(complaint("t,u\r\n1,2\r\n"), "no exception");
 }
