@@ -146,11 +146,29 @@ struct ResamplingOptions {
   void validate() const;
 };
 
-/// A signal on a topic: the topic and the numeric field of its messages (`auto`: the only one).
+/// Where a signal comes from: from a topic, live or in a bag, or from a column of a CSV file.
 struct SignalOptions {
   std::string name;  ///< covariates only: the name under which it is stored
   std::string topic;
-  std::string field = "auto";
+  std::string field = "auto";  ///< numeric field of the topic's messages; auto: the only one
+  std::string column = "";     ///< name of the column in files; empty: u, y or the covariate's name
+  /// What is stored is scale * value + offset (YAML: `scale: deg` for pi/180).
+  double scale = 1, offset = 0;
+
+  double scaled(double value) const { return scale * value + offset; }
+};
+
+enum class TimeUnit { automatic, seconds, milliseconds, microseconds, nanoseconds, index };
+
+/// The stamps of the rows of a CSV file.
+struct TimeOptions {
+  std::string column;  ///< empty: the one with a well-known name (docs/data_files.md)
+  /// automatic: as the name of the column or a row of units says, otherwise seconds; index: the
+  /// column, or without one the row, counts samples
+  TimeUnit unit = TimeUnit::automatic;
+  double sample_time = 0;  ///< [s] unit index: of one count
+
+  void validate() const;
 };
 
 enum class ExperimentMode { topic, service, duration, gap, message };
@@ -161,7 +179,8 @@ struct ExperimentOptions {
   std::string topic = "experiment/active";  ///< std_msgs/Bool or ExperimentMarker (mode topic),
                                             ///< Experiment (mode message)
   double duration = 0;                      ///< [s], mode duration
-  double gap = 0;  ///< [s], mode gap: an experiment ends when no sample arrives for this long
+  double gap = 0;      ///< [s], mode gap: an experiment ends when no sample arrives for this long
+  std::string column;  ///< of a CSV file: names the experiment of each row; empty: `experiment`
 
   void validate() const;
 };
@@ -245,6 +264,7 @@ struct Configuration {
   SignalOptions input{"", "actuator/command", "auto"};
   SignalOptions output{"", "sensor/measurement", "auto"};
   std::vector<SignalOptions> covariates;
+  TimeOptions time;
   ExperimentOptions experiment;
   FullIdentificationOptions full_identification;
   BoundsOptions bounds;

@@ -26,6 +26,7 @@ const EnumNames<Offsets>& enumNames(Offsets);
 const EnumNames<OffsetSide>& enumNames(OffsetSide);
 const EnumNames<InputResampling>& enumNames(InputResampling);
 const EnumNames<OutputResampling>& enumNames(OutputResampling);
+const EnumNames<TimeUnit>& enumNames(TimeUnit);
 const EnumNames<ExperimentMode>& enumNames(ExperimentMode);
 
 /// The word for a value, e.g. "box_jenkins". Throws std::invalid_argument for a value that is not

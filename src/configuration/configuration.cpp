@@ -33,13 +33,18 @@ void validateSignal(const std::string& key, const SignalOptions& signal) {
   require(!signal.topic.empty(), key + ".topic", "an empty text", "the name of a topic");
   require(!signal.field.empty(), key + ".field", "an empty text",
           "the path of a numeric field, or auto");
+  require(signal.scale != 0 && std::isfinite(signal.scale), key + ".scale", signal.scale,
+          "a finite number other than 0, or deg");
+  require(std::isfinite(signal.offset), key + ".offset", signal.offset, "a finite number");
 }
 
 void validateCovariates(const std::vector<SignalOptions>& covariates) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < covariates.size(); ++i) {
     const std::string key = "covariates[" + std::to_string(i) + "]";
-    validateSignal(key, covariates[i]);
+    SignalOptions signal = covariates[i];
+    if (!signal.column.empty() && signal.topic.empty()) signal.topic = signal.column;
+    validateSignal(key, signal);
     require(!covariates[i].name.empty(), key + ".name", "an empty text", "a name");
     require(names.insert(covariates[i].name).second, key + ".name", covariates[i].name,
             "a name that no other covariate has");
@@ -180,6 +185,13 @@ void ResamplingOptions::validate() const {
   requireNotNegative("resampling.max_jitter", max_jitter);
 }
 
+void TimeOptions::validate() const {
+  requireNotNegative("time.sample_time", sample_time);
+  if (unit == TimeUnit::index) requirePositive("time.sample_time", sample_time);
+  require(unit == TimeUnit::index || sample_time == 0, "time.sample_time", sample_time,
+          "0, as long as time.unit is not index; sample_time outside of `time` resamples");
+}
+
 void ExperimentOptions::validate() const {
   const bool listens = mode == ExperimentMode::topic || mode == ExperimentMode::message;
   require(!listens || !topic.empty(), "experiment.topic", "an empty text", "the name of a topic");
@@ -252,6 +264,7 @@ void Configuration::validate() const {
   validateSignal("input", input);
   validateSignal("output", output);
   validateCovariates(covariates);
+  time.validate();
   experiment.validate();
   limits.validate();
 }

@@ -85,6 +85,13 @@ const EnumNames<OutputResampling>& enumNames(OutputResampling) {
   return kNames;
 }
 
+const EnumNames<TimeUnit>& enumNames(TimeUnit) {
+  static const EnumNames<TimeUnit> kNames{
+      {TimeUnit::automatic, "auto"},  {TimeUnit::seconds, "s"},      {TimeUnit::milliseconds, "ms"},
+      {TimeUnit::microseconds, "us"}, {TimeUnit::nanoseconds, "ns"}, {TimeUnit::index, "index"}};
+  return kNames;
+}
+
 const EnumNames<ExperimentMode>& enumNames(ExperimentMode) {
   static const EnumNames<ExperimentMode> kNames{{ExperimentMode::topic, "topic"},
                                                 {ExperimentMode::service, "service"},

@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "io/archive.h"
+#include "math/constants.h"
 
 namespace uncertainty_identification {
 
@@ -17,6 +18,25 @@ bool hasAny(const Archive& archive, std::initializer_list<const char*> keys) {
 /// Whether a configuration states the key, and not as `auto`.
 bool states(Archive& archive, const char* key) {
   return archive.has(key) && !archive.isWord(key, "auto");
+}
+
+/// What a covariate, the input and the output have in common.
+void bindTopic(Archive& archive, SignalOptions& options) {
+  archive("topic", options.topic);
+  archive("field", options.field);
+  if (archive.isWord("scale", "deg"))
+    options.scale = kPi / 180;
+  else
+    archive("scale", options.scale);
+  archive("offset", options.offset);
+}
+
+/// The input or the output of an identification, which a file may hold as well.
+void bindSignalOrColumn(Archive& archive, const char* key, SignalOptions& options) {
+  archive.section(key, [&options](Archive& section) {
+    section("column", options.column);
+    bindTopic(section, options);
+  });
 }
 
 }  // namespace
@@ -110,15 +130,18 @@ void bind(Archive& archive, ResamplingOptions& options) {
 
 void bind(Archive& archive, SignalOptions& options) {
   archive("name", options.name);
-  archive("topic", options.topic);
-  archive("field", options.field);
+  archive("column", options.column);
+  bindTopic(archive, options);
 }
 
 void bindSignal(Archive& archive, const char* key, SignalOptions& options) {
-  archive.section(key, [&options](Archive& section) {
-    section("topic", options.topic);
-    section("field", options.field);
-  });
+  archive.section(key, [&options](Archive& section) { bindTopic(section, options); });
+}
+
+void bind(Archive& archive, TimeOptions& options) {
+  archive("column", options.column);
+  archive("unit", options.unit);
+  archive("sample_time", options.sample_time);
 }
 
 void bind(Archive& archive, ExperimentOptions& options) {
@@ -126,6 +149,7 @@ void bind(Archive& archive, ExperimentOptions& options) {
   archive("topic", options.topic);
   archive("duration", options.duration);
   archive("gap", options.gap);
+  archive("column", options.column);
 }
 
 void bind(Archive& archive, BoundsOptions& options) {
@@ -181,9 +205,10 @@ void bind(Archive& archive, Configuration& configuration) {
   archive("effects", configuration.effects);
   archive("explanation", configuration.explanation);
   archive("resampling", configuration.resampling);
-  bindSignal(archive, "input", configuration.input);
-  bindSignal(archive, "output", configuration.output);
+  bindSignalOrColumn(archive, "input", configuration.input);
+  bindSignalOrColumn(archive, "output", configuration.output);
   archive("covariates", configuration.covariates);
+  archive("time", configuration.time);
   archive("experiment", configuration.experiment);
   archive("full_identification", configuration.full_identification);
   archive("bounds", configuration.bounds);

@@ -21,7 +21,7 @@ void bindErrorModel(Archive& archive, const char* parameters_key, ErrorModelOpti
 /// The keys of a mixture, which stand in the current group.
 void bindMixture(Archive& archive, Mixture& mixture);
 
-/// Topic and field of the input or the output, which unlike covariates have no name.
+/// Topic, field, scale and offset of the input or the output, which unlike covariates have no name.
 void bindSignal(Archive& archive, const char* key, SignalOptions& options);
 
 }  // namespace uncertainty_identification

@@ -5,36 +5,42 @@
 #include "data/covariates.h"
 #include "data/sample_grid.h"
 #include "data/text.h"
+#include "io/csv_division.h"
 #include "io/csv_table.h"
 #include "uncertainty_identification/io/csv.h"
 
 namespace uncertainty_identification {
 namespace {
 
+constexpr double kLongest = 10, kShortest = 1e-6;  // [s] sample times that need no question
 constexpr double kSameRate = 1e-3;  // relative difference of sample times that count as equal
 constexpr double kNoticeable =
     1e-3;  // [sample times] smaller jitter is taken for the rounding of printed stamps
 
-/// Why the stamps cannot be used; empty if they rise strictly.
-std::string stampProblem(const CsvTable& table, const std::string& path) {
-  for (std::size_t i = 0; i < table.t.size(); ++i) {
-    const std::string where = path + ", line " + std::to_string(table.lines[i]) + ", column t: ";
-    if (!std::isfinite(table.t[i]))
-      return where + "found " + text(table.t[i]) + "; write finite stamps in seconds";
-    if (i == 0 || table.t[i] > table.t[i - 1]) continue;
-    const std::string kind = table.t[i] == table.t[i - 1] ? "repeats" : "goes back from";
-    return where + "the stamp " + text(table.t[i]) + " s " + kind + " " + text(table.t[i - 1]) +
-           " s; stamps must rise within an experiment; name experiments in the column experiment";
-  }
-  if (table.t.size() < 2) {
-    return path + ", line " + std::to_string(table.lines.empty() ? 1 : table.lines.front()) +
-           ": the experiment has one sample; record a longer one";
-  }
-  return "";
+std::string assumptions(const CsvFile& file) {
+  std::string what;
+  for (const std::string& remark : file.remarks) what += (what.empty() ? "" : "; ") + remark;
+  return "the columns were read as follows: " + what;
+}
+
+/// Tells, once for a file, that its time is probably not in the unit that was assumed.
+void warnOfTime(CsvFile& file, const CsvTable& table, double period, LoadedData& data) {
+  if (!file.unit_is_assumed) return;
+  const bool whole = period >= kLongest && std::all_of(table.t.begin(), table.t.end(),
+                                                       [](double t) { return t == std::floor(t); });
+  if (!whole && period <= kLongest && period >= kShortest) return;
+  file.unit_is_assumed = false;
+  data.warnings.push_back(
+      file.path + ": " + file.time_name + " holds " + (whole ? "whole numbers " : "stamps ") +
+      text(period) + " apart, taken for seconds: " +
+      (period < kShortest
+           ? "if they are not, write time: {unit: NAME}, one of s, ms, us, ns"
+           : "if they are milliseconds, write time: {unit: ms}; if they are seconds, "
+             "time: {unit: s}"));
 }
 
 /// Whether the rows can be used as samples without resampling.
-bool fitsGrid(const SampleGrid& grid, const CsvOptions& options) {
+bool fitsGrid(const SampleGrid& grid, const Configuration& options) {
   const double wanted = options.sample_time > 0 ? options.sample_time : grid.period;
   const double jitter_limit = options.resampling.max_jitter;
   const auto rows = static_cast<double>(grid.slots.size());
@@ -59,7 +65,7 @@ Eigen::VectorXd heldCovariate(const std::vector<double>& values, const SampleGri
   return held;
 }
 
-Experiment onGrid(const CsvTable& table, const SampleGrid& grid, const CsvOptions& options) {
+Experiment onGrid(const CsvTable& table, const SampleGrid& grid, const Configuration& options) {
   const auto samples = static_cast<Eigen::Index>(grid.slots.back()) + 1;
   Experiment experiment;
   experiment.id = table.id;
@@ -83,8 +89,8 @@ Experiment onGrid(const CsvTable& table, const SampleGrid& grid, const CsvOption
   return experiment;
 }
 
-void addTable(const CsvTable& table, const CsvFile& file, const SampleGrid& grid,
-              const CsvOptions& options, LoadedData& data) {
+void addOnGrid(const CsvTable& table, const CsvFile& file, const SampleGrid& grid,
+               const Configuration& options, LoadedData& data) {
   Experiment experiment = onGrid(table, grid, options);
   for (std::size_t c = 0; c < file.covariate_names.size(); ++c) {
     Eigen::VectorXd values = heldCovariate(table.covariates[c], grid);
@@ -104,8 +110,11 @@ void addTable(const CsvTable& table, const CsvFile& file, const SampleGrid& grid
 Recording asRecording(const CsvTable& table, const CsvFile& file) {
   Recording recording;
   recording.id = table.id;
-  recording.input = {table.t, table.u};
   for (std::size_t i = 0; i < table.t.size(); ++i) {
+    if (!std::isnan(table.u[i]) || table.rows_without_input == 0) {
+      recording.input.stamps.push_back(table.t[i]);
+      recording.input.values.push_back(table.u[i]);
+    }
     if (std::isnan(table.y[i])) continue;
     recording.output.stamps.push_back(table.t[i]);
     recording.output.values.push_back(table.y[i]);
@@ -116,20 +125,42 @@ Recording asRecording(const CsvTable& table, const CsvFile& file) {
   return recording;
 }
 
+void addTable(const CsvTable& table, CsvFile& file, const Configuration& configuration,
+              LoadedData& data) {
+  const SampleGrid grid = fitSampleGrid(table.t);
+  warnOfTime(file, table, grid.period, data);
+  if (table.rows_without_input > 0)
+    data.warnings.push_back(named(table.id) + ": " + std::to_string(table.rows_without_input) +
+                            " of " + std::to_string(table.t.size()) +
+                            " rows have no input, which is held between the others");
+  if (const auto division = divisionOf(table, grid.period, configuration, data))
+    addDivided(table, file, *division, configuration, data);
+  else if (table.rows_without_input == 0 && fitsGrid(grid, configuration))
+    addOnGrid(table, file, grid, configuration, data);
+  else
+    addResampled(asRecording(table, file), configuration.sample_time, configuration.resampling,
+                 data);
+}
+
+/// Why the experiment cannot be used; empty if it can.
+std::string problemOf(const CsvTable& table, const CsvFile& file) {
+  if (!table.problem.empty() || table.t.size() > 1) return table.problem;
+  return file.path + ", line " + std::to_string(table.first_line) +
+         ": the experiment has one sample; record a longer one";
+}
+
 }  // namespace
 
-LoadedData readCsv(const std::string& path, const CsvOptions& options) {
-  CsvFile file = parseCsv(path);
+LoadedData readCsv(const std::string& path, const Configuration& configuration) {
+  CsvFile file = parseCsv(path, configuration);
   LoadedData data;
+  if (!file.remarks.empty()) data.warnings.push_back(assumptions(file));
   for (CsvTable& table : file.tables) {
-    std::string problem = table.problem.empty() ? stampProblem(table, path) : table.problem;
-    if (!problem.empty()) {
+    const std::string problem = problemOf(table, file);
+    if (problem.empty())
+      addTable(table, file, configuration, data);
+    else
       data.rejected.push_back({table.id, named(table.id) + ": " + problem});
-    } else if (const SampleGrid grid = fitSampleGrid(table.t); fitsGrid(grid, options)) {
-      addTable(table, file, grid, options, data);
-    } else {
-      addResampled(asRecording(table, file), options.sample_time, options.resampling, data);
-    }
     table = CsvTable();  // frees the rows, so that a large file is not in memory twice
   }
   return data;

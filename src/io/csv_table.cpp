@@ -1,142 +1,16 @@
 #include "io/csv_table.h"
 
-#include <locale.h>
-#include <sys/stat.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <limits>
-#include <memory>
 #include <unordered_map>
 
 #include "data/text.h"
-#include "uncertainty_identification/errors.h"
+#include "io/csv_header.h"
 
 namespace uncertainty_identification {
 namespace {
 
-[[noreturn]] void fail(const std::string& path, const std::string& what) {
-  throw FileError("cannot read '" + path + "': " + what);
-}
-
-std::string contentOf(const std::string& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode))
-    fail(path, "it is a folder; give a file in it");
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
-  if (!file) fail(path, std::strerror(errno));
-  std::string content(static_cast<std::size_t>(std::max<off_t>(0, status.st_size)), '\0');
-  std::size_t size = 0;
-  for (;;) {  // the size is only a hint, because a pipe has none
-    if (size == content.size()) content.resize(content.size() + 65536);
-    const std::size_t read = std::fread(&content[size], 1, content.size() - size, file.get());
-    if (read == 0) break;
-    size += read;
-  }
-  if (std::ferror(file.get()) != 0) fail(path, std::strerror(errno));
-  content.resize(size);
-  return content;
-}
-
-/// A piece of the file's content; the content ends with a zero byte.
-struct Cell {
-  const char* begin = nullptr;
-  const char* end = nullptr;
-  bool quoted = false;
-
-  std::string str() const {
-    std::string text(begin, end);
-    if (!quoted) return text;
-    for (auto at = text.find("\"\""); at != std::string::npos; at = text.find("\"\"", at + 1))
-      text.erase(at, 1);
-    return text;
-  }
-};
-
-bool isBlank(char character) { return character == ' ' || character == '\t' || character == '\r'; }
-
-Cell trimmed(const char* begin, const char* end) {
-  while (begin < end && isBlank(*begin)) ++begin;
-  while (begin < end && isBlank(end[-1])) --end;
-  if (end - begin >= 2 && *begin == '"' && end[-1] == '"') return {begin + 1, end - 1, true};
-  return {begin, end, false};
-}
-
-/// Splits a line at its commas, except inside quotes.
-void split(const char* begin, const char* end, std::vector<Cell>& cells) {
-  cells.clear();
-  bool quoted = false;
-  const char* start = begin;
-  for (const char* at = begin; at < end; ++at) {
-    if (*at == '"') quoted = !quoted;
-    if (*at != ',' || quoted) continue;
-    cells.push_back(trimmed(start, at));
-    start = at + 1;
-  }
-  cells.push_back(trimmed(start, end));
-}
-
-/// Reads a number written with a decimal point, whatever the locale of the program. False if the
-/// cell holds anything else.
-bool parseNumber(const Cell& cell, double& value) {
-  static const locale_t kCLocale = ::newlocale(LC_ALL_MASK, "C", nullptr);
-  if (cell.begin == cell.end) return false;
-  char* parsed = nullptr;
-  value = ::strtod_l(cell.begin, &parsed, kCLocale);
-  return parsed == cell.end;
-}
-
-/// The meaning of each column.
-struct Columns {
-  static constexpr std::size_t kAbsent = std::numeric_limits<std::size_t>::max();
-  std::size_t experiment = kAbsent, t = kAbsent, u = kAbsent, y = kAbsent;
-  std::vector<std::size_t> covariates;
-  std::vector<std::string> names;  ///< of all columns
-};
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ",") + name;
-  return list;
-}
-
-Columns readHeader(const std::vector<Cell>& cells, const std::string& path, long line) {
-  Columns columns;
-  for (const Cell& cell : cells) columns.names.push_back(cell.str());
-  const std::string found = "line " + std::to_string(line) + " is '" + listed(columns.names) + "'";
-  for (std::size_t i = 0; i < columns.names.size(); ++i) {
-    const std::string& name = columns.names[i];
-    if (name.empty() || std::count(columns.names.begin(), columns.names.end(), name) > 1) {
-      fail(path, "no two columns may have the same name, but " + found);
-    }
-    if (name == "experiment") {
-      columns.experiment = i;
-    } else if (name == "t") {
-      columns.t = i;
-    } else if (name == "u") {
-      columns.u = i;
-    } else if (name == "y") {
-      columns.y = i;
-    } else {
-      columns.covariates.push_back(i);
-    }
-  }
-  for (const auto& [name, index] :
-       {std::make_pair("t", columns.t), {"u", columns.u}, {"y", columns.y}}) {
-    if (index == Columns::kAbsent) {
-      fail(path,
-           "the header must name the columns t, u and y (and optionally experiment and "
-           "covariates), but " +
-               found + ", without " + name);
-    }
-  }
-  return columns;
-}
+constexpr std::size_t kNoColumn = CsvSignal::kAbsent;
 
 std::string stemOf(const std::string& path) {
   const std::string name = path.substr(path.rfind('/') + 1);  // npos + 1 = 0
@@ -144,75 +18,125 @@ std::string stemOf(const std::string& path) {
   return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
 }
 
+/// What programs write for a value that is not there.
+bool isNothing(const CsvCell& cell) {
+  if (cell.empty()) return true;
+  const std::string word = cell.str();
+  return word == "NA" || word == "N/A" || word == "null" || word == "NULL" || word == "None";
+}
+
 /// Goes through the lines and sorts the rows by experiment.
 class Parser {
  public:
-  explicit Parser(const std::string& path) : content_(contentOf(path)) { file_.path = path; }
+  Parser(const std::string& path, const Configuration& configuration)
+      : lines_(path), head_(readHead(path, lines_)), names_(head_.header.names) {
+    columns_ = chooseColumns(head_.header, configuration);
+    file_.path = path;
+    file_.has_experiments = columns_.experiment != kNoColumn;
+    if (columns_.time != kNoColumn) file_.time_name = names_[columns_.time];
+    file_.unit_is_assumed = columns_.unit_is_assumed;
+    for (const CsvSignal& each : columns_.covariates) file_.covariate_names.push_back(each.name);
+  }
 
   CsvFile run() {
-    const char* at = content_.c_str();
-    const char* const end = at + content_.size();
-    if (content_.compare(0, 3, "\xEF\xBB\xBF") == 0) at += 3;
-    for (; at < end; ++line_) {
-      const auto* next =
-          static_cast<const char*>(std::memchr(at, '\n', static_cast<std::size_t>(end - at)));
-      if (next == nullptr) next = end;
-      readLine(at, next);
-      at = next + 1;
+    while (lines_.next()) {
+      if (lines_.number() < head_.first_row || isCsvRemark(lines_.begin(), lines_.end())) continue;
+      head_.dialect.split(lines_.begin(), lines_.end(), cells_);
+      while (cells_.size() > names_.size() && cells_.back().empty()) cells_.pop_back();
+      readRow();
     }
-    if (columns_.names.empty())
-      fail(file_.path,
-           "the file is empty; write a header line such as t,u,y and one line per sample");
     if (file_.tables.empty()) {
       tableOf(stemOf(file_.path)).problem =
           file_.path + ": the file has a header but no rows; write one line per sample";
     }
+    file_.remarks = std::move(columns_.remarks);
+    if (head_.dialect.hasDecimalComma()) file_.remarks.push_back("commas are decimal points");
     return std::move(file_);
   }
 
  private:
-  void readLine(const char* begin, const char* end) {
-    const Cell line = trimmed(begin, end);
-    if (!line.quoted && (line.begin == line.end || *line.begin == '#')) return;
-    split(begin, end, cells_);
-    if (columns_.names.empty()) {
-      columns_ = readHeader(cells_, file_.path, line_);
-      for (const std::size_t i : columns_.covariates)
-        file_.covariate_names.push_back(columns_.names[i]);
-    } else {
-      readRow();
-    }
+  std::string place() const { return file_.path + ", line " + std::to_string(lines_.number()); }
+
+  std::string place(std::size_t column) const {
+    return place() + ", column " + (column == kNoColumn ? "t" : names_[column]);
   }
 
   void readRow() {
     CsvTable& table = tableOfRow();
     if (!table.problem.empty()) return;
-    if (cells_.size() != columns_.names.size()) {
-      table.problem = file_.path + ", line " + std::to_string(line_) + ": found " +
-                      std::to_string(cells_.size()) + " cells under " +
-                      std::to_string(columns_.names.size()) +
-                      " columns; write one cell per column, an empty one for a missing output";
+    if (cells_.size() != names_.size()) {
+      table.problem = place() + ": found " + std::to_string(cells_.size()) + " cells under " +
+                      std::to_string(names_.size()) +
+                      " columns; write one cell per column, an empty one for a missing output" +
+                      (cells_.size() > names_.size() && head_.dialect.separator() == ','
+                           ? "; numbers with decimal commas need another separator, such as ;"
+                           : "");
       return;
     }
-    table.lines.push_back(line_);
-    table.t.push_back(number(columns_.t, false, table));
-    table.u.push_back(number(columns_.u, false, table));
-    table.y.push_back(number(columns_.y, true, table));
-    for (std::size_t i = 0; i < columns_.covariates.size(); ++i) {
-      table.covariates[i].push_back(number(columns_.covariates[i], true, table));
+    readTime(table);
+    const double u = number(columns_.input, table);
+    if (std::isnan(u) && isNothing(cells_[columns_.input.column])) ++table.rows_without_input;
+    table.u.push_back(u);
+    table.y.push_back(number(columns_.output, table));
+    for (std::size_t i = 0; i < columns_.covariates.size(); ++i)
+      table.covariates[i].push_back(number(columns_.covariates[i], table));
+    if (columns_.marker != kNoColumn) readMarker(table);
+  }
+
+  void readTime(CsvTable& table) {
+    double value = static_cast<double>(table.t.size());
+    if (columns_.time != kNoColumn && !head_.dialect.number(cells_[columns_.time], value)) {
+      table.problem = place(columns_.time) + ": found '" + cells_[columns_.time].str() +
+                      "'; write a number, or choose another column by time: {column: NAME}";
+      return;
+    }
+    const double t = value / columns_.per_second;
+    if (table.t.empty() ? std::isfinite(t) : t > table.t.back() && std::isfinite(t)) {
+      table.t.push_back(t);
+    } else if (!std::isfinite(t)) {
+      table.problem =
+          place(columns_.time) + ": found " + text(value) + "; write finite stamps in seconds";
+    } else {
+      const std::string kind = t == table.t.back() ? "repeats" : "goes back from";
+      table.problem = place(columns_.time) + ": the stamp " + text(t) + " s " + kind + " " +
+                      text(table.t.back()) +
+                      " s; stamps must rise within an experiment; name experiments in the column "
+                      "experiment, or in another one by experiment: {column: NAME}";
     }
   }
 
-  CsvTable& tableOfRow() {
-    if (columns_.experiment == Columns::kAbsent) {
-      return file_.tables.empty() ? tableOf(stemOf(file_.path)) : file_.tables.front();
+  double number(const CsvSignal& signal, CsvTable& table) {
+    const CsvCell& cell = cells_[signal.column];
+    double value = 0;
+    if (head_.dialect.number(cell, value)) return signal.scale * value + signal.offset;
+    if (!isNothing(cell) && table.problem.empty()) {
+      table.problem = place(signal.column) + ": found '" + cell.str() +
+                      "'; write a number, or leave the cell empty if it was not measured";
     }
+    return std::nan("");
+  }
+
+  void readMarker(CsvTable& table) {
+    const CsvCell& cell = cells_[columns_.marker];
+    const std::string word = cell.str();
+    double value = word == "true" || word == "True" || word == "TRUE" ? 1 : 0;
+    const bool is_word = value == 1 || word == "false" || word == "False" || word == "FALSE";
+    if (isNothing(cell))
+      value = -1;
+    else if (!is_word && !head_.dialect.number(cell, value) && table.problem.empty())
+      table.problem =
+          place(columns_.marker) + ": found '" + word + "'; write 1 or 0, true or false";
+    table.markers.push_back(static_cast<std::int8_t>(value < 0 ? -1 : value != 0 ? 1 : 0));
+  }
+
+  CsvTable& tableOfRow() {
+    if (!file_.has_experiments)
+      return file_.tables.empty() ? tableOf(stemOf(file_.path)) : file_.tables.front();
     const bool found = columns_.experiment < cells_.size();
     CsvTable& table = tableOf(found ? cells_[columns_.experiment].str() : "");
     if (table.id.empty()) {
-      table.problem =
-          file_.path + ", line " + std::to_string(line_) +
-          ", column experiment: the cell is empty; write the name of the experiment in every row";
+      table.problem = place(columns_.experiment) +
+                      ": the cell is empty; write the name of the experiment in every row";
     }
     return table;
   }
@@ -224,34 +148,26 @@ class Parser {
     if (added) {
       file_.tables.emplace_back();
       file_.tables.back().id = id;
+      file_.tables.back().first_line = std::max(1L, lines_.number());
       file_.tables.back().covariates.resize(columns_.covariates.size());
     }
     return file_.tables[last_];
   }
 
-  double number(std::size_t column, bool may_be_empty, CsvTable& table) {
-    const Cell& cell = cells_[column];
-    double value = std::numeric_limits<double>::quiet_NaN();
-    if (may_be_empty && cell.begin == cell.end) return value;
-    if (!parseNumber(cell, value) && table.problem.empty()) {
-      table.problem = file_.path + ", line " + std::to_string(line_) + ", column " +
-                      columns_.names[column] + ": found '" + cell.str() + "'; write a number" +
-                      (may_be_empty ? ", or leave the cell empty if it was not measured" : "");
-    }
-    return value;
-  }
-
-  std::string content_;
+  CsvLines lines_;
+  CsvHead head_;
+  const std::vector<std::string>& names_;  ///< of the columns
+  CsvColumns columns_;
   CsvFile file_;
-  Columns columns_;
-  std::vector<Cell> cells_;  ///< of the current line
-  long line_ = 1;
+  std::vector<CsvCell> cells_;                          ///< of the current line
   std::unordered_map<std::string, std::size_t> index_;  ///< of the tables, by id
   std::size_t last_ = 0;                                ///< table of the last row
 };
 
 }  // namespace
 
-CsvFile parseCsv(const std::string& path) { return Parser(path).run(); }
+CsvFile parseCsv(const std::string& path, const Configuration& configuration) {
+  return Parser(path, configuration).run();
+}
 
 }  // namespace uncertainty_identification

@@ -25,7 +25,8 @@ std::string quoted(const std::string& text) {
     throw DataError("the name '" + text +
                     "' has a line break, which a CSV file cannot hold; choose another name");
   }
-  const bool plain = !text.empty() && text.find_first_of(",\"# \t") == std::string::npos;
+  const bool plain = !text.empty() && text.find_first_of(",;\"#% \t") == std::string::npos &&
+                     text.compare(0, 2, "//") != 0;
   if (plain) return text;
   std::string cell = "\"";
   for (const char character : text) cell += character == '"' ? "\"\"" : std::string(1, character);

@@ -14,15 +14,21 @@ namespace {
 namespace fs = std::filesystem;
 
 bool isDataFile(const fs::path& path) {
-  return path.extension() == ".bag" || path.extension() == ".csv";
+  return path.extension() == ".bag" || path.extension() == ".csv" || path.extension() == ".tsv";
+}
+
+/// Files of columns whose extension says too little to read all such files of a folder.
+bool isText(const fs::path& path) {
+  return path.extension() == ".txt" || path.extension() == ".dat";
 }
 
 std::vector<fs::path> filesOf(const std::string& path) {
   std::error_code error;
   if (!fs::is_directory(path, error)) {
     if (!fs::exists(path, error)) throw FileError("'" + path + "' does not exist");
-    if (!isDataFile(path))
-      throw FileError("'" + path + "' is not a .bag file, a .csv file or a folder");
+    if (!isDataFile(path) && !isText(path))
+      throw FileError("'" + path +
+                      "' is not a .bag file, a .csv file (or .tsv, .txt, .dat) or a folder");
     return {path};
   }
   std::vector<fs::path> files;
@@ -30,7 +36,7 @@ std::vector<fs::path> filesOf(const std::string& path) {
        !error && entry != fs::directory_iterator(); entry.increment(error))
     if (isDataFile(entry->path())) files.push_back(entry->path());
   if (error) throw FileError("cannot read folder '" + path + "': " + error.message());
-  if (files.empty()) throw FileError("folder '" + path + "' holds no .bag or .csv file");
+  if (files.empty()) throw FileError("folder '" + path + "' holds no .bag, .csv or .tsv file");
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -38,7 +44,7 @@ std::vector<fs::path> filesOf(const std::string& path) {
 LoadedData readFile(const fs::path& file, const Configuration& configuration,
                     const KeepGoing& keep_going) {
   if (file.extension() == ".bag") return readBag(file, configuration, keep_going);
-  return readCsv(file, {configuration.sample_time, configuration.resampling, configuration.limits});
+  return readCsv(file, configuration);
 }
 
 /// Puts the name of the file before ids that several files use.
@@ -52,6 +58,15 @@ void makeIdsDistinct(std::vector<std::pair<fs::path, LoadedData>>& parts) {
   for (auto& [file, data] : parts)
     for (auto& experiment : data.experiments)
       if (files_with[experiment.id] > 1) experiment.id = file.stem().string() + "/" + experiment.id;
+}
+
+/// Files of one logger share what was assumed about them: it is said once.
+void dropRepeated(std::vector<std::string>& warnings) {
+  std::set<std::string> said;
+  warnings.erase(
+      std::remove_if(warnings.begin(), warnings.end(),
+                     [&said](const auto& warning) { return !said.insert(warning).second; }),
+      warnings.end());
 }
 
 void requireExperiments(const LoadedData& data) {
@@ -73,6 +88,7 @@ LoadedData loadData(const std::vector<std::string>& paths, const Configuration& 
   makeIdsDistinct(parts);
   LoadedData data;
   for (auto& part : parts) append(std::move(part.second), data);
+  dropRepeated(data.warnings);
   requireExperiments(data);
   return data;
 }

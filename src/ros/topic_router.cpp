@@ -19,6 +19,7 @@ TopicRouter::TopicRouter(const Configuration& configuration, const TopicResolver
     cutter_.addOutput(sample.stamp, sample.value, sample.arrival);
   });
   for (const auto& covariate : configuration.covariates) {
+    if (covariate.topic.empty()) continue;  // it is a column of files
     addRoute(TopicRole::covariate, "covariate '" + covariate.name + "'", covariate, resolve,
              [this, name = covariate.name](StampedValue sample) {
                cutter_.addCovariate(name, sample.stamp, sample.value);
@@ -34,7 +35,7 @@ void TopicRouter::addRoute(TopicRole role, const std::string& key, const SignalO
                            std::function<void(StampedValue)> deliver) {
   const std::string topic = resolve(signal.topic);
   routes_.push_back(
-      {SignalDecoder(topic, signal.field), std::move(deliver), {key, topic, role, 0, ""}});
+      {SignalDecoder(topic, signal.field), signal, std::move(deliver), {key, topic, role, 0, ""}});
 }
 
 std::vector<TopicRouter::Use> TopicRouter::uses() const {
@@ -51,7 +52,9 @@ void TopicRouter::add(const std::string& topic, const RawMessage& message) {
   for (auto& route : routes_) {
     if (route.decoder.topic() != topic) continue;
     try {
-      route.deliver(route.decoder.decode(message));
+      StampedValue sample = route.decoder.decode(message);
+      sample.value = route.signal.scaled(sample.value);
+      route.deliver(sample);
     } catch (const DataError& error) {
       countLeftOut(route.count, error.what());
     } catch (const ConfigurationError&) {

@@ -62,6 +62,7 @@ class TopicRouter {
   };
   struct Route {
     SignalDecoder decoder;
+    SignalOptions signal;
     std::function<void(StampedValue)> deliver;
     Count count;
   };

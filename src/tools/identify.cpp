@@ -130,7 +130,7 @@ int main(int argc, char** argv) {
   program.purpose =
       R"(Estimates the nominal model, the noise model and the distribution of the model's error from
 experiments, and writes them to a JSON file. DATA is a .bag, a .csv with the columns experiment,t,u,y
-or t,u,y, or a folder of such files; further columns are covariates.
+or t,u,y or with columns that the configuration names, or a folder of such files.
 Exit status: 0 done; 1 the data cannot support an answer, cancelled, or an internal error; 2 wrong
 usage or configuration, or a file that cannot be read or written.)";
   program.options.add_options()  //

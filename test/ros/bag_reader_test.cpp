@@ -99,6 +99,19 @@ class BagReaderTest : public testing::Test {
   std::string path_ = folder_ / "data.bag";
 };
 
+TEST_F(BagReaderTest, SignalsAreScaledAndCovariatesOfFilesArePassedOver) {
+  writeHeaderless();
+  Configuration configuration;
+  const auto plain = readBag(path_, configuration);
+  configuration.input.scale = -2;
+  configuration.output.offset = 7;
+  configuration.covariates = {{"temp", "", "auto", "temperature"}};
+  const auto scaled = readBag(path_, configuration);
+  ASSERT_EQ(scaled.experiments.size(), 1u);
+  EXPECT_EQ(scaled.experiments[0].u, -2 * plain.experiments.at(0).u);
+  EXPECT_EQ(scaled.experiments[0].y.array(), plain.experiments.at(0).y.array() + 7);
+}
+
 TEST_F(BagReaderTest, GivesBackWhatWasWritten) {
   const auto written = experiments();
   writeBag(path_, written);

@@ -46,6 +46,35 @@ TEST(LoadData, ReadsBagsCsvFilesAndFoldersInOrder) {
   EXPECT_EQ(idsOf(loadData({folder / "c.csv", folder / "b.bag"}, {})), (Ids{"c", "from_bag"}));
 }
 
+TEST(LoadData, FilesOfOneLoggerShareARemark) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.csv", "b.tsv", "c.csv"})
+    std::ofstream(folder / name) << "time_ms;u;y\n0;1;2\n500;3;4\n1000;5;6\n";
+  std::ofstream(folder / "d.dat") << "t u y\n0 1 2\n1 3 4\n";
+  const LoadedData data = loadData({folder.path(), folder / "d.dat"}, {});
+  EXPECT_EQ(idsOf(data), (Ids{"a", "b", "c", "d"}));
+  EXPECT_EQ(
+      data.warnings,
+      (std::vector<std::string>{"the columns were read as follows: the time is 'time_ms' in ms"}));
+}
+
+TEST(LoadData, ConfiguredColumnsAndModesHoldForFiles) {
+  const TemporaryFolder folder;
+  std::ofstream file(folder / "log.csv");
+  file << "stamp;volt;angle\n";
+  for (int k = 0; k < 40; ++k) file << 0.5 * k << ";" << k << ";180\n";
+  file.close();
+  Configuration configuration;
+  configuration.input.column = "volt";
+  configuration.output.column = "angle";
+  configuration.output.scale = 0.5;
+  configuration.experiment.mode = ExperimentMode::duration;
+  configuration.experiment.duration = 10;
+  const LoadedData data = loadData({folder / "log.csv"}, configuration);
+  EXPECT_EQ(idsOf(data), (Ids{"log_000", "log_001"}));
+  EXPECT_EQ(data.experiments.at(1).y(0), 90);
+}
+
 TEST(LoadData, IdsOfSeveralFilesGetTheirFilesName) {
   const TemporaryFolder folder;
   writeBag(folder / "one.bag", {makeExperiment("x")});
@@ -59,9 +88,10 @@ TEST(LoadData, WhatIsNoDataIsNamed) {
     return messageOf<FileError>([&] { loadData({path}, {}); });
   };
   EXPECT_NE(message(folder / "absent").find("absent' does not exist"), std::string::npos);
-  EXPECT_NE(message(folder.path()).find("holds no .bag or .csv"), std::string::npos);
-  std::ofstream(folder / "notes.txt") << "not data";
-  EXPECT_NE(message(folder / "notes.txt").find("is not a .bag file, a .csv file or a folder"),
+  EXPECT_NE(message(folder.path()).find("holds no .bag, .csv or .tsv"), std::string::npos);
+  std::ofstream(folder / "notes.md") << "not data";
+  EXPECT_NE(message(folder / "notes.md")
+                .find("is not a .bag file, a .csv file (or .tsv, .txt, .dat) or a folder"),
             std::string::npos);
 }
 

@@ -143,6 +143,11 @@ std::vector<BadValue> badOthers() {
        [](auto& c) {
          c.covariates = {{"a", "topic", "auto"}, {"b", "", "auto"}};
        }},
+      {"input.scale", "0", [](auto& c) { c.input.scale = 0; }},
+      {"output.scale", "nan", [](auto& c) { c.output.scale = kNan; }},
+      {"output.offset", "nan", [](auto& c) { c.output.offset = kNan; }},
+      {"time.sample_time", "0", [](auto& c) { c.time.unit = TimeUnit::index; }},
+      {"time.sample_time", "0.1", [](auto& c) { c.time.sample_time = 0.1; }},
       {"covariates[1].name", "a",
        [](auto& c) {
          c.covariates = {{"a", "x", "auto"}, {"a", "y", "auto"}};

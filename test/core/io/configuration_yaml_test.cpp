@@ -71,10 +71,11 @@ initial: {theta: [0.1, -0.2], weights: [0.25, 0.75], means: [[1, 2], [3, 4]],
 effects: [{name: sens_bias, variant: per_experiment, parameters: {deviation: -1}}]
 explanation: {max_causes: 2, acceptance: 7, validation_share: 0.4, time_limit: 3, exclude: [act_delay], after_experiments: 5}
 resampling: {output: linear, max_age: 0.5, max_jitter: 0.01}
-input: {topic: /a, field: "effort[0]"}
-output: {topic: /b, field: twist.linear.x}
-covariates: [{name: temp, topic: /c, field: data}, {name: "01", topic: /d}]
-experiment: {mode: duration, topic: cut, duration: 2.5, gap: 1}
+input: {column: volt, topic: /a, field: "effort[0]", scale: 0.1, offset: -1}
+output: {column: "w [deg]", topic: /b, field: twist.linear.x, scale: deg, offset: 2}
+covariates: [{name: temp, topic: /c, field: data}, {name: "01", column: "1"}]
+time: {column: stamp, unit: index, sample_time: 0.02}
+experiment: {mode: duration, topic: cut, duration: 2.5, gap: 1, column: run}
 full_identification: {share: 0.3, quiet: 4}
 bounds: {levels: [0.6, 0.8], frequencies: 50, grid: [1, 2], steps: 9, samples: 333, weight_order: 3, weight_level: 0.85, folds: 5}
 limits: {max_experiments: 10, max_samples: 20, min_samples: 5, max_missing: 0.1, max_request_size: 2, max_bag_size: 3,
@@ -143,6 +144,9 @@ TEST(ConfigurationYaml, RoundTripKeepsEveryBit) {
   EXPECT_EQ(configuration.sample_time, 0.012345678901234567);
   EXPECT_EQ(configuration.estimation.seed, 18446744073709551615u);
   EXPECT_EQ(configuration.covariates.at(1).name, "01");
+  EXPECT_EQ(configuration.covariates.at(1).column, "1");
+  EXPECT_NO_THROW(configuration.time.validate());
+  EXPECT_NEAR(configuration.output.scaled(180), 3.14159265358979 + 2, 1e-13);
 }
 
 TEST(ConfigurationYaml, UnusualConfigurationLeavesNoKeyAtItsDefault) {

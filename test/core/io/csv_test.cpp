@@ -24,13 +24,13 @@ class Csv : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  LoadedData read(const std::string& content, const CsvOptions& options = {}) const {
+  LoadedData read(const std::string& content, const Configuration& options = {}) const {
     std::ofstream(path_, std::ios::binary) << content;
     return readCsv(path_, options);
   }
 
   /// The reason why the only experiment of the file is rejected.
-  std::string rejection(const std::string& content, const CsvOptions& options = {}) const {
+  std::string rejection(const std::string& content, const Configuration& options = {}) const {
     const LoadedData data = read(content, options);
     EXPECT_TRUE(data.experiments.empty());
     EXPECT_EQ(data.rejected.size(), 1u);
@@ -146,7 +146,7 @@ TEST_F(Csv, UnreadableCellsNameFileLineColumnAndText) {
       mentions(rejection(header + "0,1,2;5,3\n1,1,2,3\n"), "line 3, column y: found '2;5'"));
   EXPECT_TRUE(
       mentions(rejection(header + "0,1,2,high\n1,1,2,3\n"), "line 3, column load: found 'high'"));
-  EXPECT_TRUE(mentions(rejection(header + "0,,2,3\n1,1,2,3\n"), "line 3, column u: found ''"));
+  EXPECT_TRUE(mentions(rejection(header + ",1,2,3\n1,1,2,3\n"), "line 3, column t: found ''"));
   EXPECT_TRUE(
       mentions(rejection(header + "0,1,2,3\n1,1,2\n"), "line 4: found 3 cells under 4 columns"));
 }
@@ -177,9 +177,8 @@ TEST_F(Csv, FilesThatAreNoTableAreErrors) {
   EXPECT_TRUE(mentions(fileError(""), "'" + path_ + "': the file is empty"));
   EXPECT_TRUE(mentions(fileError("# only\n\n"), "the file is empty"));
   EXPECT_TRUE(mentions(fileError("t,u\n0,1\n"), "line 1 is 't,u', without y"));
-  EXPECT_TRUE(mentions(fileError("0,1,2\n1,2,3\n"), "line 1 is '0,1,2', without t"));
+  EXPECT_TRUE(mentions(fileError("0,1,2\n1,2,3\n"), "line 1 is '0,1,2', numbers without"));
   EXPECT_TRUE(mentions(fileError("t,u,y,y\n"), "no two columns may have the same name"));
-  EXPECT_TRUE(mentions(fileError("t,u,y,\n"), "no two columns may have the same name"));
   EXPECT_TRUE(mentions(rejection("t,u,y\n"), "the file has a header but no rows"));
   EXPECT_TRUE(mentions(rejection("experiment,t,u,y\n\n"), "the file has a header but no rows"));
 }
@@ -211,13 +210,13 @@ TEST_F(Csv, GapsBecomeMissingSamples) {
 }
 
 TEST_F(Csv, GapsBeyondTheLimitsAreResampled) {
-  const std::string content = "t,u,y\n" + rows(0, 9) + rows(100, 109);
-  CsvOptions options;
+  const std::string content = "t,u,y\n" + rows(0, 9) + rows(25, 34);
+  Configuration options;
   options.limits.max_missing = 0.2;
   const LoadedData held =
       read(content, options);  // an output is held for three sample times at most
   ASSERT_EQ(held.experiments.size(), 1u);
-  EXPECT_EQ(held.experiments[0].samples(), 110);
+  EXPECT_EQ(held.experiments[0].samples(), 35);
   EXPECT_EQ(held.experiments[0].validSamples(), 23);
   options.resampling.max_age = 0.3;
   EXPECT_TRUE(mentions(rejection(content, options), "the input is 0.4 s old at 1.3 s"));
@@ -234,7 +233,7 @@ TEST_F(Csv, NoticeableJitterIsKept) {
   EXPECT_NEAR(experiment.stamp_offset(2), 0.002, 1e-12);
   EXPECT_NEAR(experiment.stamp_offset(5), -0.002, 1e-12);
   EXPECT_NEAR(experiment.stamp_offset(3), 0, 1e-12);
-  CsvOptions options;
+  Configuration options;
   options.resampling.max_jitter = 1e-3;
   EXPECT_TRUE(mentions(rejection("t,u,y\n0,1,1\n0.1,2,2\n0.202,3,3\n0.3,4,4\n0.4,5,5\n", options),
                        "more than max_jitter"));
@@ -256,7 +255,7 @@ TEST_F(Csv, StampsRoundedInPrintAreNoJitter) {
 }
 
 TEST_F(Csv, AGivenSampleTimeResamplesOtherRates) {
-  CsvOptions options;
+  Configuration options;
   options.sample_time = 0.2;
   const LoadedData data = read("t,u,y\n" + rows(0, 20), options);
   ASSERT_EQ(data.experiments.size(), 1u);

@@ -36,7 +36,8 @@ TEST(FaultDetectionYaml, TheShippedFileStatesEveryKeyAndItsDefault) {
 TEST(FaultDetectionYaml, ValuesArrive) {
   const auto found = parseFaultDetection(YAML::Load(
       "{window: 20, false_alarm_rate: 1.0e-3, initial_state: discard, discard_samples: 7, "
-      "parameter_uncertainty: false, input: {topic: cmd_vel, field: linear.x}, experiment: {topic: "
+      "parameter_uncertainty: false, input: {topic: cmd_vel, field: linear.x, scale: deg}, "
+      "experiment: {topic: "
       "active}, resampling: {output: mean}}"));
   EXPECT_EQ(found.detection.window, 20);
   EXPECT_EQ(found.detection.false_alarm_rate, 1e-3);
@@ -44,6 +45,7 @@ TEST(FaultDetectionYaml, ValuesArrive) {
   EXPECT_EQ(found.detection.discard_samples, 7);
   EXPECT_FALSE(found.detection.parameter_uncertainty);
   EXPECT_EQ(found.input.field, "linear.x");
+  EXPECT_NEAR(found.input.scale, 0.0174532925199433, 1e-15);
   EXPECT_EQ(found.experiment_topic, "active");
   EXPECT_EQ(found.resampling.output, OutputResampling::mean);
 }

@@ -120,7 +120,7 @@ TEST(ExperimentEffects, JitterIsStampedAndSurvivesAFile) {
   }
   const TemporaryFolder folder;
   writeCsv(folder / "jitter.csv", {experiment});
-  CsvOptions options;
+  Configuration options;
   options.sample_time = 0.5;
   const LoadedData data = readCsv(folder / "jitter.csv", options);
   ASSERT_EQ(data.experiments.size(), 1u);

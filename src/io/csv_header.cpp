@@ -1,0 +1,159 @@
+#include "io/csv_header.h"
+
+#include <algorithm>
+
+#include "io/csv_time_names.h"
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr std::size_t kLooked = 200;  // lines from which dialect and header are found
+
+struct NumberedLine {
+  long number = 0;
+  std::string text;
+};
+
+std::vector<std::string> namesOf(const std::vector<CsvCell>& cells) {
+  std::vector<std::string> names;
+  for (const CsvCell& cell : cells) names.push_back(cell.str());
+  while (names.size() > 1 && names.back().empty()) names.pop_back();  // a separator at the end
+  return names;
+}
+
+bool anyNumber(const std::vector<CsvCell>& cells) {
+  return std::any_of(cells.begin(), cells.end(), looksNumeric);
+}
+
+bool mostAreNumbers(const std::vector<CsvCell>& cells) {
+  return 2 * std::count_if(cells.begin(), cells.end(), looksNumeric) >=
+         static_cast<std::ptrdiff_t>(cells.size());
+}
+
+/// A comment without its sign, except for the name %time of rostopic echo -p.
+std::string uncommented(const std::string& line) {
+  const auto begin = line.find('%');
+  if (begin != std::string::npos && line.compare(begin, 6, "%time,") == 0)
+    return line.substr(begin);
+  return line.substr(std::min(line.size(), line.find_first_not_of(" \t#%/")));
+}
+
+/// Goes through the first lines of a file.
+class HeadFinder {
+ public:
+  HeadFinder(const std::string& path, const std::vector<std::string>& lines) {
+    head_.header.path = path;
+    for (std::size_t i = 0; i < lines.size(); ++i) sort({static_cast<long>(i) + 1, lines[i]});
+    if (table_.empty())
+      refuseFile(path,
+                 "the file is empty; write a header line such as t,u,y and one line per sample");
+  }
+
+  CsvHead run() {
+    const std::string first = table_.front().text;
+    head_.dialect = dialectBelow(first, 1);
+    if (mostAreNumbers(head_.dialect.split(first)))
+      takeComment();
+    else
+      takeNames(table_.front(), 1);
+    takeUnits();
+    findTexts();
+    return std::move(head_);
+  }
+
+ private:
+  void sort(const NumberedLine& line) {
+    const char* const begin = line.text.data();
+    const char* const end = begin + line.text.size();
+    if (table_.empty() && line.text.size() >= 5 && line.text.compare(0, 4, "sep=") == 0 &&
+        trimmedCell(begin + 5, end).empty())
+      separator_ = line.text[4];
+    else if (!isCsvRemark(begin, end))
+      table_.push_back(line);
+    else if (table_.empty() && !trimmedCell(begin, end).empty())
+      comment_ = line;
+  }
+
+  CsvDialect dialectBelow(const std::string& header, std::size_t first_row) const {
+    if (separator_ != '\0') return CsvDialect(separator_);
+    std::vector<std::string> rows;
+    for (std::size_t i = first_row; i < table_.size(); ++i) rows.push_back(table_[i].text);
+    return findDialect(header, rows);
+  }
+
+  void takeNames(const NumberedLine& line, std::size_t first_row) {
+    head_.header.line = line.number;
+    head_.header.names = namesOf(head_.dialect.split(line.text));
+    row_ = first_row;
+    head_.first_row = row_ < table_.size() ? table_[row_].number : line.number + 1;
+  }
+
+  /// For a table that begins with numbers.
+  void takeComment() {
+    const std::string names = uncommented(comment_.text);
+    const CsvDialect dialect = dialectBelow(names, 0);
+    const std::vector<CsvCell> cells = dialect.split(names);
+    const std::size_t columns = dialect.split(table_.front().text).size();
+    if (comment_.number == 0 || cells.size() != columns || cells.size() < 2 || anyNumber(cells))
+      refuseFile(head_.header.path,
+                 "line " + std::to_string(table_.front().number) + " is '" +
+                     table_.front().text.substr(0, 60) +
+                     "', numbers without names above them; write a header line such as t,u,y");
+    head_.dialect = dialect;
+    takeNames({comment_.number, names}, 0);
+  }
+
+  /// A row without numbers below the names, one cell of which is a unit of time.
+  void takeUnits() {
+    if (row_ + 1 >= table_.size()) return;  // the only row
+    const std::vector<CsvCell> cells = head_.dialect.split(table_[row_].text);
+    if (anyNumber(cells) || cells.size() > head_.header.names.size()) return;
+    std::vector<std::string> units(head_.header.names.size());
+    bool has_unit = false;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const CsvName name = splitUnit(cells[i].str());
+      units[i] = name.base.empty() ? name.unit : name.base;
+      const bool is_time_unit = perSecond(units[i]).has_value();
+      if (timeName(head_.header.names[i]) && !cells[i].empty() && !is_time_unit) return;
+      has_unit = has_unit || is_time_unit;
+    }
+    const bool is_below = anyNumber(head_.dialect.split(table_[row_ + 1].text));
+    if (!is_below || !has_unit) return;
+    head_.header.units = std::move(units);
+    head_.first_row = table_[++row_].number;
+  }
+
+  void findTexts() {
+    std::vector<bool>& is_text = head_.header.is_text;
+    is_text.assign(head_.header.names.size(), false);
+    std::vector<bool> is_number = is_text;
+    for (std::size_t r = row_; r < table_.size(); ++r) {
+      const std::vector<CsvCell> cells = head_.dialect.split(table_[r].text);
+      for (std::size_t i = 0; i < std::min(cells.size(), is_text.size()); ++i) {
+        if (cells[i].empty()) continue;
+        (looksNumeric(cells[i]) ? is_number : is_text)[i] = true;
+      }
+    }
+    for (std::size_t i = 0; i < is_text.size(); ++i) is_text[i] = is_text[i] && !is_number[i];
+  }
+
+  CsvHead head_;
+  std::vector<NumberedLine> table_;  ///< the lines that are no remarks
+  NumberedLine comment_;             ///< the last one above them
+  char separator_ = '\0';            ///< as a line "sep=;" says
+  std::size_t row_ = 0;              ///< of table_, the first one with numbers
+};
+
+}  // namespace
+
+bool isCsvRemark(const char* begin, const char* end) {
+  while (begin < end && (*begin == ' ' || *begin == '\t' || *begin == '\r')) ++begin;
+  if (begin == end || *begin == '#' || *begin == '%') return true;
+  return end - begin > 1 && begin[0] == '/' && begin[1] == '/';
+}
+
+CsvHead readHead(const std::string& path, CsvLines& lines) {
+  return HeadFinder(path, lines.first(kLooked)).run();
+}
+
+}  // namespace uncertainty_identification
