@@ -33,10 +33,10 @@ void requireFinite(const std::string& key, const VectorXd& values) {
 /// Unknown covariances are empty, or hold entries that are not finite.
 void requireCovariance(const std::string& key, const MatrixXd& covariance) {
   constexpr double kRounding = 1e-6;  // relative to the largest entry
-  require(covariance.rows() == covariance.cols(), key,
-          std::to_string(covariance.rows()) + " x " + std::to_string(covariance.cols()) +
-              " entries",
-          "a square matrix");
+  require(
+      covariance.rows() == covariance.cols(), key,
+      std::to_string(covariance.rows()) + " x " + std::to_string(covariance.cols()) + " entries",
+      "a square matrix");
   if (covariance.size() == 0 || !covariance.allFinite()) return;
   const double rounding = kRounding * covariance.cwiseAbs().maxCoeff();
   require((covariance - covariance.transpose()).cwiseAbs().maxCoeff() <= rounding, key,
@@ -159,8 +159,8 @@ void requireConsistent(const Bounds& bounds) {
   requireBands("bounds.step.bands", bounds.step.bands, levels, bounds.step.time.size());
   for (const ComplexRegion& region : bounds.regions)
     requireLength("bounds.regions.imaginary", region.imaginary, region.real.size());
-  if (bounds.weight) requireLength("bounds.weight.bound", bounds.weight->bound,
-                                   bounds.weight->omega.size());
+  if (bounds.weight)
+    requireLength("bounds.weight.bound", bounds.weight->bound, bounds.weight->omega.size());
   if (bounds.prediction) requireCalibration(*bounds.prediction);
 }
 

@@ -35,9 +35,9 @@ TEST_F(OutputFile, IsNoneOfTheInputsHoweverItIsSpelled) {
   fs::create_hard_link(data_, folder_ / "hard.json");
   for (const std::string& output :
        {data_, folder_ / "data/../data/run.csv", folder_ / "link.json", folder_ / "hard.json"}) {
-    EXPECT_EQ(refusal(output, {"none.yaml", data_}),
-              output + ": is to be written and is also read (" + data_ +
-                  "); name another output file");
+    EXPECT_EQ(
+        refusal(output, {"none.yaml", data_}),
+        output + ": is to be written and is also read (" + data_ + "); name another output file");
     EXPECT_NE(refusal(output, {folder_ / "data"}).find("also read (" + data_), std::string::npos);
   }
 }

@@ -131,8 +131,18 @@ TEST(ResultMutations, NumbersBeyond64BitsAreRefused) {
 json mutated(const json& value, std::mt19937_64* random) {
   json lists = value;
   if (value.is_array() && !value.empty()) lists.push_back(value[0]);
-  const std::vector<json> others{nullptr, json::array(), json::object(), "text", -1, 0, 1e300,
-                                 2147483647, 18446744073709551615u, true, -0.25, lists,
+  const std::vector<json> others{nullptr,
+                                 json::array(),
+                                 json::object(),
+                                 "text",
+                                 -1,
+                                 0,
+                                 1e300,
+                                 2147483647,
+                                 18446744073709551615u,
+                                 true,
+                                 -0.25,
+                                 lists,
                                  value.is_number() ? json(-value.get<double>()) : lists};
   return others[(*random)() % others.size()];
 }
@@ -164,7 +174,8 @@ json* partThatIsUsed(json* tree, std::mt19937_64* random) {
 
 void use(const Estimate& estimate) {
   EXPECT_FALSE(resultText(estimate).empty());
-  EXPECT_FALSE(reportHtml({estimate, {}, {}}, nullptr, {"{{result}}", "", "", "chart", ""}).empty());
+  EXPECT_FALSE(
+      reportHtml({estimate, {}, {}}, nullptr, {"{{result}}", "", "", "chart", ""}).empty());
   try {
     const PlantDistribution plants(estimate);
     for (const auto which : {Uncertainty::mixture, Uncertainty::total})
@@ -227,8 +238,7 @@ TEST(ResultMutations, CurvesAndPicturesNeedAValueForEachPoint) {
         "/simulation/pictures/0/before", "/pictures/0/simulated_after"}) {
     json tree = toJson(test::exampleExplanation());
     tree[json::json_pointer(pointer)] = json::array({1});
-    const std::string refusal =
-        messageOf<ConfigurationError>([&] { explanationFromJson(tree); });
+    const std::string refusal = messageOf<ConfigurationError>([&] { explanationFromJson(tree); });
     EXPECT_NE(refusal.find("found 1 entries; allowed: "), std::string::npos) << refusal;
   }
 }

@@ -29,8 +29,7 @@ class Outputs : public testing::Test {
     const std::string before = readFile(output);
     const ProcessResult result = runProcess(command);
     EXPECT_EQ(result.status, 2) << name << ": " << result.errors;
-    EXPECT_NE(result.errors.find(output + ": is to be written and is also read"),
-              std::string::npos)
+    EXPECT_NE(result.errors.find(output + ": is to be written and is also read"), std::string::npos)
         << result.errors;
     EXPECT_EQ(readFile(output), before) << name;
   }
@@ -44,8 +43,8 @@ TEST_F(Outputs, AreNoneOfTheInputs) {
   const std::string config = write("config.yaml", readFile(config_ + "example1.yaml"));
   const std::string truth = write("truth.csv", readFile(config_ + "example1_truth.yaml"));
   const std::string model = folder_ / "result.json";
-  saveResult(model, {test::plainEstimate(Eigen::Vector2d(1, 0.5), Eigen::Vector2d(-0.5, 0.1)),
-                     {}, {}});
+  saveResult(model,
+             {test::plainEstimate(Eigen::Vector2d(1, 0.5), Eigen::Vector2d(-0.5, 0.1)), {}, {}});
   for (const char* name : {"identify", "explain"}) {
     expectRefusal(name, {"--config", config, data}, data);
     expectRefusal(name, {"--config", config, folder_.path()}, data);
