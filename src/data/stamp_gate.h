@@ -35,8 +35,8 @@ class StampGate {
     return to_held < std::abs(stamp - newest_) ? release() : std::vector<Sample>();
   }
 
-  /// At the end, or when no more samples are to be waited for: those held back that lie ahead. Those
-  /// that lie before the newest are dropped.
+  /// At the end, or when no more samples are to be waited for: those held back that lie ahead.
+  /// Those that lie before the newest are dropped.
   std::vector<Sample> rest() {
     if (held_.empty()) return {};
     if (held_.front().stamp > newest_) return release();
@@ -52,8 +52,8 @@ class StampGate {
 
  private:
   static constexpr std::size_t kSustained = 3;
-  static constexpr int kShare = 20;         // one sample in so many may stray
-  static constexpr int kEnoughStamps = 10;  // from which the spacing is known
+  static constexpr int kShare = 20;                     // one sample in so many may stray
+  static constexpr int kEnoughStamps = 10;              // from which the spacing is known
   static constexpr double kSpacings = 100, kLeast = 1;  // [s] a leap is longer than both
 
   bool continues(double stamp) const {

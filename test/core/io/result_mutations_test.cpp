@@ -212,6 +212,25 @@ TEST(ResultMutations, EachIsReadAndUsableOrRefused) {
   EXPECT_GT(refused, 200);
 }
 
+/// What the reader cannot know, because it depends on the nominal model, its users refuse.
+TEST(ResultMutations, UsersRefuseWhatTheyCannotComputeWith) {
+  const auto refusal = [](const Estimate& estimate) {
+    return messageOf<DataError>([&] { FaultDetector(estimate, FaultDetectionOptions()); });
+  };
+  Estimate late = estimateToMutate(), unstable = late, unmatched = estimateThatVaries();
+  late.nominal_model.delay = 50000;
+  EXPECT_TRUE(startsWith(refusal(late), "nominal_model.delay: ")) << refusal(late);
+  unstable.nominal_model.a[0] = -2;
+  EXPECT_TRUE(startsWith(refusal(unstable), "nominal_model.a: ")) << refusal(unstable);
+  unmatched.error_model.options.parameters = {"b1"};
+  const std::string key = "error_model.varied_parameters: found 1";
+  EXPECT_TRUE(startsWith(refusal(unmatched), key)) << refusal(unmatched);
+  const std::string drawn = messageOf<DataError>([&] { PlantDistribution plants(unmatched); });
+  EXPECT_TRUE(startsWith(drawn, key)) << drawn;
+  const std::string none = messageOf<DataError>([] { PlantDistribution plants{Estimate()}; });
+  EXPECT_TRUE(startsWith(none, "the result holds no model")) << none;
+}
+
 TEST(ResultMutations, EachExplanationIsReadAndPrintedOrRefused) {
   std::mt19937_64 random(20240918);
   json whole = toJson(test::exampleExplanation());
