@@ -74,6 +74,7 @@ VectorXd joined(const VectorXd& head, const VectorXd& tail) {
 
 PlantSamples nominalPlant(const Estimate& estimate) {
   const NominalModelEstimate& go = estimate.nominal_model;
+  if (go.b.size() == 0) throw DataError("the result holds no model: B has no coefficients");
   if (!isStable(go.a))
     throw DataError("the nominal model is not stable: no bounds can be computed");
   return {go.sample_time,   go.delay,       go.b.transpose(),

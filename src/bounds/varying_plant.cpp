@@ -38,6 +38,14 @@ VaryingPlant::VaryingPlant(const Estimate& estimate, std::shared_ptr<const Nomin
   }
   for (Index k = 0; k < theta_.size(); ++k)
     theta_[k] = parameters[static_cast<std::size_t>(k)].value;
+  const int dimension = estimate.error_model.mixture.dimension();
+  if (terms_.count() != dimension) {
+    throw DataError("error_model.varied_parameters: found " + std::to_string(terms_.count()) +
+                    " parameters or products of them, and a mixture of dimension " +
+                    std::to_string(dimension));
+  }
+  if (!nominal_->admissible(theta_))
+    throw DataError("nominal_model.parameters: they lie outside their domain");
   if (basis_ == BasisKind::sensitivity) checkConditioning();
 }
 

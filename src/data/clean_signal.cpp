@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "data/stamp_gate.h"
 #include "data/text.h"
 #include "uncertainty_identification/errors.h"
 
@@ -14,23 +16,39 @@ namespace {
   throw DataError(named(experiment) + ": " + role + " " + what);
 }
 
-void checkStamp(const StampedSignal& signal, std::size_t i, const std::string& experiment,
+void checkStamp(double stamp, double before, std::size_t place, const std::string& experiment,
                 const std::string& role) {
-  const double stamp = signal.stamps[i];
   if (!std::isfinite(stamp)) {
     refuse(experiment, role,
-           "has the stamp " + text(stamp) + " s at sample " + std::to_string(i) +
+           "has the stamp " + text(stamp) + " s at sample " + std::to_string(place) +
                "; record finite stamps");
   }
-  if (i > 0 && stamp < signal.stamps[i - 1]) {
+  if (stamp < before) {
     refuse(experiment, role,
-           "stamps go back from " + text(signal.stamps[i - 1]) + " s to " + text(stamp) +
-               " s at sample " + std::to_string(i) +
+           "stamps go back from " + text(before) + " s to " + text(stamp) + " s at sample " +
+               std::to_string(place) +
                "; use one clock for all stamps, and start a new experiment when it is reset");
   }
 }
 
+/// A stamp and its place in the signal.
+struct PlacedStamp {
+  double stamp;
+  std::size_t place;
+};
+
 }  // namespace
+
+std::vector<std::size_t> withoutStrays(const std::vector<double>& stamps) {
+  StampGate<PlacedStamp> gate;
+  std::vector<std::size_t> places;
+  const auto take = [&places](const std::vector<PlacedStamp>& passed) {
+    for (const PlacedStamp& stamp : passed) places.push_back(stamp.place);
+  };
+  for (std::size_t i = 0; i < stamps.size(); ++i) take(gate.pass({stamps[i], i}));
+  take(gate.rest());
+  return places;
+}
 
 std::ptrdiff_t CleanSignal::newestAt(double time) const {
   return std::upper_bound(instants.begin(), instants.end(), time) - instants.begin() - 1;
@@ -51,18 +69,22 @@ CleanSignal cleanSignal(const StampedSignal& signal, const std::string& experime
                std::to_string(signal.values.size()) + " values; give one stamp per value");
   }
   CleanSignal clean;
-  for (std::size_t i = 0; i < signal.stamps.size(); ++i) {
-    checkStamp(signal, i, experiment, role);
-    const double stamp = signal.stamps[i];
+  const std::vector<std::size_t> places = withoutStrays(signal.stamps);
+  clean.stray_stamps = static_cast<int>(signal.stamps.size() - places.size());
+  double before = -std::numeric_limits<double>::infinity();
+  for (const std::size_t place : places) {
+    const double stamp = signal.stamps[place];
+    checkStamp(stamp, before, place, experiment, role);
+    before = stamp;
     if (end > start && (stamp < start || stamp >= end)) continue;
     if (stamp == 0) ++clean.zero_stamps;
     if (!clean.stamps.empty() && stamp == clean.stamps.back()) {
       ++clean.duplicate_stamps;
-      if (keep == Duplicates::keep_last) clean.values.back() = signal.values[i];
+      if (keep == Duplicates::keep_last) clean.values.back() = signal.values[place];
       continue;
     }
     clean.stamps.push_back(stamp);
-    clean.values.push_back(signal.values[i]);
+    clean.values.push_back(signal.values[place]);
   }
   if (clean.stamps.empty()) {
     refuse(

@@ -16,7 +16,7 @@ struct CleanSignal {
       instants;  ///< [s] nominal sampling instants: the stamps without jitter, see removeJitter
   std::vector<double> values;
   SampleGrid grid;
-  int duplicate_stamps = 0, zero_stamps = 0;
+  int duplicate_stamps = 0, zero_stamps = 0, stray_stamps = 0;
   bool on_grid = false;  ///< set by removeJitter: the stamps belong to a grid whose period is about
                          ///< the sample time, or shorter
 
@@ -28,9 +28,12 @@ struct CleanSignal {
   void removeJitter(double sample_time);
 };
 
-/// Leaves out duplicates and stamps outside [start, end) (if end <= start, none is outside) and
-/// fits the grid. `role` names the signal in messages. Throws DataError for backward or non-finite
-/// stamps and for a signal without samples.
+/// The places of the stamps [s] of one signal that do not stray (StampGate), in order.
+std::vector<std::size_t> withoutStrays(const std::vector<double>& stamps);
+
+/// Leaves out stray stamps (StampGate), duplicates and stamps outside [start, end) (if end <=
+/// start, none is outside) and fits the grid. `role` names the signal in messages. Throws DataError
+/// for backward or non-finite stamps and for a signal without samples.
 CleanSignal cleanSignal(const StampedSignal& signal, const std::string& experiment,
                         const std::string& role, Duplicates keep, double start = 0, double end = 0);
 

@@ -34,19 +34,59 @@ bool ExperimentCutter::cutsByCall() const {
 }
 
 void ExperimentCutter::addInput(double stamp, double value, const Arrival& arrival) {
-  if (before_ && ofOldClock(input_.newest(), stamp) && stamp >= before_->input_.newest())
-    return before_->addInput(stamp, value, arrival);
-  addSample("input", input_, stamp, value, Duplicates::keep_last, arrival);
+  takeInput(input_gate_.pass({stamp, value, arrival}));
 }
 
 void ExperimentCutter::addOutput(double stamp, double value, const Arrival& arrival) {
-  if (before_ && ofOldClock(output_.newest(), stamp) && stamp >= before_->output_.newest())
-    return before_->addOutput(stamp, value, arrival);
-  addSample("output", output_, stamp, value, Duplicates::keep_first, arrival);
+  takeOutput(output_gate_.pass({stamp, value, arrival}));
 }
 
 void ExperimentCutter::addCovariate(const std::string& name, double stamp, double value) {
-  addSample("covariate '" + name + "'", covariates_[name], stamp, value, Duplicates::keep_last);
+  takeCovariate(name, covariate_gates_[name].pass({stamp, value, {}}));
+}
+
+void ExperimentCutter::takeInput(const std::vector<Received>& samples) {
+  for (const Received& sample : samples) {
+    const double stamp = sample.stamp;
+    if (before_ && ofOldClock(input_.newest(), stamp) && stamp >= before_->input_.newest()) {
+      before_->takeInput({sample});
+    } else {
+      addSample("input", input_, stamp, sample.value, Duplicates::keep_last, sample.arrival);
+    }
+  }
+}
+
+void ExperimentCutter::takeOutput(const std::vector<Received>& samples) {
+  for (const Received& sample : samples) {
+    const double stamp = sample.stamp;
+    if (before_ && ofOldClock(output_.newest(), stamp) && stamp >= before_->output_.newest()) {
+      before_->takeOutput({sample});
+    } else {
+      addSample("output", output_, stamp, sample.value, Duplicates::keep_first, sample.arrival);
+    }
+  }
+}
+
+void ExperimentCutter::takeCovariate(const std::string& name,
+                                     const std::vector<Received>& samples) {
+  for (const Received& sample : samples) {
+    addSample("covariate '" + name + "'", covariates_[name], sample.stamp, sample.value,
+              Duplicates::keep_last);
+  }
+}
+
+/// A marker or call tells of the clock, too.
+void ExperimentCutter::confirmClock(double stamp) {
+  takeInput(input_gate_.confirm(stamp));
+  takeOutput(output_gate_.confirm(stamp));
+  for (auto& [name, gate] : covariate_gates_) takeCovariate(name, gate.confirm(stamp));
+}
+
+/// Where no more samples are to be waited for.
+void ExperimentCutter::takeHeldBack() {
+  takeInput(input_gate_.rest());
+  takeOutput(output_gate_.rest());
+  for (auto& [name, gate] : covariate_gates_) takeCovariate(name, gate.rest());
 }
 
 void ExperimentCutter::addSample(const std::string& signal, StampedBuffer& buffer, double stamp,
@@ -57,7 +97,9 @@ void ExperimentCutter::addSample(const std::string& signal, StampedBuffer& buffe
 }
 
 void ExperimentCutter::addMarker(double stamp, bool active, const std::string& id) {
-  if (options_.mode != ExperimentMode::topic || !acceptStamp("marker", newest_call_, stamp)) return;
+  if (options_.mode != ExperimentMode::topic) return;
+  confirmClock(stamp);
+  if (!acceptStamp("marker", newest_call_, stamp)) return;
   newest_call_ = stamp;
   const bool renamed = marker_active_ && active && !id.empty() && id != marker_id_;
   if (marker_active_ && (!active || renamed)) finish(stamp);
@@ -69,7 +111,9 @@ void ExperimentCutter::addMarker(double stamp, bool active, const std::string& i
 }
 
 bool ExperimentCutter::begin(double stamp, const std::string& id) {
-  if (!cutsByCall() || !acceptStamp("call", newest_call_, stamp)) return false;
+  if (!cutsByCall()) return false;
+  confirmClock(stamp);
+  if (!acceptStamp("call", newest_call_, stamp)) return false;
   newest_call_ = stamp;
   if (running()) return false;
   if (!windows_.empty()) windows_.back().end = std::min(windows_.back().end, stamp);
@@ -79,7 +123,9 @@ bool ExperimentCutter::begin(double stamp, const std::string& id) {
 }
 
 bool ExperimentCutter::finish(double stamp) {
-  if (!cutsByCall() || !acceptStamp("call", newest_call_, stamp)) return false;
+  if (!cutsByCall()) return false;
+  confirmClock(stamp);
+  if (!acceptStamp("call", newest_call_, stamp)) return false;
   newest_call_ = stamp;
   if (!running()) return false;
   windows_.back().end = std::max(windows_.back().start, stamp);
@@ -138,6 +184,9 @@ void ExperimentCutter::resetClock(const std::string& signal, double from, double
   next.dropped_ = dropped_;
   next.old_clock_ = now_ + 0.5 * (to - now_);
   next.now_ = to;
+  next.input_gate_ = std::exchange(input_gate_, {});
+  next.output_gate_ = std::exchange(output_gate_, {});
+  next.covariate_gates_ = std::exchange(covariate_gates_, {});
   if (!windows_.empty()) next.before_ = std::make_unique<ExperimentCutter>(std::move(*this));
   *this = std::move(next);
 }

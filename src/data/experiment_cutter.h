@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "data/stamp_gate.h"
 #include "data/stamped_buffer.h"
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/recording.h"
@@ -31,10 +32,11 @@ namespace uncertainty_identification {
 /// input and the newest value of each covariate before an experiment become part of it, because
 /// they still act when it starts.
 ///
-/// A stamp smaller than the one before on the same signal means that the clock went back (a looped
-/// bag, a reset simulation): the running experiment is rejected, and recording goes on with the new
-/// clock. Closed experiments still take samples of the old clock, until input and output have both
-/// shown the new one. Covariates are not waited for. Memory is bounded by
+/// Three samples in a row whose stamps are smaller than the ones before on the same signal mean
+/// that the clock went back (a looped bag, a reset simulation): the running experiment is rejected,
+/// and recording goes on with the new clock. One or two are strays, which are left out and counted
+/// (StampGate). Closed experiments still take samples of the old clock, until input and output have
+/// both shown the new one. Covariates are not waited for. Memory is bounded by
 /// LimitOptions::max_samples: an experiment that reaches them (in any signal) is closed, with a
 /// note, and no more than twice as many samples wait for a late marker or for the other signal.
 class ExperimentCutter {
@@ -94,6 +96,13 @@ class ExperimentCutter {
 
  private:
   static constexpr double kNever = StampedBuffer::kNever;
+
+  /// A sample on its way to a buffer.
+  struct Received {
+    double stamp, value;
+    Arrival arrival;
+  };
+  using Gate = StampGate<Received>;
   static constexpr double kEndless = std::numeric_limits<double>::infinity();
 
   /// A span of stamps that becomes one experiment.
@@ -107,6 +116,11 @@ class ExperimentCutter {
   bool cutsByCall() const;
   bool ended(const Window& window) const { return window.end <= now_; }
 
+  void takeInput(const std::vector<Received>& samples);
+  void takeOutput(const std::vector<Received>& samples);
+  void takeCovariate(const std::string& name, const std::vector<Received>& samples);
+  void confirmClock(double stamp);
+  void takeHeldBack();
   void addSample(const std::string& signal, StampedBuffer& buffer, double stamp, double value,
                  Duplicates keep, const Arrival& arrival = {});
   bool acceptStamp(const std::string& signal, double newest, double stamp);
@@ -127,6 +141,8 @@ class ExperimentCutter {
   std::size_t max_samples_;
   StampedBuffer input_, output_;
   std::map<std::string, StampedBuffer> covariates_;
+  Gate input_gate_, output_gate_;  ///< before the buffers; they outlive a reset of the clock
+  std::map<std::string, Gate> covariate_gates_;
   std::deque<Window> windows_;  ///< in order; only the last one may be running
   std::vector<Recording> finished_;
   std::vector<RejectedExperiment> rejected_;

@@ -88,6 +88,8 @@ void ExperimentCutter::releaseFront() {
   recording.start = window.start;
   recording.end = window.end;
   recording.note = window.note;
+  recording.stray_stamps = input_gate_.takeDropped() + output_gate_.takeDropped();
+  for (auto& [name, gate] : covariate_gates_) recording.stray_stamps += gate.takeDropped();
   recording.input = input_.copy(window.start, window.end, true, recording.duplicate_stamps);
   recording.output = output_.copy(window.start, window.end, false, recording.duplicate_stamps);
   for (const auto& [name, buffer] : covariates_) {
@@ -102,12 +104,14 @@ void ExperimentCutter::releaseFront() {
 }
 
 void ExperimentCutter::releaseClosed() {
+  takeHeldBack();
   releaseOldClock();
   while (waiting()) releaseFront();
   advance();
 }
 
 void ExperimentCutter::flush() {
+  takeHeldBack();
   releaseOldClock();
   if (options_.mode == ExperimentMode::gap) followActivity(kEndless);
   advance();

@@ -177,6 +177,7 @@ ResamplingReport makeReport(const Recording& recording, const CleanSignal& input
   report.duplicate_stamps =
       recording.duplicate_stamps + input.duplicate_stamps + output.duplicate_stamps;
   report.zero_stamps = input.zero_stamps + output.zero_stamps;
+  report.stray_stamps = recording.stray_stamps + input.stray_stamps + output.stray_stamps;
   return report;
 }
 
@@ -221,6 +222,11 @@ std::vector<std::string> ResamplingReport::warnings() const {
   }
   if (zero_stamps > 2) {  // one of the input and one of the output are plausible
     warn(std::to_string(zero_stamps) + " samples are stamped 0; fill in header.stamp");
+  }
+  if (stray_stamps > 0) {
+    warn(std::to_string(stray_stamps) +
+         " samples are left out, whose stamps lie before or far ahead of those around them; stamp "
+         "the samples of a signal in one place and by one clock");
   }
   if (max_jitter > 0.1 * sample_time) {
     warn("output stamps deviate by up to " + rounded(max_jitter) + " s from a uniform grid of " +

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "configuration/require.h"
+#include "math/polynomial.h"
 #include "math/symmetric_eigen.h"
 #include "model/sensitivity.h"
 #include "uncertainty_identification/errors.h"
@@ -17,7 +18,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kStep = 1e-3;  // step of difference quotients, in standard deviations
+constexpr double kLargest = 1e100;  // of what is squared and added up over a window
+constexpr double kStep = 1e-3;      // step of difference quotients, in standard deviations
 
 EstimationOptions nuisanceOptions(const Estimate& estimate, const FaultDetectionOptions& options) {
   EstimationOptions used = estimate.configuration.estimation;
@@ -73,8 +75,20 @@ VectorXd valuesOf(const std::vector<ParameterEstimate>& parameters) {
   return values;
 }
 
+/// Every direction of the initial state is a coordinate of the filter, whose covariance grows with
+/// their square.
+StreamModel manageable(StreamModel model) {
+  constexpr Index kMostDirections = 2000;
+  if (model.free_directions <= kMostDirections) return model;
+  throw DataError("nominal_model.delay: faults are detected for models with up to " +
+                  std::to_string(kMostDirections) + " samples of delay and coefficients, found " +
+                  std::to_string(model.free_directions));
+}
+
 StreamModel modelOf(const Estimate& estimate) {
   const NominalModelEstimate& go = estimate.nominal_model;
+  if (!estimate.usable()) throw DataError("the model is not usable: " + estimate.message);
+  if (!isStable(go.a)) throw DataError("nominal_model.a: the model is not stable");
   const BasisKind basis = estimate.error_model.options.basis;
   if (!variesParameters(basis))
     return streamModel({go.delay, go.b, go.a, go.c, go.d}, basisOf(estimate));
@@ -92,7 +106,9 @@ StreamModel modelOf(const Estimate& estimate) {
 /// Degrees of freedom of a chi-squared distribution with this mean and standard error.
 double degreesOf(const ParameterEstimate& variance) {
   const double relative = variance.standard_error / variance.value;
-  return relative > 0 ? 2 / (relative * relative) : std::numeric_limits<double>::infinity();
+  constexpr double kFewest = 1;  // also where the standard error is beyond all reason
+  return relative > 0 ? std::max(2 / (relative * relative), kFewest)
+                      : std::numeric_limits<double>::infinity();
 }
 
 /// The predictive distribution of the xi of a new experiment, given a mixture that was estimated
@@ -125,9 +141,14 @@ FaultDetector::FaultDetector(const Estimate& estimate, const FaultDetectionOptio
       threshold_(-std::log10(options.false_alarm_rate)),
       noise_degrees_(std::numeric_limits<double>::infinity()),
       mixture_(estimate.error_model.mixture),
-      models_{modelOf(estimate)} {
+      models_{manageable(modelOf(estimate))} {
   options.validate();
-  if (!estimate.usable()) throw DataError("the model is not usable: " + estimate.message);
+  const auto regressors = static_cast<int>(models_.front().regressors.size());
+  if (regressors > 0 && regressors != mixture_.dimension()) {
+    throw DataError("error_model.varied_parameters: found " + std::to_string(regressors) +
+                    " parameters or products of them, and a mixture of dimension " +
+                    std::to_string(mixture_.dimension()));
+  }
   if (!(noise_variance_ > 0))
     throw DataError("noise_variance: found " + std::to_string(noise_variance_) +
                     "; it must be positive to detect faults");
@@ -204,9 +225,15 @@ std::optional<FaultWindow> FaultDetector::add(double u, double y) {
   const Score found = score(u, y);
   ++samples_;
   if (!streams_.front().measured() || found.diffuse) return std::nullopt;
+  const Eigen::RowVector2d effects(signature_ / found.deviation, before / found.deviation);
+  if (std::isnan(found.value) || !(effects.array().abs() < kLargest).all()) {
+    throw DataError(
+        "the model's prediction is not a number within range: its coefficients or their errors are "
+        "too large; identify the model again");
+  }
   if (filled_ == 0) window_first_ = samples_ - 1;
-  scores_[filled_] = found.value;
-  effects_.row(filled_) << signature_ / found.deviation, before / found.deviation;
+  scores_[filled_] = std::min(std::max(found.value, -kLargest), kLargest);
+  effects_.row(filled_) = effects;
   if (++filled_ < options_.window) return std::nullopt;
   return decide();
 }

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include "uncertainty_identification/errors.h"
 
@@ -55,8 +56,17 @@ void synchronise(const std::string& name, const std::string& path) {
 
 }  // namespace
 
-void writeAtomically(const std::string& path,
+bool isDeviceOrPipe(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_other(std::filesystem::status(path, ignored));
+}
+
+void writeAtomically(const std::string& name,
                      const std::function<void(const std::string&)>& write) {
+  std::error_code ignored;
+  if (isDeviceOrPipe(name)) return write(name);
+  const std::filesystem::path linked = std::filesystem::canonical(name, ignored);
+  const std::string path = linked.empty() ? name : linked.string();
   const std::string temporary = temporaryName(path);
   Removal removal(temporary);
   write(temporary);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/estimate_binding.h"
+#include "io/result_checks.h"
 #include "io/tree_reader.h"
 #include "io/tree_writer.h"
 
@@ -115,6 +116,7 @@ Bounds boundsFromJson(const nlohmann::json& json) {
   if (json.contains("weight")) bounds.weight = readRecord<UncertaintyWeight>(json["weight"]);
   if (json.contains("prediction"))
     bounds.prediction = readRecord<PredictionCalibration>(json["prediction"]);
+  requireConsistent(bounds);
   return bounds;
 }
 

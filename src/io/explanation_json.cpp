@@ -4,6 +4,7 @@
 
 #include "io/estimate_binding.h"
 #include "io/json_file.h"
+#include "io/result_checks.h"
 #include "io/tree_reader.h"
 #include "io/tree_writer.h"
 #include "uncertainty_identification/io/result_json.h"
@@ -196,6 +197,7 @@ Explanation explanationFromJson(const nlohmann::json& json) {
   Explanation explanation = readRecord<Explanation>(json);
   explanation.after = modelFrom(json, "model");
   explanation.before = modelFrom(json, "model_before");
+  requireConsistent(explanation);
   return explanation;
 }
 

@@ -14,7 +14,7 @@ void saveJson(const std::string& path, const nlohmann::json& json) {
 nlohmann::json loadJson(const std::string& path) {
   try {
     return nlohmann::json::parse(readFile(path));
-  } catch (const nlohmann::json::parse_error& error) {
+  } catch (const nlohmann::json::exception& error) {  // of its syntax, or of a number's size
     throw ConfigurationError(path + ": not JSON, or truncated: " + error.what());
   }
 }

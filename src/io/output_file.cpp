@@ -6,17 +6,53 @@
 #include <cstring>
 #include <filesystem>
 
+#include "io/atomic_file.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 
 namespace fs = std::filesystem;
 
-void requireWritable(const std::string& path) {
+namespace {
+
+/// Whether both name the same file, also through links. A file that does not exist yet is compared
+/// by its path.
+bool isSameFile(const fs::path& left, const fs::path& right) {
+  std::error_code ignored;
+  if (fs::exists(left, ignored) || fs::exists(right, ignored))
+    return fs::equivalent(left, right, ignored);
+  return fs::weakly_canonical(left, ignored) == fs::weakly_canonical(right, ignored);
+}
+
+bool isData(const fs::path& path) {
+  return path.extension() == ".csv" || path.extension() == ".bag";
+}
+
+void requireOther(const std::string& path, const std::string& input) {
+  std::error_code ignored;
+  const auto refuse = [&path](const std::string& of) {
+    throw FileError(path + ": is to be written and is also read (" + of +
+                    "); name another output file");
+  };
+  if (isSameFile(path, input)) refuse(input);
+  if (!fs::is_directory(input, ignored)) return;
+  for (const auto& entry : fs::directory_iterator(input, ignored))
+    if (isData(entry.path()) && isSameFile(path, entry.path())) refuse(entry.path().string());
+}
+
+}  // namespace
+
+void requireWritable(const std::string& path, const std::vector<std::string>& inputs) {
   std::error_code ignored;
   if (path.empty()) throw FileError("the name of the output file is empty");
   if (fs::is_directory(path, ignored))
     throw FileError(path + ": is a folder; give the name of a file");
+  for (const std::string& input : inputs) requireOther(path, input);
+  if (isDeviceOrPipe(path)) {
+    if (access(path.c_str(), W_OK) != 0)
+      throw FileError(path + ": cannot be written: " + std::strerror(errno));
+    return;
+  }
   const fs::path parent = fs::path(path).parent_path();
   const std::string folder = parent.empty() ? "." : parent.string();
   if (!fs::is_directory(folder, ignored)) {

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace uncertainty_identification {
 
 /// Throws FileError, with the reason, when a file of this name cannot be written. Programs call it
-/// before a long computation, so that its result is not lost.
-void requireWritable(const std::string& path);
+/// before a long computation, so that its result is not lost. Refuses also a file that is one of
+/// the `inputs`, or a data file (.csv, .bag) in a folder among them: by device and inode, so that
+/// no link or other spelling hides it.
+void requireWritable(const std::string& path, const std::vector<std::string>& inputs = {});
 
 /// Creates a folder unless it exists. Throws FileError when it cannot be created or is not empty.
 void makeEmptyFolder(const std::string& path);

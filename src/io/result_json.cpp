@@ -7,6 +7,7 @@
 #include "io/bounds_json.h"
 #include "io/estimate_binding.h"
 #include "io/json_file.h"
+#include "io/result_checks.h"
 #include "io/tree_reader.h"
 #include "io/tree_writer.h"
 
@@ -22,13 +23,30 @@ nlohmann::json toJson(const Estimate& estimate) {
   return tree;
 }
 
-Estimate estimateFromJson(const nlohmann::json& json) {
+namespace {
+
+Estimate consistentEstimate(const nlohmann::json& json) {
   Estimate estimate = readRecord<Estimate>(json);
   estimate.configuration.validate();
   ErrorModelOptions& options = estimate.error_model.options;
   if (options.constraint != Constraint::explicit_matrix) options.T.resize(0, 0);
   if (estimate.validation.experiments.empty()) estimate.validation = {};
   if (estimate.residual_tests.autocorrelation.empty()) estimate.residual_tests = {};
+  requireConsistent(estimate);
+  return estimate;
+}
+
+Result withBounds(const nlohmann::json& tree, Result result) {
+  if (tree.contains("bounds") && !tree["bounds"].empty())
+    result.bounds = boundsFromJson(tree["bounds"]);
+  return result;
+}
+
+}  // namespace
+
+Estimate estimateFromJson(const nlohmann::json& json) {
+  Estimate estimate = consistentEstimate(json);
+  requireStableNoise(estimate.nominal_model);
   return estimate;
 }
 
@@ -43,11 +61,8 @@ void saveResult(const std::string& path, const Result& result) { saveJson(path, 
 
 Result loadResult(const std::string& path) {
   return loadJsonAs(path, [](const nlohmann::json& tree) {
-    Result result{estimateFromJson(tree), {}, {}};
-    if (tree.contains("baseline")) result.baseline = readRecord<Baseline>(tree["baseline"]);
-    if (tree.contains("bounds") && !tree["bounds"].empty())
-      result.bounds = boundsFromJson(tree["bounds"]);
-    return result;
+    if (!tree.contains("baseline")) return withBounds(tree, {estimateFromJson(tree), {}, {}});
+    return withBounds(tree, {consistentEstimate(tree), {}, readRecord<Baseline>(tree["baseline"])});
   });
 }
 

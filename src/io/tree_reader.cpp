@@ -143,6 +143,8 @@ double TreeReader::number(const std::string& expected) const {
 }
 
 std::int64_t TreeReader::integer(const std::string& expected) const {
+  constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
+  if (node().is_number_unsigned() && node().get<std::uint64_t>() > kMost) fail(expected);
   if (node().is_number_integer()) return node().get<std::int64_t>();
   constexpr double kExact = 9007199254740992.0;  // 2^53: every whole number below is a double
   const double value = node().is_null() ? 0.5 : number(expected);
@@ -154,7 +156,8 @@ void TreeReader::visit(double& value) { value = number("a number"); }
 
 void TreeReader::visit(int& value) {
   const std::int64_t wide = integer("a whole number");
-  if (std::abs(wide) > std::numeric_limits<int>::max()) fail("a smaller whole number");
+  constexpr std::int64_t kMost = std::numeric_limits<int>::max();
+  if (wide > kMost || wide < -kMost) fail("a smaller whole number");
   value = static_cast<int>(wide);
 }
 

@@ -97,7 +97,7 @@ void FaultDetectionServer::adopt(const messages::IdentificationResult& result) {
       detector_ = std::make_unique<LiveFaultDetector>(estimate, configuration_);
       if (last_marker_) detector_->addMarker(last_marker_->stamp, last_marker_->active);
     }
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     report("the identification's result " + std::to_string(result.sequence) +
            " cannot be used: " + error.what());
     return;

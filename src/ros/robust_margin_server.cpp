@@ -85,7 +85,7 @@ void RobustMarginServer::update() {
   problem_.clear();
   try {
     computeMargin();
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     problem_ = "result " + std::to_string(result_->sequence) + " has no margin: " + error.what();
     ROS_WARN_STREAM(problem_);
   }

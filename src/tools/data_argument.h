@@ -15,4 +15,16 @@ inline LoadedData loadDataArgument(const boost::program_options::variables_map& 
   return loadData(arguments[key].as<std::vector<std::string>>(), configuration);
 }
 
+/// The files and folders that a command line gives to be read.
+inline std::vector<std::string> inputArguments(
+    const boost::program_options::variables_map& arguments) {
+  std::vector<std::string> inputs{arguments["config"].as<std::string>()};
+  for (const char* key : {"data", "validation"}) {
+    if (arguments.count(key) == 0) continue;
+    const auto& named = arguments[key].as<std::vector<std::string>>();
+    inputs.insert(inputs.end(), named.begin(), named.end());
+  }
+  return inputs;
+}
+
 }  // namespace uncertainty_identification

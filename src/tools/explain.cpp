@@ -56,7 +56,7 @@ int run(const po::variables_map& arguments) {
     throw ui::ConfigurationError("no DATA given; see explain --help");
   }
   const std::string output = arguments["output"].as<std::string>();
-  ui::requireWritable(output);
+  ui::requireWritable(output, ui::inputArguments(arguments));
   const ui::InterruptGuard interrupt;
   const ui::Explanation explanation = explain(arguments, interrupt);
   if (interrupt.requested() || explanation.termination == ui::Termination::cancelled) {

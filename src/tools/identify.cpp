@@ -103,7 +103,7 @@ int run(const po::variables_map& arguments) {
     throw ui::ConfigurationError("no DATA given; see identify --help");
   }
   const std::string output = arguments["output"].as<std::string>();
-  ui::requireWritable(output);
+  ui::requireWritable(output, ui::inputArguments(arguments));
   const ui::InterruptGuard interrupt;
   const ui::Result result = identify(arguments, method, interrupt);
   const ui::Estimate& estimate = result.estimate;

@@ -39,7 +39,7 @@ int run(const po::variables_map& arguments) {
     return ui::kNoAnswer;
   }
   const std::string output = arguments["output"].as<std::string>();
-  ui::requireWritable(output);
+  ui::requireWritable(output, files);
   const ui::Result result = ui::loadResult(files[0]);
   std::optional<ui::Explanation> explanation;
   if (files.size() > 1) explanation = ui::loadExplanation(files[1]);

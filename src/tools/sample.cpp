@@ -31,8 +31,9 @@ int run(const po::variables_map& arguments) {
   ui::requireRange("--frequencies", points, 10, 100000);
   const ui::Uncertainty uncertainty = uncertaintyOf(arguments["uncertainty"].as<std::string>());
   const std::string output = arguments["output"].as<std::string>();
-  ui::requireWritable(output);
-  const ui::Estimate estimate = ui::loadResult(arguments["model"].as<std::string>()).estimate;
+  const std::string model = arguments["model"].as<std::string>();
+  ui::requireWritable(output, {model});
+  const ui::Estimate estimate = ui::loadResult(model).estimate;
   const auto seed = arguments["seed"].as<std::uint64_t>();
   const ui::PlantSamples plants = ui::PlantDistribution(estimate).draw(count, uncertainty, seed);
   const Eigen::VectorXd omega = ui::frequencyGrid(estimate.nominal_model, points);

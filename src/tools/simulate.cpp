@@ -28,22 +28,29 @@ void writeFolder(const fs::path& folder, const std::vector<ui::Experiment>& expe
   }
 }
 
+bool isFile(const fs::path& output) {
+  return output.extension() == ".bag" || output.extension() == ".csv";
+}
+
 void write(const fs::path& output, const std::vector<ui::Experiment>& experiments) {
-  if (output.extension() == ".bag") {
-    ui::writeBag(output.string(), experiments);
-  } else if (output.extension() == ".csv") {
-    ui::writeCsv(output.string(), experiments);
-  } else {
+  if (!isFile(output)) {
     writeFolder(output, experiments);
+  } else if (output.extension() == ".bag") {
+    ui::writeBag(output.string(), experiments);
+  } else {
+    ui::writeCsv(output.string(), experiments);
   }
 }
 
 int run(const po::variables_map& arguments) {
   const std::string answer = arguments["answer"].as<std::string>();
-  const ui::Truth truth = ui::loadTruth(arguments["config"].as<std::string>());
+  const std::string config = arguments["config"].as<std::string>();
+  const std::string output = arguments["output"].as<std::string>();
+  const ui::Truth truth = ui::loadTruth(config);
   const auto seed = arguments["seed"].as<std::uint64_t>();
-  if (!answer.empty()) ui::requireWritable(answer);
-  write(arguments["output"].as<std::string>(), ui::simulate(truth, seed));
+  if (!answer.empty()) ui::requireWritable(answer, {config, output});
+  if (isFile(output)) ui::requireWritable(output, {config});
+  write(output, ui::simulate(truth, seed));
   if (!answer.empty()) ui::writeFileAtomically(answer, ui::answerJson(truth, seed).dump(1) + "\n");
   return ui::kDone;
 }

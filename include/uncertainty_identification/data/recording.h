@@ -30,6 +30,7 @@ struct Recording {
   StampedSignal input, output;
   std::map<std::string, StampedSignal> covariates;
   int duplicate_stamps = 0;  ///< samples already left out because another has the same stamp
+  int stray_stamps = 0;      ///< samples already left out because their stamps strayed
   std::string note;          ///< why it ended before its proper end; empty: it did not
 };
 
@@ -44,8 +45,10 @@ struct ResamplingReport {
   int missing_outputs = 0;   ///< grid points without an output within max_age
   int duplicate_stamps = 0;  ///< samples left out because another has the same stamp
   int zero_stamps = 0;       ///< samples stamped 0
+  int stray_stamps = 0;      ///< samples left out because their stamps lay before or far ahead of
+                             ///< those around them
 
-  /// What a user should know: duplicates, zero stamps, jitter above a tenth of the sample
+  /// What a user should know: duplicates, zero and stray stamps, jitter above a tenth of the sample
   /// time, missing outputs, an input held for more than three sample times. One sentence each;
   /// empty when all is well.
   std::vector<std::string> warnings() const;
@@ -68,9 +71,12 @@ struct ResamplingReport {
 ///   edges and is an error in between; with 0 its age is only reported.
 /// - Covariates are held (before their first sample: that one); constant ones become scalars.
 ///
-/// Throws DataError, naming the experiment and what to record instead, for backward or non-finite
-/// stamps, an empty signal, no samples in common, an input too old in between, jitter above
-/// options.max_jitter.
+/// Isolated samples, up to one in twenty, whose stamps go back or leap ahead are left out and
+/// counted.
+///
+/// Throws DataError, naming the experiment and what to record instead, for stamps that go back and
+/// stay there or are not finite, an empty signal, no samples in common, an input too old in
+/// between, jitter above options.max_jitter.
 Experiment resample(const Recording& recording, double sample_time,
                     const ResamplingOptions& options, ResamplingReport* report = nullptr);
 

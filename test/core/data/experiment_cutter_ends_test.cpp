@@ -186,13 +186,13 @@ TEST(Cutter, ClosedExperimentsStillTakeStampsOfTheOldClock) {
   cutter.addInput(1.5, 0);
   cutter.addInput(1.75, 0);
   cutter.addMarker(2, false);
-  cutter.addInput(0, 0);  // the next pass begins
+  for (const double stamp : {0.0, 0.25, 0.5}) cutter.addInput(stamp, 0);  // the next pass begins
   EXPECT_TRUE(cutter.takeFinished().empty());
   EXPECT_TRUE(cutter.waiting());
   cutter.addOutput(1.5, 0);
   cutter.addOutput(1.75, 0);
   EXPECT_TRUE(cutter.takeFinished().empty()) << "the output may still bring more";
-  cutter.addOutput(0, 0);
+  for (const double stamp : {0.0, 0.25, 0.5}) cutter.addOutput(stamp, 0);
   const auto finished = cutter.takeFinished();
   ASSERT_EQ(finished.size(), 1u);
   expectSpan(finished[0].input, 0, 1.75);
@@ -205,8 +205,9 @@ TEST(Cutter, ClosedExperimentsStillTakeStampsOfTheOldClock) {
 TEST(Cutter, StampsOfTheOldClockAreLeftOutAfterAReset) {
   ExperimentCutter cutter(mode(ExperimentMode::topic), {});
   feed(cutter, 100, 110);
-  cutter.addOutput(0, 7);    // the output is reset first
-  cutter.addInput(110, -1);  // while inputs of the old clock are still on their way
+  for (const double stamp : {0.0, 0.03125, 0.0625})
+    cutter.addOutput(stamp, 7);  // the output is reset first
+  cutter.addInput(110, -1);      // while inputs of the old clock are still on their way
   cutter.addMarker(0, true);
   feed(cutter, kStep, 3);
   cutter.addMarker(3, false);
@@ -224,7 +225,7 @@ TEST(Cutter, ASmallStepBackLosesOnlyTheRunningExperiment) {
   ExperimentCutter cutter(mode(ExperimentMode::topic), {});
   cutter.addMarker(0, true);
   feed(cutter, 0, 2);
-  cutter.addOutput(1.75, 0);  // an unordered stamp
+  for (const double stamp : {1.25, 1.375, 1.5}) cutter.addOutput(stamp, 0);  // unordered
   feed(cutter, 2, 3);
   EXPECT_EQ(cutter.takeRejected().size(), 1u);
   cutter.addMarker(3, true);

@@ -41,7 +41,7 @@ TEST(Resample, OfInputsWithOneStampTheLastIsInForce) {
 
 TEST(Resample, BackwardStampsAreRefused) {
   StampedSignal output = ramp(0, 1, 30, 0);
-  output.stamps[12] = 3;
+  for (std::size_t k = 12; k < 15; ++k) output.stamps[k] = static_cast<double>(k) - 9;
   const std::string message = messageOf(recordingOf(ramp(0, 1, 30, 0), output), 1);
   EXPECT_TRUE(
       mentions(message, "experiment 'run': output stamps go back from 11 s to 3 s at sample 12"))

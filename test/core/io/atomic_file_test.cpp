@@ -1,7 +1,9 @@
 #include "io/atomic_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -95,6 +97,31 @@ TEST_F(AtomicFile, ErrorsNameFileAndReason) {
   const std::string taken = messageOf(folder_ + "/taken");
   EXPECT_NE(taken.find("Is a directory"), std::string::npos) << taken;
   EXPECT_EQ(files(), 1);
+}
+
+TEST_F(AtomicFile, PipesAreWrittenToAndStayPipes) {
+  const std::string path = folder_ + "/pipe";
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  writeFileAtomically(path, "content");
+  char received[16] = {};
+  EXPECT_EQ(::read(reader, received, sizeof received), 7);
+  EXPECT_STREQ(received, "content");
+  ::close(reader);
+  EXPECT_TRUE(std::filesystem::is_fifo(path));
+  EXPECT_TRUE(isDeviceOrPipe(path));
+  EXPECT_FALSE(isDeviceOrPipe(folder_));
+  EXPECT_FALSE(isDeviceOrPipe(folder_ + "/none"));
+}
+
+TEST_F(AtomicFile, ALinkStaysALinkToTheNewContent) {
+  writeFileAtomically(folder_ + "/file", "old");
+  std::filesystem::create_symlink("file", folder_ + "/link");
+  writeFileAtomically(folder_ + "/link", "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_ + "/link"));
+  EXPECT_EQ(contentOf(folder_ + "/file"), "new");
+  EXPECT_EQ(files(), 2);
 }
 
 TEST_F(AtomicFile, AWriterThatWritesNothingIsAnError) {

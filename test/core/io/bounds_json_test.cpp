@@ -41,6 +41,17 @@ TEST(BoundsJson, NamesWhatIsMissing) {
   }
 }
 
+TEST(BoundsJson, RefusesBandsThatDoNotFitTheirGrid) {
+  const nlohmann::json tree = toJson(someBounds());
+  for (const char* pointer : {"/frequency/omega", "/levels", "/step/time", "/weight/omega",
+                              "/frequency/magnitude_bands/total/pointwise/1/upper"}) {
+    nlohmann::json shorter = tree;
+    nlohmann::json& list = shorter[nlohmann::json::json_pointer(pointer)];
+    list.erase(list.size() - 1);
+    EXPECT_THROW(boundsFromJson(shorter), ConfigurationError) << pointer;
+  }
+}
+
 /// No weight is no key, and read so.
 TEST(BoundsJson, WithoutAWeight) {
   Bounds bounds = someBounds();

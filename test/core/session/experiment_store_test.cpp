@@ -11,6 +11,7 @@
 #include "support/csv_experiment_files.h"
 #include "support/error_message.h"
 #include "support/example1.h"
+#include "support/plain_estimate.h"
 #include "support/temporary_folder.h"
 #include "support/wait_for.h"
 #include "uncertainty_identification/errors.h"
@@ -110,6 +111,27 @@ TEST(ExperimentStore, DamagedFilesAreMovedAsideAndTheOthersLoad) {
     EXPECT_GT(fs::file_size(folder / ("current/damaged/" + name + ".txt")), 10U) << name;
   }
   EXPECT_TRUE(store.load(kMany).warnings.empty());
+}
+
+TEST(ExperimentStore, AResultThatDoesNotHoldTogetherIsMovedAside) {
+  const TemporaryFolder folder;
+  ExperimentStore store(folder.path(), csvExperimentFiles());
+  StoredResult result;
+  result.estimate = std::make_shared<const Estimate>(
+      test::plainEstimate(Eigen::Vector2d(1, 0.5), Eigen::Vector2d(-0.5, 0.1)));
+  store.write(numberedExperiments(1).front());
+  store.write(result);
+  EXPECT_TRUE(store.load(kMany).result);
+  const std::string path = folder / "current/result.json";
+  nlohmann::json tree = nlohmann::json::parse(std::ifstream(path));
+  tree["error_model"]["weights"] = {0.3, 0.3, 0.4};
+  writeText(path, tree.dump());
+  const StoredState state = store.load(kMany);
+  EXPECT_FALSE(state.result);
+  EXPECT_EQ(state.kept.size(), 1U);
+  ASSERT_EQ(state.warnings.size(), 1U);
+  EXPECT_NE(state.warnings[0].find("error_model: weights"), std::string::npos) << state.warnings[0];
+  EXPECT_TRUE(fs::exists(folder / "current/damaged/result.json"));
 }
 
 TEST(ExperimentStore, TemporaryFilesAreRemoved) {
