@@ -53,8 +53,8 @@ PhysicalPoles physicalPoles(const VectorXd& a, double sample_time, double longes
   return poles;
 }
 
-/// The lowest angle [rad/sample] where |B/A| has fallen by 3 dB from its value at 0; NaN if there is
-/// none up to pi.
+/// The lowest angle [rad/sample] where |B/A| has fallen by 3 dB from its value at 0; NaN if there
+/// is none up to pi.
 double bandwidthAngle(const VectorXd& b, const VectorXd& a, double lowest) {
   constexpr int kPoints = 200, kBisections = 40;
   const VectorXd denominator = withLeadingOne(a);
@@ -111,7 +111,8 @@ Numbers numbersOf(const VectorXd& b, const VectorXd& a, double sample_time, doub
   double lowest = 0.1;
   for (double constant : poles.time_constants)
     lowest = std::min(lowest, 0.1 * sample_time / constant);
-  for (const auto& pole : poles.pairs) lowest = std::min(lowest, 0.1 * sample_time * std::abs(pole));
+  for (const auto& pole : poles.pairs)
+    lowest = std::min(lowest, 0.1 * sample_time * std::abs(pole));
   const double angle = bandwidthAngle(b, a, lowest);
   if (std::isfinite(angle)) numbers.push_back({"bandwidth", "rad/s", angle / sample_time});
   return numbers;
@@ -143,7 +144,8 @@ std::vector<double> valuesOf(const std::string& name, const std::vector<Numbers>
       if (number.name == name && std::isfinite(number.value)) values.push_back(number.value);
     }
   }
-  const bool enough = static_cast<double>(values.size()) >= kShare * static_cast<double>(draws.size());
+  const bool enough =
+      static_cast<double>(values.size()) >= kShare * static_cast<double>(draws.size());
   if (!enough) values.clear();
   std::sort(values.begin(), values.end());
   return values;
@@ -171,7 +173,8 @@ void addSpread(const std::vector<Numbers>& draws, PhysicalNumber* number) {
 /// Whether the error model says how this number differs between experiments. Filters in series with
 /// Go leave its poles as they are, and so do the derivatives of basis sensitivity.
 bool hasSpread(const PhysicalNumber& number, BasisKind basis) {
-  const bool of_response = number.name == "bandwidth" || number.name.find("gain") != std::string::npos;
+  const bool of_response =
+      number.name == "bandwidth" || number.name.find("gain") != std::string::npos;
   return of_response || basis == BasisKind::parameter_spread;
 }
 

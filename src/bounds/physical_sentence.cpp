@@ -49,7 +49,8 @@ std::string physicalSentence(const std::vector<PhysicalNumber>& numbers) {
       continue;
     }
     list += list.empty() ? "" : ", ";
-    if (begins(number.name, "alternating")) list += "pole that alternates at z = " + withUnit(number);
+    if (begins(number.name, "alternating"))
+      list += "pole that alternates at z = " + withUnit(number);
     if (begins(number.name, "alternating")) continue;
     const bool none = number.name == "dead_time" && number.value == 0;
     list += none ? "no dead time" : spaced(number.name) + " " + withUnit(number);

@@ -41,12 +41,13 @@ Index intervalOf(Index samples) {
   return samples <= kMostPoints ? 0 : (2 * samples + kMostPoints - 1) / kMostPoints;
 }
 
-void addInterval(const PredictionCalibration& calibration, const EstimationOptions& options,
-                 const Experiment& experiment, Index interval, SimulatedRun* run) {
+void addPrediction(const PredictionCalibration& calibration, const EstimationOptions& options,
+                   const Experiment& experiment, Index interval, SimulatedRun* run) {
   const auto& levels = calibration.levels;
   if (levels.empty()) return;
   run->level = std::count(levels.begin(), levels.end(), 0.95) > 0 ? 0.95 : levels.back();
-  const PredictionInterval limits = predictionInterval(calibration, run->level, options, experiment);
+  const PredictionInterval limits =
+      predictionInterval(calibration, run->level, options, experiment);
   if (!limits.lower.allFinite() || !limits.upper.allFinite()) return;
   run->lower = reduced(limits.lower, interval);
   run->upper = reduced(limits.upper, interval);
@@ -72,7 +73,9 @@ class Simulations {
   std::vector<std::size_t> ranked() const {
     std::vector<std::size_t> order(fits_.size());
     for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-    const auto value = [this](std::size_t k) { return std::isfinite(fits_[k]) ? fits_[k] : -1e300; };
+    const auto value = [this](std::size_t k) {
+      return std::isfinite(fits_[k]) ? fits_[k] : -1e300;
+    };
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t one, std::size_t other) { return value(one) > value(other); });
     return order;
@@ -90,7 +93,7 @@ class Simulations {
     if (interval > 0) run.time_step *= static_cast<double>(interval) / 2;
     run.measured = reduced(measured, interval);
     run.simulated = reduced(measured - errors_[k], interval);
-    if (calibration != nullptr) addInterval(*calibration, options_, experiment, interval, &run);
+    if (calibration != nullptr) addPrediction(*calibration, options_, experiment, interval, &run);
     return run;
   }
 
@@ -125,8 +128,8 @@ std::vector<SimulatedRun> simulatedRuns(const Estimate& estimate,
                                         const PredictionCalibration* calibration,
                                         const std::vector<Experiment>& training,
                                         const std::vector<Experiment>& validation) {
-  std::set<std::string> used, held_out(estimate.validation.experiments.begin(),
-                                       estimate.validation.experiments.end());
+  std::set<std::string> used,
+      held_out(estimate.validation.experiments.begin(), estimate.validation.experiments.end());
   for (const ExperimentEstimate& experiment : estimate.experiments) used.insert(experiment.id);
   const std::vector<Experiment> fitted = chosen(training, used);
   const std::vector<Experiment> others = chosen(validation, held_out);

@@ -15,7 +15,7 @@ namespace {
 using test::estimateWithoutErrorModel;
 using test::vectorOf;
 
-constexpr double kSampleTime = 0.1;  // [s] of plainEstimate()
+constexpr double kPlainSampleTime = 0.1;  // [s] of plainEstimate()
 
 const PhysicalNumber* find(const PhysicalNumbers& physical, const std::string& name) {
   for (const PhysicalNumber& number : physical.numbers) {
@@ -33,7 +33,7 @@ const PhysicalNumber& numberOf(const PhysicalNumbers& physical, const std::strin
 
 /// 8.2/(1 + 2 s) with a zero-order hold.
 Estimate firstOrder(double error = 1e-6) {
-  const double pole = std::exp(-kSampleTime / 2);
+  const double pole = std::exp(-kPlainSampleTime / 2);
   return estimateWithoutErrorModel(vectorOf({8.2 * (1 - pole)}), vectorOf({-pole}), error);
 }
 
@@ -48,8 +48,9 @@ TEST(PhysicalNumbers, OfAFirstOrderPlant) {
   EXPECT_NEAR(numberOf(found, "time_constant").value, 2, 1e-9);
   EXPECT_EQ(numberOf(found, "time_constant").unit, "s");
   EXPECT_EQ(numberOf(found, "dead_time").value, 0);
-  const double bandwidth = numberOf(found, "bandwidth").value, pole = std::exp(-kSampleTime / 2);
-  const std::complex<double> z = std::polar(1.0, bandwidth * kSampleTime);
+  const double bandwidth = numberOf(found, "bandwidth").value,
+               pole = std::exp(-kPlainSampleTime / 2);
+  const std::complex<double> z = std::polar(1.0, bandwidth * kPlainSampleTime);
   EXPECT_NEAR(std::abs((1 - pole) / (1.0 - pole / z)), 1 / std::sqrt(2.0), 1e-9);
   EXPECT_EQ(found.sentence,
             "First-order plant: gain 8.2, time constant 2 s, no dead time, bandwidth 0.5 rad/s.");
@@ -58,8 +59,8 @@ TEST(PhysicalNumbers, OfAFirstOrderPlant) {
 
 TEST(PhysicalNumbers, OfAResonanceAndARealPole) {
   const std::complex<double> s = 5.0 * std::complex<double>(-0.3, std::sqrt(1 - 0.09));
-  const std::complex<double> z = std::exp(s * kSampleTime);
-  const double p = std::exp(-kSampleTime / 0.5), two = -2 * z.real(), squared = std::norm(z);
+  const std::complex<double> z = std::exp(s * kPlainSampleTime);
+  const double p = std::exp(-kPlainSampleTime / 0.5), two = -2 * z.real(), squared = std::norm(z);
   const PhysicalNumbers found =
       physicalNumbers(estimateWithoutErrorModel(
                           vectorOf({1.0}), vectorOf({two - p, squared - two * p, -squared * p})),
@@ -117,7 +118,8 @@ TEST(PhysicalNumbers, IntervalsAreThoseOfTheEstimate) {
 TEST(PhysicalNumbers, PolesOfAnotherKindLeaveNoInterval) {
   const Estimate sure = estimateWithoutErrorModel(vectorOf({1.0}), vectorOf({-1.4, 0.4901}), 1e-12);
   EXPECT_TRUE(numberOf(withDraws(sure), "natural_frequency").lower);
-  const Estimate unsure = estimateWithoutErrorModel(vectorOf({1.0}), vectorOf({-1.4, 0.4901}), 0.01);
+  const Estimate unsure =
+      estimateWithoutErrorModel(vectorOf({1.0}), vectorOf({-1.4, 0.4901}), 0.01);
   EXPECT_FALSE(numberOf(withDraws(unsure), "natural_frequency").lower);
   EXPECT_TRUE(numberOf(withDraws(unsure), "gain").lower);
 }
@@ -170,7 +172,7 @@ TEST(PhysicalNumbers, TwoIntegratorsGiveAnAccelerationGain) {
 }
 
 TEST(PhysicalNumbers, SeveralTimeConstantsAreNumberedFromTheSlowest) {
-  const double slow = std::exp(-kSampleTime / 3), fast = std::exp(-kSampleTime / 0.4);
+  const double slow = std::exp(-kPlainSampleTime / 3), fast = std::exp(-kPlainSampleTime / 0.4);
   const PhysicalNumbers found = physicalNumbers(
       estimateWithoutErrorModel(vectorOf({0.01}), vectorOf({-slow - fast, slow * fast})), nullptr);
   EXPECT_NEAR(numberOf(found, "time_constant_1").value, 3, 1e-6);
