@@ -3,6 +3,15 @@
 % docs/robust_control.md explains the steps and shows a run.
 pkg load control
 
+% q^-delay num/den in powers of z. Not tf(num, den, Ts, "variable", "z^-1"), which drops the leading zeros of num, and with
+% them the delay: padded to equal length the coefficients of z^-1 are those of z.
+function g = sampled(num, den, delay, Ts)
+  num = [zeros(1, delay), num(:)'];
+  den = den(:)';
+  order = max(numel(num), numel(den));
+  g = tf([num, zeros(1, order - numel(num))], [den, zeros(1, order - numel(den))], Ts);
+end
+
 arguments = argv();
 result = jsondecode(fileread(arguments{end}));
 model = result.nominal_model;
@@ -10,7 +19,7 @@ weight = result.bounds.weight;
 Ts = model.sample_time;
 
 % Go = q^-delay B/A, its Tustin twin, and W's, which result.json holds
-go = tf([zeros(1, model.delay), model.b(:)'], [1, model.a(:)'], Ts, "variable", "z^-1");
+go = sampled(model.b, [1; model.a(:)], model.delay, Ts);
 plant = d2c(ss(go), "tustin");
 uncertainty = tf(weight.continuous.num(:)', weight.continuous.den(:)');
 
@@ -34,13 +43,14 @@ end
 K = c2d(controller, Ts, "tustin");
 
 % judged where it will run: in discrete time, with the discrete weight
-W = tf(weight.num(:)', weight.den(:)', Ts, "variable", "z^-1");
+W = sampled(weight.num, weight.den, 0, Ts);
 T = feedback(ss(go) * K, 1);
 grid = logspace(log10(weight.omega(1)), log10(0.9999 * pi / Ts), 10000);
 peak = max(abs(squeeze(freqresp(W, grid))) .* abs(squeeze(freqresp(T, grid))));
 printf("W of order %d; bandwidth reached %.3g rad/s, H-infinity norm %.3f\n", weight.order, slowest, norm);
 printf("nominal loop stable: %d, max |W T| = %.3f: margin %.3f\n", isstable(T), peak, 1 / peak);
 [num, den] = tfdata(tf(K), "vector");
+num = [zeros(1, numel(den) - numel(num)), num];
 printf("controller, powers of z^-1\n  num: [%s]\n  den: [%s]\n", num2str(num / den(1), " %.6g"), ...
        num2str(den / den(1), " %.6g"));
 
@@ -48,9 +58,18 @@ printf("controller, powers of z^-1\n  num: [%s]\n  den: [%s]\n", num2str(num / d
 if numel(arguments) > 1
   drawn = jsondecode(fileread(arguments{end - 1}));
   unstable = 0;
+  furthest = 0;
   for k = 1:numel(drawn.plants)
-    g = tf([zeros(1, drawn.delay), drawn.plants(k).num(:)'], drawn.plants(k).den(:)', Ts, "variable", "z^-1");
+    one = drawn.plants(k);
+    g = sampled(one.num, one.den, drawn.delay, Ts);
+    response = one.real(:) + 1i * one.imaginary(:);
+    error_of_one = max(abs(squeeze(freqresp(g, drawn.omega(:)'))(:) - response)) / max(abs(response));
+    furthest = max(furthest, error_of_one);
     unstable += ! isstable(feedback(ss(g) * K, 1));
   end
+  if furthest > 1e-9
+    error("the plants differ from the frequency responses in samples.json by %.2g of their largest value", furthest);
+  end
+  printf("frequency responses as in samples.json, to %.1g\n", furthest);
   printf("unstable with %d of %d plants drawn\n", unstable, numel(drawn.plants));
 end

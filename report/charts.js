@@ -112,6 +112,7 @@ function bandDatasets(x, bands, color, more = {}) {
 }
 
 const kPrintWidth = 680;  // [px] of a page's text
+const kPrintRunWidth = 215;  // of a figure that has two others beside it
 
 /// Draws all figures again in the width of a printed page, and back: if they were scaled down from the width of the
 /// screen, their labels would be too small.
@@ -120,7 +121,7 @@ function printFigures() {
     chart.resize(...size(chart));
     if (chart.fit) chart.fit();
   });
-  window.addEventListener('beforeprint', () => redraw(chart => [kPrintWidth, chart.height]));
+  window.addEventListener('beforeprint', () => redraw(chart => [chart.canvas.closest('.runs') ? kPrintRunWidth : kPrintWidth, chart.height]));
   window.addEventListener('afterprint', () => redraw(() => []));
 }
 

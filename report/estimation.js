@@ -17,10 +17,12 @@ function showCandidates(parent, candidates) {
 }
 
 function showConvergence(parent, result) {
-  parent.append(paragraph(`Log-likelihood ${fixed(result.log_likelihood, 3)}, BIC ${fixed(result.bic, 3)}.`));
+  parent.append(paragraph(`${kEndings[result.termination]} after ${counted(result.iterations, 'iteration')}, ` +
+    `${counted(result.passes, 'pass', 'passes')} over the data and ${number(result.seconds, 2)} s: ${result.message}. ` +
+    `Log-likelihood ${fixed(result.log_likelihood, 3)}, BIC ${fixed(result.bic, 3)}.`));
   const {trace} = result;
-  if (trace.length < 2) {
-    parent.append(paragraph('The starting point was the optimum already: there are no steps to draw.'));
+  if (trace.length < 4) {
+    parent.append(paragraph('The starting point was nearly the optimum: there are too few steps to draw.'));
     return;
   }
   const end = Math.max(...trace.map(point => point.log_likelihood));

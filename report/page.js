@@ -18,6 +18,23 @@ function section(parent, id, title) {
   return node;
 }
 
+/// A section whose content shows when its title is clicked; `printed`: on paper always.
+function foldedSection(parent, id, title, printed = false) {
+  const content = element('details', printed ? {class: 'printed'} : {}, element('summary', {}, element('h2', {}, title)));
+  parent.append(element('section', {id}, content));
+  return content;
+}
+
+/// Opens what is to be printed, and closes it afterwards.
+function unfoldForPrint() {
+  let opened = [];
+  window.addEventListener('beforeprint', () => {
+    opened = [...document.querySelectorAll('details.printed:not([open])')];
+    opened.forEach(node => { node.open = true; });
+  });
+  window.addEventListener('afterprint', () => opened.forEach(node => { node.open = false; }));
+}
+
 /// Columns: {title, number: whether right-aligned}. Rows: lists of texts or nodes.
 function table(columns, rows, isChosen = () => false) {
   const style = column => (column.number ? {class: 'number'} : {});
@@ -27,9 +44,12 @@ function table(columns, rows, isChosen = () => false) {
   return element('table', {}, element('thead', {}, head), element('tbody', {}, ...body));
 }
 
-/// A long table in a box that scrolls on the screen; on paper it is printed in full.
+const kMostRows = 12;
+
+/// A long table is folded, in a box that scrolls.
 function scrolling(content, rows) {
-  return rows > 20 ? element('div', {class: 'scroll', tabindex: '0'}, content) : content;
+  if (rows <= kMostRows) return element('div', {class: 'wide'}, content);
+  return element('details', {}, element('summary', {}, `Table of ${counted(rows, 'row')}`), element('div', {class: 'scroll', tabindex: '0'}, content));
 }
 
 /// Radio buttons. Options: {value, title}; one is selected initially. Calls back with the selected value.

@@ -2,13 +2,16 @@
 // The multiplicative uncertainty |G/Go - 1| and the weight W that bounds it, for robust control.
 
 function showRelativeError(parent, result, choices) {
-  const {frequency, weight} = result.bounds, {omega} = frequency, Ts = result.nominal_model.sample_time;
+  const {frequency, weight} = result.bounds, Ts = result.nominal_model.sample_time;
+  const last = answeringPoints(frequency), omega = frequency.omega.slice(0, last);
+  const note = last < frequency.omega.length ? 'Drawn where the plant answers: beyond, |Go| is less than a hundredth of its largest value and its relative error harms nobody. ' : '';
+  const cut = bands => bands.map(({level, lower, upper}) => ({level, lower: lower.slice(0, last), upper: upper.slice(0, last)}));
   const cover = weight ? omega.map(value => magnitudeOf(weight.num, weight.den, value * Ts)) : null;
   const describe = k => [`${number(omega[k])} rad/s`, ...(cover ? [`|W|: ${number(cover[k], 3)}`] : []),
-    ...choices.of(frequency.relative_error).map(band => `${percent(band.level)}: up to ${number(band.upper[k], 3)}`)];
-  const limits = errorLimits(frequency.relative_error, cover);
+    ...cut(choices.of(frequency.relative_error)).map(band => `${percent(band.level)}: up to ${number(band.upper[k], 3)}`)];
+  const limits = errorLimits(frequency.relative_error, cover, cut);
   const datasets = () => {
-    const bands = choices.of(frequency.relative_error).map(({level, upper}) => ({level, upper: upper.map(value => Math.max(value, limits[0]))}));
+    const bands = cut(choices.of(frequency.relative_error)).map(({level, upper}) => ({level, upper: upper.map(value => Math.max(value, limits[0]))}));
     const drawn = bandDatasets(omega, bands, kColors[2]);
     drawn[0].describe = describe;
     if (cover) drawn.unshift({label: `weight |W|, for ${percent(weight.level)} at all frequencies`, data: points(omega, cover),
@@ -16,7 +19,7 @@ function showRelativeError(parent, result, choices) {
     if (cover) delete drawn[1].describe;
     return drawn;
   };
-  const words = () => (cover ? 'The weight lies above the bound that is valid at all frequencies together. ' : '') +
+  const words = () => note + (cover ? 'The weight lies above the bound that is valid at all frequencies together. ' : '') +
     bandsInWords(choices, hasBands(frequency.relative_error.total));
   const chart = figure(parent, {
     title: 'Relative error |G/Go \u2212 1|', height: 330, datasets: datasets(), mode: 'index',
@@ -32,9 +35,9 @@ function showRelativeError(parent, result, choices) {
 
 /// Limits of the axis that show the bounds and the weight, at most five decades: |G/Go - 1| may vanish at low
 /// frequencies.
-function errorLimits(bands, cover) {
+function errorLimits(bands, cover, cut) {
   const all = ['mixture', 'total'].filter(source => hasBands(bands[source]))
-    .flatMap(source => [...bands[source].simultaneous, ...bands[source].pointwise].flatMap(band => band.upper)).concat(cover || []);
+    .flatMap(source => cut([...bands[source].simultaneous, ...bands[source].pointwise]).flatMap(band => band.upper)).concat(cover || []);
   const positive = all.filter(value => value > 0);
   if (positive.length === 0) return [1e-3, 1];
   const largest = Math.max(...positive), decade = 10 ** Math.floor(Math.log10(largest));

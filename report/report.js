@@ -24,12 +24,14 @@ function showResponses(parent, result) {
   if (bounds) showRelativeError(parent, result, choices);
 }
 
+// `printed`: opened on paper, too. The others are there to be looked up on the screen.
 const kSections = [
-  {id: 'data', title: 'Data', show: showData},
-  {id: 'model', title: 'Nominal model', show: showNominalModel},
+  {id: 'summary', title: 'In words', show: showSummary, printed: true},
+  {id: 'responses', title: 'Responses and their uncertainty', show: showResponses, printed: true},
+  {id: 'validation', title: 'Validation', show: showValidation, printed: true},
+  {id: 'model', title: 'Nominal model', show: showNominalModel, printed: true},
   {id: 'uncertainty', title: 'Distribution of the model error', show: showMixture},
-  {id: 'responses', title: 'Responses and their uncertainty', show: showResponses},
-  {id: 'validation', title: 'Validation', show: showValidation},
+  {id: 'data', title: 'Experiments', show: showData},
   {id: 'residuals', title: 'Residuals', show: showResiduals},
   {id: 'estimation', title: 'How the model was found', show: (parent, result) => {
     showConvergence(parent, result);
@@ -38,26 +40,32 @@ const kSections = [
   {id: 'configuration', title: 'Configuration', show: showConfiguration},
 ];
 
-const kBaselineSection = {id: 'baseline', title: 'Fits of each experiment', show: showBaseline};
+const kBaselineSection = {id: 'baseline', title: 'Fits of each experiment', show: showBaseline, printed: true};
 
-function sectionsOf(result, explanation) {
-  const before = explanation ? kExplanationSections.map(entry => ({...entry, show: parent => entry.show(parent, explanation)})) : [];
-  return [...before, ...(result.baseline ? [...kSections.slice(0, 2), kBaselineSection, ...kSections.slice(2)] : kSections)];
+function navigation(entries) {
+  return element('nav', {'aria-label': 'Sections'}, ...entries.map(({id, title}) => {
+    const link = element('a', {href: '#' + id}, title);
+    link.addEventListener('click', () => {
+      const folded = document.querySelector(`#${id} > details`);
+      if (folded) folded.open = true;
+    });
+    return link;
+  }));
 }
 
 /// `explanation` is null where there is none.
 function showReport(result, explanation, parent) {
-  const sections = sectionsOf(result, explanation);
-  const first = explanation ? [{id: 'verdict', title: 'What the simulation gets wrong'}, {id: 'summary', title: 'The identified model'}] : [];
-  const origin = `uncertainty_identification ${result.version} \u00b7 data ${result.data_fingerprint} \u00b7 seed ${result.seed}`;
-  parent.append(element('header', {}, element('h1', {}, 'Identification report'),
-    element('nav', {}, ...[...first, ...sections].map(({id, title}) => element('a', {href: '#' + id}, title)))));
-  if (explanation) showVerdict(section(parent, 'verdict', first[0].title), explanation);
-  const summary = explanation ? section(parent, 'summary', first[1].title) : parent;
-  showTrust(summary, result);
-  showWarnings(summary, result);
-  showSummary(summary, result);
-  sections.forEach(({id, title, show}) => show(section(parent, id, title), result));
+  const explained = explanation ? kExplanationSections : [];
+  const details = result.baseline ? [kBaselineSection, ...kSections] : kSections;
+  const verdict = explanation ? [{id: 'verdict', title: 'What the simulation gets wrong'}] : [];
+  document.title = reportTitle(result);
+  parent.append(element('header', {}, element('h1', {}, reportTitle(result)), paragraph(originLine(result), 'origin'),
+    navigation([...verdict, ...explained, ...details])));
+  if (explanation) showVerdict(section(parent, 'verdict', verdict[0].title), explanation);
+  showFirstPage(parent, result);
+  explained.forEach(({id, title, show}) => show(section(parent, id, title), explanation));
+  details.forEach(({id, title, show, printed}) => show(foldedSection(parent, id, title, printed), result));
   printFigures();
-  parent.append(element('footer', {}, origin));
+  unfoldForPrint();
+  parent.append(element('footer', {}, `data ${result.data_fingerprint} \u00b7 seed ${result.seed}`));
 }

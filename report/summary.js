@@ -1,5 +1,5 @@
 'use strict';
-// What a reader should know first: warnings, the result in words, and its most important numbers.
+// The result in words.
 
 const kStructures = {output_error: 'output-error', arx: 'ARX', armax: 'ARMAX', box_jenkins: 'Box-Jenkins',
                      continuous: 'continuous-time'};
@@ -19,26 +19,6 @@ function hasBounds(result) {
 function asSentence(text) {
   const begun = /^[a-z]+ /.test(text) ? text.charAt(0).toUpperCase() + text.slice(1) : text;
   return begun.endsWith('.') ? begun : begun + '.';
-}
-
-function showWarnings(parent, result) {
-  const warnings = [...result.warnings, ...(hasBounds(result) ? result.bounds.warnings : [])];
-  if (result.termination !== 'converged') warnings.unshift(`${kEndings[result.termination]}: ${result.message}.`);
-  const rejected = result.experiments.rejected.length;
-  if (rejected > 0) {
-    warnings.push(`${counted(rejected, 'experiment')} ${rejected === 1 ? 'was' : 'were'} left out; the section Data says why.`);
-  }
-  if (warnings.length === 0) return;
-  parent.append(element('div', {class: 'warnings', role: 'note'}, element('h2', {}, 'Please note'),
-    element('ul', {}, ...warnings.map(text => element('li', {}, asSentence(text))))));
-}
-
-/// Results of older versions do not say whether they can be relied on.
-function showTrust(parent, result) {
-  if (!result.trust || result.trust.trusted) return;
-  parent.append(element('div', {class: 'warnings', role: 'note'},
-    element('h2', {}, 'Do not rely on the uncertainty of this model'),
-    element('ul', {}, ...result.trust.reasons.map(text => element('li', {}, asSentence(text))))));
 }
 
 function modelSentence(result) {
@@ -65,10 +45,18 @@ function boundsSentence(result) {
   const errors = frequency.relative_error, kind = hasBands(errors.total) ? errors.total : errors.mixture;
   if (!hasBands(kind)) return '';
   const level = levels.includes(0.95) ? levels.indexOf(0.95) : levels.length - 1;
-  const upper = kind.simultaneous[level].upper, largest = Math.max(...upper);
+  const last = answeringPoints(frequency), upper = kind.simultaneous[level].upper.slice(0, last), largest = Math.max(...upper);
   const whose = hasErrorModel(result) ? `For ${percent(levels[level])} of the plants` : `With a probability of ${percent(levels[level])}`;
-  return `${whose} the relative error |G/Go \u2212 1| stays below ${inPercent(100 * largest, 2)} at all frequencies; ` +
-    `this bound is largest at ${number(frequency.omega[upper.indexOf(largest)], 3)} rad/s.`;
+  return `${whose} the relative error |G/Go \u2212 1| stays below ${inPercent(100 * largest, 2)} at all frequencies up to ` +
+    `${number(frequency.omega[last - 1], 3)} rad/s, where the plant ${last < frequency.omega.length ? 'hardly answers any more' : 'is sampled'}; ` +
+    `it is largest at ${number(frequency.omega[upper.indexOf(largest)], 3)} rad/s.`;
+}
+
+/// How many points of the grid, from the lowest frequency on, lie where the plant answers: up to the last where |Go| exceeds
+/// a hundredth of its maximum. Beyond, the relative error is large and harms nobody.
+function answeringPoints({magnitude}) {
+  const limit = 0.01 * Math.max(...magnitude);
+  return magnitude.findLastIndex(value => value >= limit) + 1;
 }
 
 function validationSentence(result) {
@@ -79,22 +67,8 @@ function validationSentence(result) {
     (hasErrorModel(result) ? '; the rest is noise and the difference between this plant and the nominal one.' : '.');
 }
 
-function tile(value, text) {
-  return element('div', {class: 'tile'}, element('b', {}, value), element('span', {}, text));
-}
-
 function showSummary(parent, result) {
-  const {validation, noise_variance: noise} = result, variance = withError(noise.value, noise.standard_error);
-  const sentences = [modelSentence(result), uncertaintySentence(result), boundsSentence(result), validationSentence(result)];
+  const varies = result.physical && result.physical.sentence && result.variation ? '' : uncertaintySentence(result);
+  const sentences = [modelSentence(result), varies, boundsSentence(result), validationSentence(result)];
   parent.append(element('ul', {class: 'lead'}, ...sentences.filter(Boolean).map(text => element('li', {}, text))));
-  parent.append(paragraph(`${kEndings[result.termination]} after ${counted(result.iterations, 'iteration')}, ` +
-    `${counted(result.passes, 'pass', 'passes')} over the data and ${number(result.seconds, 2)} s: ${result.message}.`));
-  parent.append(element('div', {class: 'tiles'},
-    tile(count(result.experiments.count), result.experiments.count === 1 ? 'experiment' : 'experiments'),
-    tile(count(result.experiments.samples), 'output samples'),
-    tile(`${number(result.nominal_model.sample_time)} s`, 'sample time'),
-    tile(number(staticGain(result.nominal_model)), 'static gain of the nominal model'),
-    tile(variance.value, `noise variance, standard error ${variance.error}`),
-    tile(validation.experiments.length > 0 ? inPercent(validation.simulation_fit_percent_pooled, 3) : kNone,
-         'simulation fit on validation data')));
 }

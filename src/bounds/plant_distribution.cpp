@@ -140,8 +140,21 @@ void PlantDistribution::drawPlant(const VectorXd& at, const VectorXd& xi, Index 
   drawn->a.row(row) = p.a.transpose();
 }
 
+void PlantDistribution::drawNominal(const VectorXd& at, Index row, PlantSamples* drawn) const {
+  if (varying_ == nullptr) {
+    drawPlant(at, VectorXd::Zero(T_.cols()), row, drawn);
+    return;
+  }
+  // Not drawPlant(), which with basis sensitivity writes a power of A as denominator.
+  const NominalModel& nominal = varying_->nominal();
+  const Polynomials p = nominal.polynomials(nominal.fromUnbounded(at));
+  drawn->b.row(row) = p.b.transpose();
+  drawn->a.row(row) = p.a.transpose();
+}
+
 PlantSamples PlantDistribution::draw(int count, Uncertainty uncertainty, std::uint64_t seed) const {
-  const bool total = uncertainty == Uncertainty::total;
+  const bool nominal_only = uncertainty == Uncertainty::estimate;
+  const bool total = uncertainty == Uncertainty::total || nominal_only;
   if (total && !hasEstimationErrors()) {
     throw DataError(
         "the estimation errors are not known (the estimation was cancelled, or the data do not "
@@ -165,6 +178,10 @@ PlantSamples PlantDistribution::draw(int count, Uncertainty uncertainty, std::ui
                      basis_};
   for (Index i = 0; i < count; ++i) {
     const VectorXd at = total ? VectorXd(center_ + errors.row(i).transpose()) : center_;
+    if (nominal_only) {
+      drawNominal(at.head(plant), i, &drawn);
+      continue;
+    }
     VectorXd xi;
     if (n > 0) {
       const Mixture mixture = mixture_coordinates_.fromCoordinates(at.tail(at.size() - plant));

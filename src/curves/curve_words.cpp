@@ -138,7 +138,7 @@ std::string causeNamed(Place place, const std::string& shape) {
     case Place::output_play:
       return "sens_backlash";
     case Place::time_gain:
-      return "plant_drift";
+      return shape == "step" ? "act_loss" : "plant_drift";
     case Place::time:
       return "sens_drift";
     case Place::covariate:

@@ -88,24 +88,19 @@ void bind(Archive& archive, Bounds& bounds) {
   archive("seconds", bounds.seconds);
 }
 
-namespace {
-
-/// To six significant digits, in place.
-void roundNumbers(nlohmann::json* tree) {
+void roundNumbers(nlohmann::json* tree, int digits) {
   if (tree->is_number_float()) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.6g", tree->get<double>());
+    std::snprintf(text, sizeof text, "%.*g", digits, tree->get<double>());
     *tree = std::strtod(text, nullptr);
   } else if (tree->is_structured()) {
-    for (nlohmann::json& entry : *tree) roundNumbers(&entry);
+    for (nlohmann::json& entry : *tree) roundNumbers(&entry, digits);
   }
 }
 
-}  // namespace
-
 nlohmann::json toJson(const Bounds& bounds) {
   nlohmann::json tree = writtenTree(bounds);
-  for (const char* key : {"frequency", "step", "regions"}) roundNumbers(&tree[key]);
+  for (const char* key : {"frequency", "step", "regions"}) roundNumbers(&tree[key], 6);
   if (bounds.weight) tree["weight"] = writtenTree(*bounds.weight);
   if (bounds.prediction) tree["prediction"] = writtenTree(*bounds.prediction);
   return tree;

@@ -14,4 +14,7 @@ nlohmann::json toJson(const Bounds& bounds);
 /// or a wrong type.
 Bounds boundsFromJson(const nlohmann::json& json);
 
+/// Rounds all numbers that are not integers to so many significant digits, in place.
+void roundNumbers(nlohmann::json* tree, int digits);
+
 }  // namespace uncertainty_identification

@@ -7,8 +7,8 @@
 
 namespace uncertainty_identification {
 
-/// Writes a JSON file, all of it or nothing; bytes that are not UTF-8 are replaced. Throws
-/// FileError.
+/// Writes a JSON file, all of it or nothing, each list of numbers in one line; bytes that are not
+/// UTF-8 are replaced. Throws FileError.
 void saveJson(const std::string& path, const nlohmann::json& json);
 
 /// Throws FileError when the file cannot be read, ConfigurationError when it is not JSON.

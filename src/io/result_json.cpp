@@ -7,6 +7,7 @@
 #include "io/bounds_json.h"
 #include "io/estimate_binding.h"
 #include "io/json_file.h"
+#include "io/result_binding.h"
 #include "io/result_checks.h"
 #include "io/tree_reader.h"
 #include "io/tree_writer.h"
@@ -36,12 +37,6 @@ Estimate consistentEstimate(const nlohmann::json& json) {
   return estimate;
 }
 
-Result withBounds(const nlohmann::json& tree, Result result) {
-  if (tree.contains("bounds") && !tree["bounds"].empty())
-    result.bounds = boundsFromJson(tree["bounds"]);
-  return result;
-}
-
 }  // namespace
 
 Estimate estimateFromJson(const nlohmann::json& json) {
@@ -50,10 +45,43 @@ Estimate estimateFromJson(const nlohmann::json& json) {
   return estimate;
 }
 
+namespace {
+
+/// The signals are there to be drawn: five digits are enough.
+nlohmann::json runsToJson(const std::vector<SimulatedRun>& runs) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const SimulatedRun& run : runs) {
+    nlohmann::json tree = writtenTree(run);
+    for (const char* key : {"measured", "simulated", "lower", "upper"}) roundNumbers(&tree[key], 5);
+    list.push_back(std::move(tree));
+  }
+  return list;
+}
+
+/// What the result holds beside the estimate; a key that results of older versions lack stays away.
+Result restOf(const nlohmann::json& tree) {
+  Result result;
+  if (tree.contains("baseline")) result.baseline = readRecord<Baseline>(tree["baseline"]);
+  if (tree.contains("bounds") && !tree["bounds"].empty())
+    result.bounds = boundsFromJson(tree["bounds"]);
+  if (tree.contains("physical")) result.physical = readRecord<PhysicalNumbers>(tree["physical"]);
+  if (tree.contains("origin")) result.origin = readRecord<Origin>(tree["origin"]);
+  if (tree.contains("runs")) {
+    for (const nlohmann::json& run : tree["runs"])
+      result.runs.push_back(readRecord<SimulatedRun>(run));
+  }
+  return result;
+}
+
+}  // namespace
+
 nlohmann::json toJson(const Result& result) {
   nlohmann::json tree = toJson(result.estimate);
   if (result.bounds) tree["bounds"] = toJson(*result.bounds);
   if (result.baseline) tree["baseline"] = writtenTree(*result.baseline);
+  tree["physical"] = writtenTree(result.physical);
+  tree["runs"] = runsToJson(result.runs);
+  tree["origin"] = writtenTree(result.origin);
   return tree;
 }
 
@@ -61,8 +89,9 @@ void saveResult(const std::string& path, const Result& result) { saveJson(path, 
 
 Result loadResult(const std::string& path) {
   return loadJsonAs(path, [](const nlohmann::json& tree) {
-    if (!tree.contains("baseline")) return withBounds(tree, {estimateFromJson(tree), {}, {}});
-    return withBounds(tree, {consistentEstimate(tree), {}, readRecord<Baseline>(tree["baseline"])});
+    Result result = restOf(tree);
+    result.estimate = result.baseline ? consistentEstimate(tree) : estimateFromJson(tree);
+    return result;
   });
 }
 

@@ -119,11 +119,11 @@ std::string findingsText(const Estimate& estimate) {
 
 }  // namespace
 
-std::string resultText(const Estimate& estimate) {
-  return trustText(estimate.trust) + nominalModelText(estimate) +
-         errorModelText(estimate.error_model) +
-         (estimate.variation.empty() ? "" : estimate.variation + "\n") + parametersText(estimate) +
-         fitText(estimate) + candidatesText(estimate.candidates) +
+std::string resultText(const Estimate& estimate, const std::string& sentence) {
+  const auto line = [](const std::string& text) { return text.empty() ? "" : text + "\n"; };
+  return trustText(estimate.trust) + line(sentence) + line(estimate.variation) +
+         nominalModelText(estimate) + errorModelText(estimate.error_model) +
+         parametersText(estimate) + fitText(estimate) + candidatesText(estimate.candidates) +
          validationText(estimate.validation) + findingsText(estimate);
 }
 

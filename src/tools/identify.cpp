@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <ctime>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -58,6 +59,38 @@ std::optional<ui::Bounds> boundsOf(const std::vector<ui::Experiment>& experiment
   return bounds;
 }
 
+/// The files or folders that were named, without their folders.
+std::vector<std::string> namesOf(const po::variables_map& arguments, const std::string& key) {
+  std::vector<std::string> names;
+  if (arguments.count(key) == 0) return names;
+  for (const std::string& path : arguments[key].as<std::vector<std::string>>()) {
+    const std::size_t end = path.find_last_not_of('/') + 1, begin = path.rfind('/', end - 1) + 1;
+    names.push_back(path.substr(begin, end - begin));
+  }
+  return names;
+}
+
+std::string dateNow() {
+  char text[32];
+  const std::time_t now = std::time(nullptr);
+  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", std::gmtime(&now));
+  return text;
+}
+
+/// What a report says first: the plant in physical terms, runs to look at, and the origin.
+void addOverview(const po::variables_map& arguments, const std::vector<ui::Experiment>& training,
+                 const std::vector<ui::Experiment>& validation, ui::Result* result) {
+  const ui::Estimate& estimate = result->estimate;
+  if (!estimate.usable()) return;
+  std::optional<ui::PlantDistribution> plants;
+  if (result->bounds) plants.emplace(estimate);
+  result->physical = ui::physicalNumbers(estimate, plants ? &*plants : nullptr);
+  const bool calibrated = result->bounds && result->bounds->prediction;
+  result->runs = ui::simulatedRuns(estimate, calibrated ? &*result->bounds->prediction : nullptr,
+                                   training, validation);
+  result->origin = {dateNow(), namesOf(arguments, "data"), namesOf(arguments, "validation")};
+}
+
 /// By the method asked for. A baseline's estimate is a mean, not a distribution of plants: its
 /// region is its own.
 ui::Result identify(const po::variables_map& arguments,
@@ -94,6 +127,7 @@ ui::Result identify(const po::variables_map& arguments,
                              loaded->warnings.end());
   }
   if (!method) result.bounds = boundsOf(data.experiments, progress, &result.estimate);
+  addOverview(arguments, data.experiments, validation.experiments, &result);
   return result;
 }
 
@@ -115,7 +149,7 @@ int run(const po::variables_map& arguments) {
     throw ui::DataError("no usable model was found, nothing was written: " + estimate.message);
   }
   ui::saveResult(output, result);
-  std::cout << ui::resultText(estimate);
+  std::cout << ui::resultText(estimate, result.physical.sentence);
   if (result.bounds) std::cout << ui::boundsText(*result.bounds);
   if (result.baseline) std::cout << ui::baselineText(*result.baseline);
   return ui::kDone;

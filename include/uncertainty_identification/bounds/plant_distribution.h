@@ -28,7 +28,8 @@ struct PlantSamples {
 /// Which uncertainty the draws contain.
 enum class Uncertainty {
   mixture,  ///< only the spread of the plant, with nominal model and mixture as estimated
-  total     ///< also the errors of these estimates (Estimate::joint_covariance)
+  total,    ///< also the errors of these estimates (Estimate::joint_covariance)
+  estimate  ///< only the errors of the nominal model's estimate: plants with xi = 0
 };
 
 /// The distribution of the plant according to an estimate: which G the next experiment may have.
@@ -57,6 +58,7 @@ class PlantDistribution {
   Eigen::VectorXd nominalCoordinates(const Estimate& estimate) const;
   void drawPlant(const Eigen::VectorXd& at, const Eigen::VectorXd& xi, Eigen::Index row,
                  PlantSamples* drawn) const;
+  void drawNominal(const Eigen::VectorXd& at, Eigen::Index row, PlantSamples* drawn) const;
 
   PlantSamples nominal_;
   std::shared_ptr<const VaryingPlant>

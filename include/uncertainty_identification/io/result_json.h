@@ -3,9 +3,12 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "uncertainty_identification/baselines/baseline.h"
 #include "uncertainty_identification/bounds/bounds.h"
+#include "uncertainty_identification/bounds/physical_numbers.h"
+#include "uncertainty_identification/bounds/simulated_runs.h"
 #include "uncertainty_identification/estimation/estimate.h"
 
 namespace uncertainty_identification {
@@ -19,11 +22,20 @@ nlohmann::json toJson(const Estimate& estimate);
 /// another format or version, a missing field or a wrong type.
 Estimate estimateFromJson(const nlohmann::json& json);
 
-/// What a result.json holds.
+/// When a result was made, and from what.
+struct Origin {
+  std::string date;                           ///< UTC, "2026-03-14 15:09"
+  std::vector<std::string> data, validation;  ///< the names of the files or folders
+};
+
+/// What a result.json holds. Results of older versions lack `physical`, `runs` and `origin`.
 struct Result {
   Estimate estimate;
   std::optional<Bounds> bounds;
   std::optional<Baseline> baseline = std::nullopt;  ///< identify --method pem or mem
+  PhysicalNumbers physical = {};
+  std::vector<SimulatedRun> runs = {};
+  Origin origin = {};
 };
 
 /// The content of result.json as JSON.

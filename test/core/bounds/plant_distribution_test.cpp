@@ -125,5 +125,17 @@ TEST_P(Responses, OfTransferFunctionsAgree) {
 INSTANTIATE_TEST_SUITE_P(Bases, Responses,
                          testing::Values(BasisKind::fir, BasisKind::laguerre, BasisKind::kautz));
 
+TEST(PlantDistribution, DrawsTheNominalPlantAloneWithItsErrors) {
+  const Estimate estimate =
+      test::plainEstimate(test::vectorOf({1.0}), test::vectorOf({-0.5}), 1e-4);
+  const PlantDistribution plants(estimate);
+  const PlantSamples drawn = plants.draw(500, Uncertainty::estimate, 3);
+  const PlantSamples total = plants.draw(500, Uncertainty::total, 3);
+  EXPECT_EQ(drawn.eta, Eigen::MatrixXd::Zero(500, 2));
+  EXPECT_EQ(drawn.b, total.b);
+  EXPECT_EQ(drawn.a, total.a);
+  EXPECT_NEAR(std::sqrt((drawn.b.array() - 1).square().mean()), 0.01, 0.001);
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

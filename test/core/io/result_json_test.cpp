@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "io/json_file.h"
 #include "io/read_file.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
@@ -236,6 +237,50 @@ TEST(ResultJson, OlderConfigurationsTakeDefaults) {
   json tree = toJson(estimate());
   tree["configuration"].erase("limits");
   EXPECT_EQ(complaint(tree), "");
+}
+
+TEST(ResultJson, SavesWhatAReportShowsFirst) {
+  const std::string path = testing::TempDir() + "result_json_overview_test.json";
+  Result result{estimate(), {}};
+  result.physical = {"First-order plant.", {{"gain", "", 8.25, 8, 8.5, 0.4}, {"damping", "", 1}}};
+  result.runs = {{"run 1", "best", true, 97.5, 0.1, vector({1.0 / 3, kNan}), vector({2, 3})}};
+  result.origin = {"2026-03-14 15:09", {"a.csv", "b.csv"}, {"v.csv"}};
+  saveResult(path, result);
+  const Result back = loadResult(path);
+  EXPECT_EQ(back.physical.sentence, "First-order plant.");
+  EXPECT_EQ(back.physical.numbers[0].upper, 8.5);
+  EXPECT_EQ(back.physical.numbers[0].spread, 0.4);
+  EXPECT_FALSE(back.physical.numbers[1].lower.has_value());
+  EXPECT_EQ(back.runs[0].rank, "best");
+  EXPECT_TRUE(back.runs[0].validation);
+  EXPECT_EQ(back.runs[0].measured[0], 0.33333);
+  EXPECT_TRUE(std::isnan(back.runs[0].measured[1]));
+  EXPECT_EQ(back.origin.data, result.origin.data);
+  EXPECT_EQ(back.origin.validation, result.origin.validation);
+  EXPECT_EQ(back.origin.date, result.origin.date);
+  EXPECT_EQ(toJson(back), toJson(result));
+
+  json older = json::parse(readFile(path));
+  for (const char* key : {"physical", "runs", "origin"}) older.erase(key);
+  std::ofstream(path) << older;
+  EXPECT_TRUE(loadResult(path).runs.empty() && loadResult(path).physical.numbers.empty());
+  EXPECT_EQ(std::remove(path.c_str()), 0);
+}
+
+TEST(ResultJson, FilesHoldAListOfNumbersInOneLine) {
+  const std::string path = testing::TempDir() + "result_json_lists_test.json";
+  const json tree = {{"numbers", {1, -2.5, nullptr, 4e-9}},
+                     {"rows", {{1, 2}, {3, 4}}},
+                     {"words", {"1,\n 2]", "[ 3"}},
+                     {"empty", json::array()},
+                     {"one", 1},
+                     {"groups", {{{"a", 1}}, {{"b", {7}}}}}};
+  saveJson(path, tree);
+  const std::string content = readFile(path);
+  EXPECT_EQ(json::parse(content), tree);
+  EXPECT_NE(content.find("\"numbers\": [1,-2.5,null,4e-09]"), std::string::npos) << content;
+  EXPECT_NE(content.find("[1,2],\n  [3,4]\n"), std::string::npos) << content;
+  EXPECT_EQ(std::remove(path.c_str()), 0);
 }
 
 TEST(ResultJson, SavesAndLoadsFiles) {

@@ -48,6 +48,16 @@ TEST(ResultText, ShowsModelMixtureAndHowItEnded) {
   expectPart(text, "the gain left is small\n");
 }
 
+TEST(ResultText, SaysFirstInWordsWhatThePlantIs) {
+  Estimate estimate = example();
+  estimate.variation = "From experiment to experiment the gain differs by 5 %.";
+  const std::string text = resultText(estimate, "First-order plant: gain 8.2.");
+  EXPECT_EQ(text.rfind("First-order plant: gain 8.2.\nFrom experiment to experiment", 0), 0u)
+      << text;
+  EXPECT_EQ(text.find("gain differs"), text.rfind("gain differs"));
+  EXPECT_EQ(resultText(example()).rfind("Nominal model:", 0), 0u);
+}
+
 TEST(ResultText, ShowsFindingsOnlyWhereThereAreAny) {
   Estimate estimate = example();
   for (const char* heading : {"Candidates", "Validation", "Rejected", "Warning"}) {

@@ -159,6 +159,20 @@ TEST_F(Tools, ReportOfAResult) {
   EXPECT_EQ(readFile(output), reportHtml(loadResult(result_), &explanation));
 }
 
+TEST_F(Tools, ResultsSayWhatAReportShowsFirst) {
+  const ProcessResult run = identify({data(20, 1), "--validation", data(10, 2)});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  const Result result = loadResult(result_);
+  EXPECT_TRUE(contains(run.output, result.physical.sentence)) << run.output;
+  EXPECT_EQ(result.physical.sentence.rfind("First-order plant: gain ", 0), 0u);
+  EXPECT_TRUE(result.physical.numbers.at(0).lower.has_value());
+  EXPECT_EQ(result.runs.size(), 6u);
+  EXPECT_TRUE(!result.runs.front().validation && result.runs.back().validation);
+  EXPECT_GT(result.runs.front().upper.size(), 0);
+  EXPECT_EQ(result.origin.date.size(), std::string("2026-03-14 15:09").size());
+  EXPECT_EQ(result.origin.data.at(0) + result.origin.validation.at(0), "data1.csvdata2.csv");
+}
+
 TEST_F(Tools, BaselinesFitEachExperiment) {
   for (const std::string method : {"mem", "pem"}) {
     const ProcessResult run = identify({"--method", method, data(30, 1)});
