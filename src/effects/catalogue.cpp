@@ -131,6 +131,13 @@ Effects catalogue(const DataSummary& data) {
   return all;
 }
 
+std::vector<std::string> registeredNames(const DataSummary& data) {
+  std::vector<std::string> names;
+  for (const Registered& registered : registeredEffects())
+    for (const auto& effect : registered.factory(data)) names.push_back(effect->name());
+  return names;
+}
+
 std::shared_ptr<const Effect> findEffect(const Effects& catalogue, const std::string& name,
                                          const std::string& variant) {
   const Effect* nearest = nullptr;

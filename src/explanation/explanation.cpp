@@ -6,11 +6,11 @@
 #include <cmath>
 #include <mutex>
 #include <optional>
-#include <sstream>
 
 #include "configuration/require.h"
 #include "configuration/thread_count.h"
 #include "curves/explain_simulation.h"
+#include "data/text.h"
 #include "explanation/base_model.h"
 #include "explanation/estimate_fit.h"
 #include "explanation/intervals.h"
@@ -190,16 +190,10 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
   std::vector<std::string> remarks{thinning_, simplification_,
                                    otherOrdersWarning(chosen, best->estimate)};
   for (const SearchOutcome& other : outcomes) remarks.push_back(tieWarning(other, *best));
+  for (const std::string& warning : refusalWarnings(*best)) remarks.push_back(warning);
+  if (ran_out_of_time_) remarks.push_back(kOutOfTime);
   for (std::string& text : remarks)
     if (!text.empty()) explanation_.warnings.push_back(std::move(text));
-  std::vector<std::string> labels;
-  for (const FoundCause& cause : best->found.causes) labels.push_back(cause.effect->label());
-  for (std::string& warning : best->refusals.warnings(labels))
-    explanation_.warnings.push_back(std::move(warning));
-  if (ran_out_of_time_)
-    explanation_.warnings.push_back(
-        "the search ended at explanation.time_limit, before all causes were tried; give it more "
-        "time, or fewer or shorter experiments");
   return std::move(*best);
 }
 
@@ -254,14 +248,10 @@ void Explaining::describeModels(const SearchState& base, const SearchState& foun
                             ran_out_of_time_ ? kHurried : configuration_.estimation.max_iterations)
                : explanation_.before;
   const double lost = found.fit.log_likelihood - explanation_.after.log_likelihood;
-  if (extended && lost > 1) {
-    std::ostringstream nats;
-    nats.precision(3);
-    nats << lost;
+  if (extended && lost > 1)
     explanation_.warnings.push_back("the model that is saved was optimised again and ends " +
-                                    nats.str() +
+                                    rounded(lost) +
                                     " nats below the model that the causes were found with");
-  }
   explanation_.before.configuration.limits = explanation_.after.configuration.limits = limits_;
   explanation_.residual_before = residualPicture(base.fit, base.train);
   explanation_.residual_after = residualPicture(found.fit, found.train);

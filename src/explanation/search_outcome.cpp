@@ -25,15 +25,24 @@ SearchState baseOf(const Estimate& estimate, const Split& data, const FitContext
   return base;
 }
 
-/// The catalogue of effects, with starts that suit the data and the residuals of the base.
-Effects catalogueFor(const SearchState& base) {
+/// What the catalogue of effects is made for: the data, and the residuals of the base.
+DataSummary summaryOf(const SearchState& base) {
   const NominalModel& nominal = base.fit.model->nominal();
   DataSummary summary = summarise(base.train.experiments());
   summary.regressors = base.fit.model->regressors();
   summary.plant_parameters =
       plantParameters(nominal, base.fit.at.parameters.head(nominal.parameterCount()));
   findSpectralPeaks(residualsOf(base.fit, base.train), base.train, &summary);
-  return catalogue(summary);
+  return summary;
+}
+
+/// Excludes all effects but those named and users' own.
+void excludeOthers(const std::vector<std::string>& named, const Effects& effects,
+                   const DataSummary& summary, std::vector<std::string>* excluded) {
+  const std::vector<std::string> own = registeredNames(summary);
+  for (const auto& effect : effects)
+    if (!contains(named, effect->name()) && !contains(own, effect->name()))
+      excluded->push_back(effect->name());
 }
 
 /// Accepts the causes that the samples show without a model. Quantisation is accepted only if it is
@@ -90,12 +99,11 @@ SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& contex
                             const std::vector<SpoiltSamples>& spoilt,
                             const std::vector<std::string>& only) {
   SearchState base = baseOf(estimate, data, context);
-  const Effects effects = catalogueFor(base);
+  const DataSummary summary = summaryOf(base);
+  const Effects effects = catalogue(summary);
   addCausesThatSamplesShow(spoilt, effects, &base);
   const bool tests_feedback = !contains(options.exclude, "exp_feedback");
-  if (!only.empty())
-    for (const auto& effect : effects)
-      if (!contains(only, effect->name())) options.exclude.push_back(effect->name());
+  if (!only.empty()) excludeOthers(only, effects, summary, &options.exclude);
   Search search(options, context, effects);
   // The error of a coarse quantisation is neither Gaussian nor white, and hides other effects.
   SearchState found = base.quantised ? base : search.run(base);

@@ -26,7 +26,8 @@ struct SearchOutcome {
 /// nothing.
 FitContext contextOf(const Estimate& estimate, std::uint64_t seed);
 
-/// Looks for causes on top of an estimate, among the effects named by `only`; empty: among all. The
+/// Looks for causes on top of an estimate, among users' own effects and those named by `only`;
+/// empty: among all. The
 /// estimate was made from `data.train`, with the samples masked that are `spoilt`.
 SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& context,
                             Estimate estimate, const Split& data,

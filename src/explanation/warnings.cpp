@@ -8,6 +8,16 @@ const char* const kNothingHeldOut =
     "too few experiments to hold any out of the fit: gains are measured on those fitted to, "
     "which makes them too large; record four or more, or give others by --validation";
 
+const char* const kOutOfTime =
+    "the search ended at explanation.time_limit, before all causes were tried; give it more time, "
+    "or fewer or shorter experiments";
+
+std::vector<std::string> refusalWarnings(const SearchOutcome& best) {
+  std::vector<std::string> causes;
+  for (const FoundCause& cause : best.found.causes) causes.push_back(cause.effect->label());
+  return best.refusals.warnings(causes);
+}
+
 std::string otherOrdersWarning(const Estimate& chosen, const Estimate& explained) {
   const std::string before = orderText(chosen), after = orderText(explained);
   if (before == after) return "";

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "explanation/search_outcome.h"
 
@@ -13,6 +14,10 @@ std::string otherOrdersWarning(const Estimate& chosen, const Estimate& explained
 /// On top of other orders, other causes explain the data as well. Empty: they do not.
 std::string tieWarning(const SearchOutcome& other, const SearchOutcome& best);
 
+/// What the simulation of held-out experiments refused.
+std::vector<std::string> refusalWarnings(const SearchOutcome& best);
+
 extern const char* const kNothingHeldOut;
+extern const char* const kOutOfTime;
 
 }  // namespace uncertainty_identification

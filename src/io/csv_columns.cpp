@@ -75,11 +75,6 @@ class Chooser {
     columns_.experiment = options.column.empty() ? find("experiment")
                                                  : configured("experiment.column", options.column);
     if (options.mode == ExperimentMode::topic) chooseMarker(options.topic);
-    if (options.mode == ExperimentMode::service && columns_.experiment == kAbsent)
-      throw ConfigurationError(
-          "experiment.mode: service: the file '" + header_.path +
-          "' does not record when the services were called; name a column with experiment: "
-          "{column: NAME}, or use mode topic, duration or gap");
   }
 
   /// A topic in a file is the column that a program which exports bags makes of it.

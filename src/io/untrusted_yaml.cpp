@@ -47,7 +47,7 @@ class Inspection : public YAML::EventHandler {
 };
 
 /// The document; `source` starts the message of every ConfigurationError.
-YAML::Node parse(const std::string& text, const std::string& source) {
+YAML::Node parseText(const std::string& text, const std::string& source) {
   const auto refuse = [&source](const YAML::Exception& error, const char* what) {
     return ConfigurationError(source + ", line " + std::to_string(error.mark.line + 1) + what +
                               error.msg);
@@ -70,11 +70,11 @@ YAML::Node loadUntrustedYaml(const std::string& text) {
   if (text.size() > kLongestRequest)
     throw ConfigurationError("configuration: found " + std::to_string(text.size()) +
                              " bytes; at most " + std::to_string(kLongestRequest) + " are allowed");
-  return parse(text, "configuration");
+  return parseText(text, "configuration");
 }
 
 YAML::Node loadYaml(const std::string& path) {
-  const YAML::Node node = parse(readFile(path), path);
+  const YAML::Node node = parseText(readFile(path), path);
   if (node.IsNull())
     throw ConfigurationError(path + ": the file holds no keys; write {} to take every default");
   return node;

@@ -34,6 +34,9 @@ struct EffectRegistration {
 /// registered before or after one that does not exist.
 Effects catalogue(const DataSummary& data);
 
+/// The names of the effects that users have registered, for a data set.
+std::vector<std::string> registeredNames(const DataSummary& data);
+
 /// The effect of this name and variant. Throws ConfigurationError, which names the nearest effect,
 /// where there is none.
 std::shared_ptr<const Effect> findEffect(const Effects& catalogue, const std::string& name,

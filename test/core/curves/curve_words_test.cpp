@@ -42,6 +42,8 @@ TEST(CurveWords, NamesAreThoseOfThePhysics) {
   EXPECT_EQ(causeNamed(Place::position, "coulomb"), "plant_coulomb");
   EXPECT_EQ(causeNamed(Place::position, "root"), "plant_root");
   EXPECT_EQ(causeNamed(Place::position, "polynomial"), "plant_cubic");
+  EXPECT_EQ(causeNamed(Place::time_gain, "step"), "act_loss");
+  EXPECT_EQ(causeNamed(Place::time_gain, "linear"), "plant_drift");
   EXPECT_EQ(causeNamed(Place::play, "play"), "act_backlash");
   EXPECT_EQ(causeNamed(Place::sensor, "square"), "sens_wiener");
 }

@@ -84,14 +84,12 @@ TEST(CsvFiles, AColumnWithTheNameOfTheTopicMarksExperiments) {
                           "no column marks experiments (experiment.topic: running)"));
 }
 
-TEST(CsvFiles, ServiceCallsAreInNoFile) {
-  const Configuration service = dividedBy(ExperimentMode::service);
-  const std::string message =
-      messageOf<ConfigurationError>([&] { readText("t,u,y\n" + sampleRows(0, 30, 0.5), service); });
-  EXPECT_TRUE(test::mentions(message, "log.csv' does not record when the services were called"));
-  EXPECT_EQ(readText("experiment,t,u,y\na,0,1,1\na,1,2,2\n", service).experiments.size(), 1u);
-  const Configuration whole = dividedBy(ExperimentMode::message);
-  EXPECT_EQ(lengthsOf(readText("t,u,y\n" + sampleRows(0, 30, 0.5), whole)), (Lengths{31}));
+/// A file that was kept by a node is read with the node's configuration.
+TEST(CsvFiles, AreTakenAsAWholeWhereServicesOrMessagesDivide) {
+  for (const ExperimentMode mode : {ExperimentMode::service, ExperimentMode::message}) {
+    const Configuration whole = dividedBy(mode);
+    EXPECT_EQ(lengthsOf(readText("t,u,y\n" + sampleRows(0, 30, 0.5), whole)), (Lengths{31}));
+  }
 }
 
 TEST(CsvFiles, AColumnNamesTheRunsAndEachIsDividedFurther) {

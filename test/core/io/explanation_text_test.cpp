@@ -11,7 +11,7 @@ namespace {
 
 using test::exampleExplanation;
 
-void expectPart(const std::string& text, const std::string& part) {
+void expectPartOfText(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << "no " << part << " in\n" << text;
 }
 
@@ -22,35 +22,38 @@ TEST(ExplanationText, BeginsWithTheVerdict) {
 }
 
 TEST(ExplanationText, ShowsTestsThatFailFirstAndWhatBecomesOfThem) {
-  expectPart(explanationText(exampleExplanation()),
-             "  Test of the residuals  without the causes                        with them\n"
-             "  whiteness              FAILS, p < 1e-16, 0.5 to 2 rad/s          FAILS, p = 3e-09, "
-             "8 to 9 rad/s\n"
-             "  kurtosis               FAILS, p = 1e-08, experiments run3, run7  passes\n"
-             "  variance over time     passes                                    passes\n");
+  expectPartOfText(
+      explanationText(exampleExplanation()),
+      "  Test of the residuals  without the causes                        with them\n"
+      "  whiteness              FAILS, p < 1e-16, 0.5 to 2 rad/s          FAILS, p = 3e-09, "
+      "8 to 9 rad/s\n"
+      "  kurtosis               FAILS, p = 1e-08, experiments run3, run7  passes\n"
+      "  variance over time     passes                                    passes\n");
 }
 
 TEST(ExplanationText, ShowsCausesWithParametersAndGain) {
   const std::string text = explanationText(exampleExplanation());
-  expectPart(text,
-             "\nCause 1: act_deadzone, actuator, the best of the catalogue; tests still fail, "
-             "so it has no probability\n");
-  expectPart(text, "  inputs smaller than the width have no effect\n");
-  expectPart(text, "  or act_backlash, which explains the data equally well\n");
-  expectPart(text, "  width [V]  0.3100 +- 0.0040  90 %: 0.303 to 0.317\n");
-  expectPart(text, "  ratio      1                 90 %: -\n");
-  expectPart(text, "  On 2 experiments not used for fitting:\n");
-  expectPart(text, "gain per experiment [nats]     12.25 +- 0.33  90 %: 11.5 to 13\n");
-  expectPart(text, "simulation fit [%]             81.2 -> 88.9\n");
-  expectPart(text, "samples in 95 % intervals [%]  91 -> 95\n");
-  expectPart(text, "noise variance                 0.13 -> 0.1\n");
-  expectPart(text, "  What to do: move the actuator slowly through zero\n");
+  expectPartOfText(
+      text,
+      "\nCause 1: act_deadzone, actuator, the best of the catalogue; tests still fail, "
+      "so it has no probability\n");
+  expectPartOfText(text, "  inputs smaller than the width have no effect\n");
+  expectPartOfText(text, "  or act_backlash, which explains the data equally well\n");
+  expectPartOfText(text, "  width [V]  0.3100 +- 0.0040  90 %: 0.303 to 0.317\n");
+  expectPartOfText(text, "  ratio      1                 90 %: -\n");
+  expectPartOfText(text, "  On 2 experiments not used for fitting:\n");
+  expectPartOfText(text, "gain per experiment [nats]     12.25 +- 0.33  90 %: 11.5 to 13\n");
+  expectPartOfText(text, "simulation fit [%]             81.2 -> 88.9\n");
+  expectPartOfText(text, "samples in 95 % intervals [%]  91 -> 95\n");
+  expectPartOfText(text, "noise variance                 0.13 -> 0.1\n");
+  expectPartOfText(text, "  What to do: move the actuator slowly through zero\n");
 }
 
 TEST(ExplanationText, GivesAProbabilityWhereNothingIsLeftWrong) {
   Explanation explained = exampleExplanation();
   explained.verdict = Verdict::explained;
-  expectPart(explanationText(explained), "\nCause 1: act_deadzone, actuator, probability 98 %\n");
+  expectPartOfText(explanationText(explained),
+                   "\nCause 1: act_deadzone, actuator, probability 98 %\n");
 }
 
 TEST(ExplanationText, ShowsPlaceTiesAndCurveOfWhatTheSimulationShows) {
@@ -69,14 +72,14 @@ TEST(ExplanationText, ShowsPlaceTiesAndCurveOfWhatTheSimulationShows) {
 TEST(ExplanationText, SaysWhatHasNoGain) {
   const std::string text = explanationText(exampleExplanation());
   const std::string second = text.substr(text.find("Cause 2: exp_feedback"));
-  expectPart(second, "It does not change predictions, so there is no gain.\n");
+  expectPartOfText(second, "It does not change predictions, so there is no gain.\n");
   EXPECT_EQ(second.find("not used for fitting"), std::string::npos);
 }
 
 TEST(ExplanationText, ShowsWhatWasTriedBestFirst) {
-  expectPart(explanationText(exampleExplanation()),
-             "  act_deadzone                  412.5         12.25 +- 0.33\n"
-             "  plant_temp (temp)             -3            -\n");
+  expectPartOfText(explanationText(exampleExplanation()),
+                   "  act_deadzone                  412.5         12.25 +- 0.33\n"
+                   "  plant_temp (temp)             -3            -\n");
 }
 
 TEST(ExplanationText, WhereNothingIsWrongThereIsLittleToRead) {
@@ -96,8 +99,8 @@ TEST(ExplanationText, WithoutACauseThereIsNothingToCompareWith) {
   unknown.verdict = Verdict::unknown;
   unknown.causes.clear();
   const std::string text = explanationText(unknown);
-  expectPart(text, "  whiteness              FAILS, p < 1e-16, 0.5 to 2 rad/s\n");
-  expectPart(text, "Best effects that were tried");
+  expectPartOfText(text, "  whiteness              FAILS, p < 1e-16, 0.5 to 2 rad/s\n");
+  expectPartOfText(text, "Best effects that were tried");
   EXPECT_EQ(text.find("with them"), std::string::npos);
 }
 

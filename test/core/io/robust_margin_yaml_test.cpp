@@ -11,19 +11,20 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kFile = std::string(PROJECT_FOLDER) + "/config/robust_margin.yaml";
+const std::string kMarginFile = std::string(PROJECT_FOLDER) + "/config/robust_margin.yaml";
 
 std::string marginComplaint(const std::string& yaml) {
   return messageOf<ConfigurationError>([&] { parseRobustMargin(YAML::Load(yaml)); });
 }
 
 TEST(RobustMarginYaml, TheShippedFileStatesTheDefaultsOfAllButTheController) {
-  json found = writtenTree(loadRobustMargin(kFile)), expected = writtenTree(RobustMarginOptions{});
+  json found = writtenTree(loadRobustMargin(kMarginFile)),
+       expected = writtenTree(RobustMarginOptions{});
   EXPECT_EQ(found["controller"], json({{"num", {0.1}}, {"den", {1.0, -1.0}}}));
   found.erase("controller");
   expected.erase("controller");
   EXPECT_EQ(found, expected);
-  const YAML::Node file = YAML::LoadFile(kFile);
+  const YAML::Node file = YAML::LoadFile(kMarginFile);
   const json all = writtenTree(RobustMarginOptions{});
   for (const auto& [key, value] : all.items()) EXPECT_TRUE(file[key]) << key << " is not explained";
 }

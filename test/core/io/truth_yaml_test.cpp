@@ -20,7 +20,7 @@ using nlohmann::json;
 
 const std::string kConfig = std::string(PROJECT_FOLDER) + "/config/";
 
-std::string complaint(const std::string& yaml) {
+std::string complaintAbout(const std::string& yaml) {
   try {
     parseTruth(YAML::Load(yaml));
   } catch (const ConfigurationError& error) {
@@ -66,7 +66,7 @@ TEST(TruthYaml, ReferenceStatesEveryEffectAndItsDefaults) {
   YAML::Node stated = YAML::Clone(documented);
   stated["error_model"] = YAML::Load("{weights: [1], means: [[0]], covariances: [[[1]]]}");
   EXPECT_EQ(toJson(parseTruth(stated))["effects"], defaults);
-  const std::string unknown = complaint("effects: {act_dleay: {delay: 2}}");
+  const std::string unknown = complaintAbout("effects: {act_dleay: {delay: 2}}");
   EXPECT_EQ(unknown, "effects.act_dleay (line 1): unknown key; did you mean effects.act_delay?");
 }
 
@@ -99,13 +99,13 @@ effects:
 }
 
 TEST(TruthYaml, BadTruthsAreRefused) {
-  EXPECT_NE(complaint("error_model: {basis: sensitivity, taps: 1, weights: [1], means: [[0]], "
-                      "covariances: [[[1]]]}")
+  EXPECT_NE(complaintAbout("error_model: {basis: sensitivity, taps: 1, weights: [1], means: [[0]], "
+                           "covariances: [[[1]]]}")
                 .find("error_model.basis: found sensitivity"),
             std::string::npos);
-  EXPECT_EQ(complaint("plant: {gian: 1}"),
+  EXPECT_EQ(complaintAbout("plant: {gian: 1}"),
             "plant.gian (line 1): unknown key; did you mean plant.gain?");
-  EXPECT_NE(complaint("input: {kind: noise}").find("white_noise, prbs, steps, multisine"),
+  EXPECT_NE(complaintAbout("input: {kind: noise}").find("white_noise, prbs, steps, multisine"),
             std::string::npos);
   for (const auto& [yaml, key] : std::vector<std::pair<std::string, std::string>>{
            {"sample_time: 0", "sample_time"},
@@ -149,9 +149,9 @@ TEST(TruthYaml, BadTruthsAreRefused) {
            {"effects: {unk_burst: {radius: 1}}", "effects.unk_burst.radius"},
            {"noise: {variance: -1}", "noise.variance"},
            {"noise: {d: [1], start: stationary}", "noise.d"}}) {
-    EXPECT_EQ(complaint(yaml).rfind(key, 0), 0u) << yaml << " gave: " << complaint(yaml);
+    EXPECT_EQ(complaintAbout(yaml).rfind(key, 0), 0u) << yaml << " gave: " << complaintAbout(yaml);
   }
-  EXPECT_EQ(complaint("plant: {a: [-1.0]}"), "");  // an integrator
+  EXPECT_EQ(complaintAbout("plant: {a: [-1.0]}"), "");  // an integrator
 }
 
 TEST(TruthYaml, ShippedExamplesAreThePapers) {
