@@ -26,6 +26,7 @@ Estimate plant() {
   estimate.nominal_model.sample_time = kSampleTime;
   estimate.nominal_model.delay = 1;
   estimate.nominal_model.b = Eigen::VectorXd::Ones(1);
+  estimate.error_model.options.basis = BasisKind::fir;
   estimate.error_model.options.taps = 1;
   estimate.error_model.options.constraint = Constraint::free;
   estimate.error_model.T = Eigen::MatrixXd::Identity(1, 1);

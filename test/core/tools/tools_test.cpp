@@ -273,7 +273,6 @@ TEST_F(Tools, SampleDrawsPlantsFromAResult) {
   EXPECT_NEAR(mean, go.b.sum() / (1 + go.a.sum()), 0.005);
   ASSERT_EQ(tool("sample", request).status, 0);
   EXPECT_EQ(readFile(output), first);
-
   const auto with = [&](const std::string& key, const std::string& value) {
     std::vector<std::string> changed = request;
     changed[static_cast<std::size_t>(std::find(changed.begin(), changed.end(), key) -
@@ -282,7 +281,8 @@ TEST_F(Tools, SampleDrawsPlantsFromAResult) {
     return tool("sample", changed);
   };
   expectFailure(with("--count", "0"), 2, "sample", "--count: found 0; allowed: 1 to");
-  expectFailure(with("--model", output), 2, "sample", "format: found");
+  expectFailure(tool("sample", {"--count", "1", "--model", output, "--output", output + "2"}), 2,
+                "sample", "format: found");
   expectFailure(with("--model", write("torn.json", first.substr(0, 100))), 2, "sample",
                 "not JSON, or truncated");
   expectFailure(tool("sample", {"--model", result_, "--count", "5", "--output", output,
