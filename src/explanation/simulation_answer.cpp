@@ -9,6 +9,7 @@
 #include "curves/curve_words.h"
 #include "explanation/acceptance.h"
 #include "explanation/residual_checks.h"
+#include "explanation/verdict.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -69,6 +70,17 @@ Cause ofSimulation(const SimulationCause& found) {
   return cause;
 }
 
+/// The model with causes is the one without.
+void forgetModelWithCauses(Explanation* explanation) {
+  explanation->after = explanation->before;
+  explanation->checks_after = explanation->checks_before;
+  explanation->residual_after = explanation->residual_before;
+  for (ExperimentPicture& picture : explanation->pictures) {
+    picture.simulated_after = picture.simulated_before;
+    picture.deviation_after = picture.deviation_before;
+  }
+}
+
 /// The curves are the causes. A cause of the likelihood of the same name lends its values and
 /// gains.
 void takeCurves(Explanation* explanation) {
@@ -89,13 +101,7 @@ void takeCurves(Explanation* explanation) {
         ": found by the likelihood of a model that cannot contain what the simulation shows, and "
         "therefore not named");
   explanation->causes = std::move(causes);
-  explanation->after = explanation->before;
-  explanation->checks_after = explanation->checks_before;
-  explanation->residual_after = explanation->residual_before;
-  for (ExperimentPicture& picture : explanation->pictures) {
-    picture.simulated_after = picture.simulated_before;
-    picture.deviation_after = picture.deviation_before;
-  }
+  forgetModelWithCauses(explanation);
   explanation->verdict = Verdict::partly_explained;
   std::ostringstream text;
   text.precision(3);
@@ -109,12 +115,18 @@ void takeCurves(Explanation* explanation) {
   explanation->message = text.str();
 }
 
-/// Causes inside the plant, actuator or sensor that neither pass the tests nor show in simulation.
+/// Causes with which tests fail, and that gain too little on held-out data. Those that a simulation
+/// must show have to be clear there; of others, and where no simulation is useful, the log density
+/// has to gain with 95 %.
 void dropUnconfirmed(Explanation* explanation) {
+  constexpr double kUseful = 30;  // [%] fit
   const std::vector<std::string> curves = curveCauseNames();
   const auto is_unconfirmed = [&](const Cause& cause) {
-    return !isOfSamples(cause) && cause.gain && !isClear(*cause.gain) &&
-           std::find(curves.begin(), curves.end(), cause.name) != curves.end();
+    if (isOfSamples(cause) || !cause.gain) return false;
+    const bool useful = cause.gain->nrmse_fit_percent.after >= kUseful;
+    const bool simulates = useful && isClear(*cause.gain);
+    const bool is_curve = std::find(curves.begin(), curves.end(), cause.name) != curves.end();
+    return !simulates && ((useful && is_curve) || !(cause.gain->lower_90 > 0));
   };
   const auto first =
       std::stable_partition(explanation->causes.begin(), explanation->causes.end(),
@@ -123,8 +135,10 @@ void dropUnconfirmed(Explanation* explanation) {
   const std::vector<Cause> dropped(first, explanation->causes.end());
   explanation->causes.erase(first, explanation->causes.end());
   explanation->warnings.push_back(namesOf(dropped) +
-                                  ": raises the likelihood, but the free simulation does not "
-                                  "confirm it, and tests still fail; not named");
+                                  ": raises the likelihood, but neither held-out data nor a useful "
+                                  "simulation confirm it, and tests still fail; not named");
+  if (explanation->causes.empty()) forgetModelWithCauses(explanation);
+  conclude(explanation);
 }
 
 /// Gives the likelihood's causes the curves of the same name.

@@ -102,10 +102,25 @@ TEST(SimulationAnswer, DropsWhatNeitherTestsNorSimulationConfirm) {
       false, {ofLikelihood("act_hammerstein", 90, 90.1), ofLikelihood("noise_tails", 90, 90)});
   found.simulation.causes.clear();
   found.causes[0].gain->standard_error = found.causes[1].gain->standard_error = 1;
+  found.causes[0].gain->lower_90 = found.causes[1].gain->lower_90 = 0.1;
   joinSimulation(&found);
   ASSERT_EQ(found.causes.size(), 1u);
   EXPECT_EQ(found.causes[0].name, "noise_tails");
+  EXPECT_EQ(found.verdict, Verdict::partly_explained);
   EXPECT_TRUE(test::mentions(found.warnings.at(0), "act_hammerstein: raises the likelihood"));
+}
+
+/// A simulation with a fit of -400 % instead of -1600 % explains nothing.
+TEST(SimulationAnswer, DropsWhatLeavesAUselessSimulation) {
+  for (const double after : {-400., 29., 31.}) {
+    Explanation found = withFriction(false, {ofLikelihood("plant_parameter_spread", -1600, after)});
+    found.simulation.causes.clear();
+    found.causes[0].gain->standard_error = 1;
+    found.causes[0].gain->lower_90 = -0.1;
+    joinSimulation(&found);
+    EXPECT_EQ(found.causes.size(), after > 30 ? 1u : 0u);
+    EXPECT_EQ(found.verdict, after > 30 ? Verdict::partly_explained : Verdict::unknown);
+  }
 }
 
 TEST(SimulationAnswer, ChangesNothingWhereTheSimulationWasNotSearched) {
