@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace uncertainty_identification {
 namespace {
@@ -75,6 +76,22 @@ long visits(const std::vector<Experiment>& experiments, double value, bool holds
   return count;
 }
 
+/// Whether different inputs lead to the same value. Where the machine rests at its largest output
+/// the input rests as well, and only few samples follow after it has changed.
+bool isReachedByDifferentInputs(const std::vector<Experiment>& experiments, double value) {
+  constexpr double kShare = 0.1;  // of the samples there, whose input is not the commonest one
+  std::map<double, long> inputs;
+  long count = 0, commonest = 0;
+  for (const Experiment& experiment : experiments) {
+    for (int t = 0; t < experiment.samples(); ++t) {
+      if (!experiment.isValid(t) || experiment.y[t] != value) continue;
+      ++count;
+      commonest = std::max(commonest, ++inputs[experiment.u[t]]);
+    }
+  }
+  return static_cast<double>(count - commonest) > kShare * static_cast<double>(count);
+}
+
 /// How often the values next to the first one occur, in the median of five. Coarse resolution
 /// repeats values everywhere, a limit only its own.
 template <typename Iterator>
@@ -127,7 +144,8 @@ std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experimen
   const double held = heldShare(experiments, values);
   const auto isLimit = [&](double value, double next_to_it) {
     const auto count = static_cast<double>(visits(experiments, value, held > 0));
-    return count >= kFewest && count >= kCrowded * next_to_it;
+    return count >= kFewest && count >= kCrowded * next_to_it &&
+           isReachedByDifferentInputs(experiments, value);
   };
   const bool at_low = isLimit(low, visitsNextTo(values.begin(), values.end()));
   const bool at_high = isLimit(high, visitsNextTo(values.rbegin(), values.rend()));

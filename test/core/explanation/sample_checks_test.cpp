@@ -93,6 +93,16 @@ TEST(SampleChecks, RepeatedExtremesAreALimit) {
   EXPECT_EQ(valid, 1000 - clipped);
 }
 
+/// A robot's joint that waits at the end of its path. The command leaves three samples before it.
+TEST(SampleChecks, AMachineThatRestsAtItsLargestOutputHasNoLimit) {
+  std::vector<Experiment> all = noise();
+  all[0].y.segment(100, 60).setConstant(20);
+  all[0].u.segment(97, 60).setConstant(15);
+  EXPECT_TRUE(checkSamples(all).empty());
+  all[0].u.segment(97, 30).setConstant(12);
+  EXPECT_EQ(checkSamples(all).size(), 1u) << "two commands, one value";
+}
+
 /// A sensor whose steps are uneven repeats all its values, its extremes no more than others.
 TEST(SampleChecks, ExtremesOfACoarseSensorAreNoLimit) {
   std::vector<Experiment> coarse = noise();
