@@ -64,9 +64,11 @@ function causeParameters(parameters) {
     }));
 }
 
-// A posterior probability among the candidates is none where all of them leave something wrong.
+// A posterior probability among the candidates is none where all of them leave something wrong, or
+// where not all were tried.
 function confidence(cause, allExplained) {
-  if (!isNumber(cause.confidence)) return 'It was found in the free simulation.';
+  if (!isNumber(cause.confidence) && cause.simulation) return 'It was found in the free simulation.';
+  if (!isNumber(cause.confidence)) return 'Not all causes were tried in time, so it has no probability.';
   if (!allExplained) return 'It is the best of the catalogue; tests still fail, so it has no probability.';
   return `Its probability among the candidates is ${percent(Math.floor(1000 * cause.confidence) / 1000)}.`;
 }

@@ -32,6 +32,23 @@ double quantileOf(const Eigen::VectorXd& sorted, double share) {
   return sorted[left] + (at - static_cast<double>(left)) * (sorted[right] - sorted[left]);
 }
 
+/// Where a free curve bends: at quantiles, or at the levels of a signal that has few. Below the
+/// lowest and above the highest level there is nothing to bend.
+std::vector<double> knotsFor(const Eigen::VectorXd& sorted, const Eigen::VectorXd& levels) {
+  constexpr Eigen::Index kFewLevels = 9;
+  if (levels.size() <= kFewLevels)
+    return levels.size() > 2
+               ? std::vector<double>(levels.data() + 1, levels.data() + levels.size() - 1)
+               : std::vector<double>{};
+  const double range = sorted[sorted.size() - 1] - sorted[0] + 1e-9;
+  std::vector<double> kept;
+  for (const double share : {0.04, 0.15, 0.32, 0.5, 0.68, 0.85, 0.96}) {
+    const double knot = quantileOf(sorted, share);
+    if (kept.empty() || knot - kept.back() > 0.04 * range) kept.push_back(knot);
+  }
+  return kept;
+}
+
 }  // namespace
 
 double CurveTable::locate(double z, int* left, double* share) const {
@@ -66,17 +83,12 @@ Curve::Curve(Place place, const Shape* shape, const Eigen::VectorXd& samples, do
 
 void Curve::makeFree() {
   const double range = samples_[kSamples - 1] - samples_[0] + 1e-9;
-  std::vector<double> kept;
-  for (const double share : {0.04, 0.15, 0.32, 0.5, 0.68, 0.85, 0.96}) {
-    const double knot = quantileOf(samples_, share);
-    if (kept.empty() || knot - kept.back() > 0.04 * range) kept.push_back(knot);
-  }
-  const auto distinct = static_cast<int>(sortedDistinct(samples_).size());
+  const Eigen::VectorXd levels = sortedDistinct(samples_);
+  const auto distinct = static_cast<int>(levels.size());
   parameters_ = 0;
   if (distinct <= 2 && linearPart(place_) == 2) return;
-  const int most = distinct > 2 ? std::max(1, distinct - 2) : 0;
-  if (static_cast<int>(kept.size()) > most) kept.resize(static_cast<std::size_t>(most));
-  knots_ = Eigen::Map<Eigen::VectorXd>(kept.data(), static_cast<Eigen::Index>(kept.size()));
+  const std::vector<double> kept = knotsFor(samples_, levels);
+  knots_ = Eigen::Map<const Eigen::VectorXd>(kept.data(), static_cast<Eigen::Index>(kept.size()));
   has_slope_ = linearPart(place_) == 1;
   if (hasPhysicalZero(place_) && distinct > 4 && low_ + 0.1 * range < -zero_ &&
       -zero_ < high_ - 0.1 * range)

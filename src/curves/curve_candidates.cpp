@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "curves/fit_comparison.h"
+#include "curves/held_out.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -27,19 +28,30 @@ CandidateKind kindOf(PlantChange::Kind kind) {
                                              : CandidateKind::delay;
 }
 
+/// The best of the screened places, and those that machines most often have.
+void keepMostPromising(int places, std::vector<ScreenedPlace>* screened) {
+  std::vector<ScreenedPlace> kept;
+  for (ScreenedPlace& each : *screened) {
+    const Place place = each.place.place;
+    const bool is_usual = place == Place::input || place == Place::position || place == Place::rate;
+    if (is_usual || static_cast<int>(kept.size()) < places) kept.push_back(std::move(each));
+  }
+  *screened = std::move(kept);
+}
+
 void addCurves(const SimulationData& data, const WindowFit& now, const CandidateLimits& limits,
                const CurveSearchContext& context, std::vector<CurveCandidate>* all) {
   constexpr int kShapes = 5;
   std::vector<ScreenedPlace> screened = screenPlaces(data, now, limits.excluded, context);
-  if (static_cast<int>(screened.size()) > limits.places)
-    screened.resize(static_cast<std::size_t>(limits.places));
+  keepMostPromising(limits.places, &screened);
   std::vector<CurveCandidate> found(screened.size() * 2);
   context.pool->forEach(static_cast<int>(screened.size()), [&](int index) {
     const auto k = static_cast<std::size_t>(index);
     if (!context.going_on()) return;
     CurveCandidate& whole = found[2 * k];
-    whole = {
-        CandidateKind::curve, screened[k].place, fitPlace(data, now, screened[k], context), {}};
+    whole.kind = CandidateKind::curve;
+    whole.place = screened[k].place;
+    whole.fit = fitPlace(data, now, screened[k], context);
     whole.naming = nameCurve(data, now, whole.fit, screened[k].fit, kShapes, context);
     found[2 * k + 1] = whole;  // a free curve has leverage: its shape competes as well
     found[2 * k + 1].fit = whole.naming.fit;
@@ -67,46 +79,53 @@ void dropDominated(const WindowFit& now, std::vector<CurveCandidate>* all) {
 
 /// A force that varies between samples acts on both states of a discrete plant, so that a curve of
 /// the output's own state may lead that of the position. It is the position that is meant.
-bool isSameForce(const CurveCandidate& position, const CurveCandidate& best, const WindowFit& now) {
+bool isSameForce(const CurveCandidate& position, const CurveCandidate& best,
+                 const Eigen::VectorXd& now) {
   constexpr double kShare = 0.95;  // of the gain
   return best.place.place == Place::output_state && position.place.place == Place::position &&
-         now.left_out - position.fit.left_out > kShare * (now.left_out - best.fit.left_out);
+         (now - position.unseen).sum() > kShare * (now - best.unseen).sum();
 }
 
-/// What is left out, with a penalty for each parameter.
+/// The unseen errors, with a penalty for each parameter.
 double penalised(const CurveCandidate& candidate) {
   const WindowFit& fit = candidate.naming.fit;
-  return fit.left_out * (1 + 2 * fit.parameters() / effectiveSamples(fit));
+  return candidate.named_unseen.sum() * (1 + 2 * fit.parameters() / effectiveSamples(fit));
+}
+
+bool hasSmallerError(const CurveCandidate& left, const CurveCandidate& right) {
+  return left.unseen.sum() < right.unseen.sum();
 }
 
 }  // namespace
 
-std::vector<CurveCandidate> candidatesFor(const SimulationData& data, const WindowFit& now,
-                                          const LinearPlants& linear, const CandidateLimits& limits,
+std::vector<CurveCandidate> candidatesFor(const SimulationData& data, const SimulationData& held,
+                                          const WindowFit& now, const LinearPlants& linear,
+                                          const CandidateLimits& limits,
                                           const CurveSearchContext& context) {
   std::vector<CurveCandidate> all;
   const int most = now.model.curves.empty() ? limits.max_order : std::min(limits.max_order, 3);
   for (PlantChange& change : largerPlants(data, now, linear, most, context))
-    all.push_back({kindOf(change.kind), {}, std::move(change.fit), {}});
+    all.push_back({kindOf(change.kind), {}, std::move(change.fit), {}, {}, {}});
   addCurves(data, now, limits, context, &all);
   dropDominated(now, &all);
-  std::stable_sort(all.begin(), all.end(),
-                   [](const CurveCandidate& left, const CurveCandidate& right) {
-                     return left.fit.left_out < right.fit.left_out;
-                   });
+  for (CurveCandidate& each : all) {
+    each.unseen = unseenErrors(each.fit, held);
+    if (each.kind == CandidateKind::curve) each.named_unseen = unseenErrors(each.naming.fit, held);
+  }
+  std::stable_sort(all.begin(), all.end(), hasSmallerError);
   return all;
 }
 
 std::vector<CurveCandidate> tiedWithFirst(const std::vector<CurveCandidate>& all,
-                                          const WindowFit& now) {
+                                          const Eigen::VectorXd& now) {
   constexpr std::size_t kMost = 8;
   constexpr double kSignificant = 2, kNear = 1.05, kFar = 1.25, kRival = 1.1;
   if (all.front().kind == CandidateKind::delay) return {all.front()};
-  const WindowFit& best = all.front().fit;
+  const Eigen::VectorXd& best = all.front().unseen;
   std::vector<CurveCandidate> found;
   for (const CurveCandidate& each : all) {
-    const bool is_rival = pairedT(each.fit, best) < kSignificant ||
-                          each.fit.left_out < kRival * best.left_out ||
+    const bool is_rival = pairedT(each.unseen, best) < kSignificant ||
+                          each.unseen.sum() < kRival * best.sum() ||
                           isSameForce(each, all.front(), now);
     if (each.kind == CandidateKind::curve && is_rival && found.size() < kMost)
       found.push_back(each);
@@ -119,7 +138,7 @@ std::vector<CurveCandidate> tiedWithFirst(const std::vector<CurveCandidate>& all
   const auto is_apart = [&](const CurveCandidate& each) {
     return penalised(each) >= kNear * least && !isSameForce(each, first, now) &&
            (penalised(each) >= kFar * least ||
-            pairedT(each.naming.fit, first.naming.fit) >= kSignificant);
+            pairedT(each.named_unseen, first.named_unseen) >= kSignificant);
   };
   found.erase(std::remove_if(found.begin(), found.end(), is_apart), found.end());
   std::stable_sort(found.begin(), found.end(),

@@ -16,7 +16,9 @@ struct CurveCandidate {
   CandidateKind kind = CandidateKind::curve;
   PlaceOf place;
   WindowFit fit;
-  Naming naming;  ///< of curves
+  Naming naming;                 ///< of curves
+  Eigen::VectorXd unseen;        ///< unseenErrors() of fit
+  Eigen::VectorXd named_unseen;  ///< unseenErrors() of naming.fit
 
   /// Dead time, or the named curve.
   const WindowFit& accepted() const { return kind == CandidateKind::curve ? naming.fit : fit; }
@@ -24,19 +26,20 @@ struct CurveCandidate {
 
 /// How many candidates there are.
 struct CandidateLimits {
-  int max_order = 4;                    ///< of the plant; 3 once the model has a curve
-  int places = 4;                       ///< how many of the screened places are fitted fully
+  int max_order = 4;  ///< of the plant; 3 once the model has a curve
+  int places = 4;  ///< how many of the screened places are fitted fully; the usual ones always are
   std::function<bool(Place)> excluded;  ///< places that are not tried; may be empty
 };
 
 /// Larger plants, dead time and curves on top of a model, the best first.
-std::vector<CurveCandidate> candidatesFor(const SimulationData& data, const WindowFit& now,
-                                          const LinearPlants& linear, const CandidateLimits& limits,
+std::vector<CurveCandidate> candidatesFor(const SimulationData& data, const SimulationData& held,
+                                          const WindowFit& now, const LinearPlants& linear,
+                                          const CandidateLimits& limits,
                                           const CurveSearchContext& context);
 
-/// The curves that leaving windows out cannot tell from the first candidate, which is a curve or
-/// dead time. The first of them is the one to be named.
+/// The curves that unseen windows cannot tell from the first candidate, which is a curve or dead
+/// time. The first of them is the one to be named. `now` are the unseen errors without any of them.
 std::vector<CurveCandidate> tiedWithFirst(const std::vector<CurveCandidate>& all,
-                                          const WindowFit& now);
+                                          const Eigen::VectorXd& now);
 
 }  // namespace uncertainty_identification

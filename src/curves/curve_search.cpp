@@ -34,7 +34,7 @@ FoundCurve described(const std::vector<CurveCandidate>& tied, const WindowFit& n
   found.nearest = first.naming.nearest;
   found.nearest_share = first.naming.nearest_share;
   found.left_out_gain = 1 - fit.left_out / now.left_out;
-  found.t = pairedT(now, fit);
+  found.t = pairedT(now.left_out_of, fit.left_out_of);
   for (std::size_t k = 1; k < tied.size(); ++k)
     addTie({tied[k].place, tied[k].naming.shape}, &found);
   for (const OtherShape& other : first.naming.others)
@@ -105,20 +105,12 @@ Eigen::VectorXd CurveSearch::heldErrors(const WindowFit& fit) const {
   return heldOutErrors(held_, fit.model);
 }
 
-/// Student's t of the mean of paired differences, or of those of their logarithms if larger.
-double heldOutT(const Eigen::VectorXd& before, const Eigen::VectorXd& after) {
-  WindowFit first, second;
-  first.left_out_of = before;
-  second.left_out_of = after;
-  return pairedT(first, second);
-}
-
 bool CurveSearch::isWorth(const CurveCandidate& candidate) const {
   const WindowFit& now = result_.fit;
   const double gain = now.left_out - candidate.fit.left_out;
   const bool is_cause =
       candidate.kind == CandidateKind::curve || candidate.kind == CandidateKind::delay;
-  return pairedT(now, candidate.fit) >= limits_.least_t &&
+  return pairedT(now.left_out_of, candidate.fit.left_out_of) >= limits_.least_t &&
          gain > limits_.least_gain * now.left_out &&
          (!is_cause || gain > limits_.least_share * base_left_out_);
 }
@@ -135,12 +127,12 @@ bool CurveSearch::takePlant(const CurveCandidate& candidate) {
 bool CurveSearch::convinces(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const {
   if (before.size() == 0) return true;
   return 1 - after.sum() / before.sum() >= limits_.least_gain &&
-         heldOutT(before, after) >= limits_.least_held_t;
+         pairedT(before, after) >= limits_.least_held_t;
 }
 
 /// Accepts the best of the curves, or dead time, if held-out windows gain; otherwise drops it.
 bool CurveSearch::takeCause(std::vector<CurveCandidate>* all) {
-  const std::vector<CurveCandidate> tied = tiedWithFirst(*all, result_.fit);
+  const std::vector<CurveCandidate> tied = tiedWithFirst(*all, unseenErrors(result_.fit, held_));
   const CurveCandidate& first = tied.front();
   const WindowFit& fit = first.accepted();
   Eigen::VectorXd errors = heldErrors(fit);
@@ -163,7 +155,7 @@ bool CurveSearch::takeCause(std::vector<CurveCandidate>* all) {
 CurveSearch::Round CurveSearch::round() {
   tell("comparing curves");
   std::vector<CurveCandidate> all =
-      candidatesFor(data_, result_.fit, linear_, limits_.candidates, context_);
+      candidatesFor(data_, held_, result_.fit, linear_, limits_.candidates, context_);
   all.erase(std::remove_if(all.begin(), all.end(),
                            [this](const CurveCandidate& each) { return !isWorth(each); }),
             all.end());

@@ -127,7 +127,7 @@ SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
   };
   SimulationCauses found;
   const WindowPlan plan = planWindows(fitted);
-  const SignalScales scales = scalesOf(fitted);
+  const SignalScales scales = scalesOf(fitted, held);
   SimulationData data = windowsOf(fitted, plan, scales, kMostSamples);
   found.skipped = reasonToSkip(data);
   if (!found.skipped.empty()) return found;

@@ -34,14 +34,14 @@ double criterion(const WindowFit& fit, double effective_samples) {
          fit.parameters() * std::log(std::max(effective_samples, 8.0));
 }
 
-double pairedT(const WindowFit& before, const WindowFit& after) {
+double pairedT(const Eigen::VectorXd& before, const Eigen::VectorXd& after) {
   const auto t = [](const Eigen::ArrayXd& gains) {
     const auto count = static_cast<double>(gains.size());
     const double mean = gains.mean();
     const double variance = (gains - mean).square().sum() / std::max(count - 1, 1.0);
     return mean / (std::sqrt(variance / count) + 1e-12);
   };
-  const Eigen::ArrayXd worse = before.left_out_of.array(), better = after.left_out_of.array();
+  const Eigen::ArrayXd worse = before.array(), better = after.array();
   return std::max(t(worse - better), t(((worse + 1e-12) / (better + 1e-12)).log()));
 }
 

@@ -12,8 +12,8 @@ double effectiveSamples(const WindowFit& fit);
 /// to.
 double criterion(const WindowFit& fit, double effective_samples);
 
-/// Student's t of what leaving windows out says: of the paired differences of squared errors, or of
-/// their logarithms if larger.
-double pairedT(const WindowFit& before, const WindowFit& after);
+/// Student's t of the paired differences of the windows' squared errors, or of their logarithms if
+/// larger.
+double pairedT(const Eigen::VectorXd& before, const Eigen::VectorXd& after);
 
 }  // namespace uncertainty_identification

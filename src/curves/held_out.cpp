@@ -52,6 +52,13 @@ Eigen::VectorXd heldOutErrors(const SimulationData& held, const CurveModel& mode
   return Eigen::Map<Eigen::VectorXd>(errors.data(), static_cast<Eigen::Index>(errors.size()));
 }
 
+Eigen::VectorXd unseenErrors(const WindowFit& fit, const SimulationData& held) {
+  const Eigen::VectorXd of_held = heldOutErrors(held, fit.model);
+  Eigen::VectorXd all(fit.left_out_of.size() + of_held.size());
+  all << fit.left_out_of, of_held;
+  return all;
+}
+
 Eigen::VectorXd errorsBeyondGain(const SimulationData& held, const CurveModel& model) {
   if (std::all_of(held.windows.begin(), held.windows.end(),
                   [](const SimulationWindow& window) { return changesOf(window.u) <= 1; }))

@@ -5,6 +5,7 @@
 
 #include "curves/curve_model.h"
 #include "curves/simulation_data.h"
+#include "curves/window_fit.h"
 
 namespace uncertainty_identification {
 
@@ -13,9 +14,13 @@ namespace uncertainty_identification {
 /// samples, at least 20.
 Eigen::VectorXd heldOutErrors(const SimulationData& held, const CurveModel& model);
 
-/// The same where each window may have a gain and an offset of its own, besides its initial state:
-/// what is left of a cause that only imitates differences between experiments is nothing. Empty
-/// where every input is a single step, which shows nothing but gain and offset.
+/// Squared errors of all windows that a fit has not seen: of those that it leaves out in turn, and
+/// of the held-out ones. What tells one place from another needs all the evidence there is.
+Eigen::VectorXd unseenErrors(const WindowFit& fit, const SimulationData& held);
+
+/// The same as heldOutErrors() where each window may have a gain and an offset of its own, besides
+/// its initial state: what is left of a cause that only imitates differences between experiments is
+/// nothing. Empty where every input is a single step, which shows nothing but gain and offset.
 Eigen::VectorXd errorsBeyondGain(const SimulationData& held, const CurveModel& model);
 
 /// Simulated outputs of the held-out windows, in the same way.

@@ -62,27 +62,28 @@ struct Contender {
   WindowFit fit;
 };
 
-/// The first in the order of shapesAt() of those within 2 of the best; the free curve, which is the
-/// first contender, only where no shape is.
-std::size_t chosen(const std::vector<Contender>& contenders, Place place) {
-  double best = contenders.front().criterion;
-  for (const Contender& each : contenders) best = std::min(best, each.criterion);
+/// The share of the free curve's gain that each contender has; the free curve is the first.
+std::vector<double> sharesOf(const std::vector<Contender>& contenders, const WindowFit& before) {
+  const double gain = before.squared_error - contenders.front().fit.squared_error;
+  std::vector<double> shares;
+  for (const Contender& each : contenders)
+    shares.push_back(gain > 0 ? (before.squared_error - each.fit.squared_error) / gain : 0);
+  return shares;
+}
+
+/// The first in the order of shapesAt() of the shapes within 2 of the best contender. The free
+/// curve is none where a shape has nearly all of its gain: with little noise no shape is exact.
+std::size_t chosen(const std::vector<Contender>& contenders, const std::vector<double>& shares,
+                   Place place) {
+  constexpr double kNearlyAll = 0.99;
+  const bool is_shape = *std::max_element(shares.begin() + 1, shares.end()) >= kNearlyAll;
+  double best = std::numeric_limits<double>::infinity();
+  for (std::size_t k = is_shape ? 1 : 0; k < contenders.size(); ++k)
+    best = std::min(best, contenders[k].criterion);
   for (const Shape* shape : shapesAt(place))
     for (std::size_t k = 1; k < contenders.size(); ++k)
       if (contenders[k].shape == shape->name && contenders[k].criterion < best + 2) return k;
   return 0;
-}
-
-void findNearest(const std::vector<Contender>& contenders, const WindowFit& before,
-                 Naming* naming) {
-  const double gain = before.squared_error - contenders.front().fit.squared_error;
-  if (!(gain > 0)) return;
-  for (std::size_t k = 1; k < contenders.size(); ++k) {
-    const double share = (before.squared_error - contenders[k].fit.squared_error) / gain;
-    if (share <= naming->nearest_share) continue;
-    naming->nearest_share = share;
-    naming->nearest = contenders[k].shape;
-  }
 }
 
 }  // namespace
@@ -115,10 +116,15 @@ Naming nameCurve(const SimulationData& data, const WindowFit& before, const Wind
     const double reached = criterion(fit, samples);
     contenders.push_back({reached, each.shape->name, std::move(fit)});
   }
-  const std::size_t best = chosen(contenders, place.place());
+  const std::vector<double> shares = sharesOf(contenders, before);
+  const std::size_t best = contenders.size() > 1 ? chosen(contenders, shares, place.place()) : 0;
   Naming naming;
   naming.shape = contenders[best].shape;
-  if (best == 0) findNearest(contenders, before, &naming);
+  if (best == 0 && contenders.size() > 1) {
+    const auto nearest = std::max_element(shares.begin() + 1, shares.end());
+    naming.nearest_share = *nearest;
+    naming.nearest = contenders[static_cast<std::size_t>(nearest - shares.begin())].shape;
+  }
   for (std::size_t k = 0; k < contenders.size(); ++k)
     if (k != best)
       naming.others.push_back(

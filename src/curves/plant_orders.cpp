@@ -77,7 +77,8 @@ LinearPlants fitLinearPlants(const SimulationData& data, int max_order,
   const WindowFit* chosen = &fits.front();
   for (const WindowFit& fit : fits) {
     const double orders = std::max(1.0, std::floor(sizeOf(fit)) - chosen->model.order);
-    if (fit.left_out < chosen->left_out * std::pow(kFall, 2 * orders) && pairedT(*chosen, fit) > 1)
+    if (fit.left_out < chosen->left_out * std::pow(kFall, 2 * orders) &&
+        pairedT(chosen->left_out_of, fit.left_out_of) > 1)
       chosen = &fit;
   }
   LinearPlants found;

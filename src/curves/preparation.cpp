@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <iterator>
+#include <set>
+#include <string>
 #include <unsupported/Eigen/FFT>
 
 namespace uncertainty_identification {
@@ -98,6 +101,32 @@ Eigen::VectorXd scaled(const Eigen::VectorXd& signal, const Scale& scale) {
   return ((signal.array() - scale.offset) / scale.unit).matrix();
 }
 
+/// Whether the covariate is known at every sample, be it constant over the experiment.
+bool isKnown(const Experiment& experiment, const std::string& covariate) {
+  return experiment.signals.count(covariate) > 0 || experiment.scalars.count(covariate) > 0;
+}
+
+Eigen::VectorXd covariateOf(const Experiment& experiment, const std::string& name) {
+  const auto signal = experiment.signals.find(name);
+  if (signal != experiment.signals.end()) return signal->second;
+  return Eigen::VectorXd::Constant(experiment.samples(), experiment.scalars.at(name));
+}
+
+/// Covariates that move within an experiment and are known in all of them.
+std::set<std::string> movingCovariates(const std::vector<Experiment>& experiments,
+                                       const std::vector<Experiment>& held) {
+  std::set<std::string> names;
+  for (const Experiment& experiment : experiments)
+    for (const auto& [name, signal] : experiment.signals) names.insert(name);
+  for (auto name = names.begin(); name != names.end();) {
+    const auto is_known = [&](const Experiment& each) { return isKnown(each, *name); };
+    const bool everywhere = std::all_of(experiments.begin(), experiments.end(), is_known) &&
+                            std::all_of(held.begin(), held.end(), is_known);
+    name = everywhere ? std::next(name) : names.erase(name);
+  }
+  return names;
+}
+
 /// The whole experiment as one window.
 SimulationWindow wholeWindow(const Experiment& experiment, const SignalScales& scales) {
   SimulationWindow whole;
@@ -107,9 +136,8 @@ SimulationWindow wholeWindow(const Experiment& experiment, const SignalScales& s
   whole.measured.resize(samples);
   for (int k = 0; k < samples; ++k) whole.measured[k] = experiment.isValid(k) ? 1 : 0;
   whole.time = Eigen::VectorXd::LinSpaced(samples, 0, 1);
-  for (const auto& [name, signal] : experiment.signals)
-    if (const auto scale = scales.covariates.find(name); scale != scales.covariates.end())
-      whole.covariates[name] = scaled(signal, scale->second);
+  for (const auto& [name, scale] : scales.covariates)
+    whole.covariates[name] = scaled(covariateOf(experiment, name), scale);
   return whole;
 }
 
@@ -191,11 +219,10 @@ Experiment thinned(const Experiment& experiment, int thinning) {
   return kept;
 }
 
-SignalScales scalesOf(const std::vector<Experiment>& experiments) {
+SignalScales scalesOf(const std::vector<Experiment>& experiments,
+                      const std::vector<Experiment>& held) {
   double count = 0, measured = 0;
   Eigen::Array4d sums = Eigen::Array4d::Zero();
-  SignalScales scales;
-  std::map<std::string, Eigen::Array2d> covariates;
   for (const Experiment& experiment : experiments) {
     count += experiment.samples();
     sums[0] += experiment.u.sum();
@@ -206,19 +233,18 @@ SignalScales scalesOf(const std::vector<Experiment>& experiments) {
       sums[2] += experiment.y[k];
       sums[3] += experiment.y[k] * experiment.y[k];
     }
-    for (const auto& [name, signal] : experiment.signals) {
-      auto& of = covariates.emplace(name, Eigen::Array2d::Zero()).first->second;
-      of += Eigen::Array2d(signal.sum(), signal.squaredNorm());
-    }
   }
+  SignalScales scales;
   scales.u = scaleOf(sums[0], sums[1], count, false);
   scales.y = scaleOf(sums[2], sums[3], measured, true);
-  for (const auto& [name, of] : covariates) {
-    const std::string& wanted = name;  // a lambda may not capture a structured binding
-    const bool everywhere =
-        std::all_of(experiments.begin(), experiments.end(),
-                    [&wanted](const Experiment& each) { return each.signals.count(wanted) > 0; });
-    if (everywhere) scales.covariates[name] = scaleOf(of[0], of[1], count, true);
+  for (const std::string& name : movingCovariates(experiments, held)) {
+    double sum = 0, squares = 0;
+    for (const Experiment& experiment : experiments) {
+      const Eigen::VectorXd signal = covariateOf(experiment, name);
+      sum += signal.sum();
+      squares += signal.squaredNorm();
+    }
+    scales.covariates[name] = scaleOf(sum, squares, count, true);
   }
   return scales;
 }

@@ -24,8 +24,10 @@ WindowPlan planWindows(const std::vector<Experiment>& experiments);
 /// taken at its start, which is exact for inputs that are held.
 Experiment thinned(const Experiment& experiment, int thinning);
 
-/// Scales of the signals of all experiments.
-SignalScales scalesOf(const std::vector<Experiment>& experiments);
+/// Scales of the signals of `experiments`. Covariates are those that move in some experiment and
+/// are known in all, those of `held` as well: a second heater may be off for a whole record.
+SignalScales scalesOf(const std::vector<Experiment>& experiments,
+                      const std::vector<Experiment>& held = {});
 
 /// The windows of `experiments`; at most `most` samples in all, 0: no limit.
 SimulationData windowsOf(const std::vector<Experiment>& experiments, const WindowPlan& plan,

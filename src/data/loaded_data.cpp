@@ -1,5 +1,6 @@
 #include "uncertainty_identification/data/loaded_data.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -43,6 +44,18 @@ void addResampled(const Recording& recording, double sample_time, const Resampli
   } catch (const DataError& error) {
     data.rejected.push_back({recording.id, error.what()});
   }
+}
+
+double sampleTimeForAll(const std::vector<Experiment>& experiments) {
+  constexpr double kMost = 30;
+  if (experiments.empty()) return 0;
+  const auto ends = std::minmax_element(experiments.begin(), experiments.end(),
+                                        [](const Experiment& left, const Experiment& right) {
+                                          return left.sample_time < right.sample_time;
+                                        });
+  const double shortest = ends.first->sample_time, longest = ends.second->sample_time;
+  const bool is_used = longest > (1 + kSameRate) * shortest && longest <= kMost * shortest;
+  return is_used ? longest : 0;
 }
 
 void append(LoadedData more, LoadedData& data) {

@@ -95,7 +95,7 @@ std::vector<SpoiltSamples> Explaining::maskSpoilt(Split* data) {
   data->held = withoutRest(std::move(data->held));
   std::vector<SpoiltSamples> spoilt;
   for (SpoiltSamples& each : checkSamples(data->train)) {
-    if (!isExcluded(each.name)) spoilt.push_back(std::move(each));
+    if (!isExcluded(each.name) && !isExceeded(each, data->held)) spoilt.push_back(std::move(each));
   }
   for (const SpoiltSamples& each : spoilt) {
     data->train = withoutSpoiled(std::move(data->train), each);
@@ -231,7 +231,7 @@ Cause Explaining::described(const FoundCause& found, const SearchState& state) c
   cause.group = groupOf(description.name);
   cause.description = description.meaning;
   cause.advice = description.advice;
-  cause.confidence = found.confidence;
+  cause.confidence = ran_out_of_time_ ? std::nan("") : found.confidence;
   cause.equivalent = found.equivalent;
   cause.gain = found.gain;
   cause.parameters = found.parameters.empty() ? parametersOf(state.fit, state.train, found.effect)

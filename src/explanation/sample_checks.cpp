@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace uncertainty_identification {
 namespace {
@@ -76,20 +75,24 @@ long visits(const std::vector<Experiment>& experiments, double value, bool holds
   return count;
 }
 
-/// Whether different inputs lead to the same value. Where the machine rests at its largest output
-/// the input rests as well, and only few samples follow after it has changed.
+/// Whether inputs that differ widely lead to the same value. Where a machine turns round or rests
+/// at its largest output, held there by friction, its input hardly moves.
 bool isReachedByDifferentInputs(const std::vector<Experiment>& experiments, double value) {
-  constexpr double kShare = 0.1;  // of the samples there, whose input is not the commonest one
-  std::map<double, long> inputs;
-  long count = 0, commonest = 0;
+  constexpr double kWidely = 0.3;  // standard deviations of the input
+  std::vector<double> there;
+  double sum = 0, squares = 0, samples = 0;
   for (const Experiment& experiment : experiments) {
-    for (int t = 0; t < experiment.samples(); ++t) {
-      if (!experiment.isValid(t) || experiment.y[t] != value) continue;
-      ++count;
-      commonest = std::max(commonest, ++inputs[experiment.u[t]]);
-    }
+    sum += experiment.u.sum();
+    squares += experiment.u.squaredNorm();
+    samples += experiment.samples();
+    for (int t = 0; t < experiment.samples(); ++t)
+      if (experiment.isValid(t) && experiment.y[t] == value) there.push_back(experiment.u[t]);
   }
-  return static_cast<double>(count - commonest) > kShare * static_cast<double>(count);
+  std::sort(there.begin(), there.end());
+  const std::size_t tenth = there.size() / 10;
+  const double variance = squares / samples - sum * sum / samples / samples;
+  return there[there.size() - 1 - tenth] - there[tenth] >
+         kWidely * std::sqrt(std::max(variance, 0.0));
 }
 
 /// How often the values next to the first one occur, in the median of five. Coarse resolution
@@ -156,6 +159,13 @@ std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experimen
                       exact("upper_limit", "unit of y", at_high ? high : kNone)}});
   if (held > 0) found.push_back({"sens_dropout", {exact("share", "1", held)}});
   return found;
+}
+
+bool isExceeded(const SpoiltSamples& limit, const std::vector<Experiment>& others) {
+  if (limit.name != "sens_clip") return false;
+  const double low = limit.parameters.at(0).value, high = limit.parameters.at(1).value;
+  const std::vector<double> values = measured(others);
+  return !values.empty() && (values.front() < low || values.back() > high);
 }
 
 std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,

@@ -23,6 +23,9 @@ std::vector<Experiment> withoutRest(std::vector<Experiment> experiments);
 /// The defects found: quantisation alone, or clipping or held samples or both.
 std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experiments);
 
+/// Whether other experiments, in which the sensor reads beyond a limit, show that it is none.
+bool isExceeded(const SpoiltSamples& limit, const std::vector<Experiment>& others);
+
 /// The experiments with the spoilt samples masked: those at a limit of the sensor, or those that
 /// repeat the sample before. Quantisation spoils no single sample.
 std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,

@@ -27,7 +27,8 @@ std::string inWords(const std::string& parameter) {
   if (parameter.rfind("tau", 0) == 0) return "time constant " + parameter;
   if (parameter.rfind("omega", 0) == 0) return "resonance frequency " + parameter;
   if (parameter.rfind("zeta", 0) == 0) return "damping " + parameter;
-  return parameter;
+  return "coefficient " + parameter +
+         (parameter[0] == 'b' ? " of the numerator" : " of the denominator");
 }
 
 std::string ofParameters(const Estimate& estimate) {

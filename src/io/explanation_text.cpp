@@ -101,9 +101,11 @@ std::string gainText(const Gain& gain, std::size_t held_out) {
               {"95 % Bode region [dec x dec]", change(gain.bode_area)}});
 }
 
-/// A posterior probability among the candidates is none where all of them leave something wrong.
+/// A posterior probability among the candidates is none where all of them leave something wrong, or
+/// where not all were tried.
 std::string confidenceText(const Cause& cause, bool all_explained) {
-  if (!std::isfinite(cause.confidence)) return "found in the free simulation";
+  if (!std::isfinite(cause.confidence) && cause.simulation) return "found in the free simulation";
+  if (!std::isfinite(cause.confidence)) return "no probability, since not all causes were tried";
   if (all_explained) return "probability " + percentText(cause.confidence);
   return "the best of the catalogue; tests still fail, so it has no probability";
 }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <boost/program_options.hpp>
 #include <string>
 #include <vector>
 
+#include "data/text.h"
 #include "uncertainty_identification/ros/load_data.h"
 
 namespace uncertainty_identification {
@@ -13,6 +15,39 @@ inline LoadedData loadDataArgument(const boost::program_options::variables_map& 
                                    const std::string& key, const Configuration& configuration) {
   if (arguments.count(key) == 0) return {};
   return loadData(arguments[key].as<std::vector<std::string>>(), configuration);
+}
+
+/// What a command line names to fit to, and for validation.
+struct LoadedArguments {
+  LoadedData data, validation;
+};
+
+/// Experiments of different rates are resampled to the longest of their sample times, unless the
+/// configuration states one.
+inline LoadedArguments loadArguments(const boost::program_options::variables_map& arguments,
+                                     Configuration configuration) {
+  const auto load = [&] {
+    return LoadedArguments{loadDataArgument(arguments, "data", configuration),
+                           loadDataArgument(arguments, "validation", configuration)};
+  };
+  LoadedArguments loaded = load();
+  if (configuration.sample_time > 0) return loaded;
+  std::vector<Experiment> all = loaded.data.experiments;
+  all.insert(all.end(), loaded.validation.experiments.begin(), loaded.validation.experiments.end());
+  configuration.sample_time = sampleTimeForAll(all);
+  if (configuration.sample_time == 0) return loaded;
+  loaded = load();
+  loaded.data.warnings.push_back(
+      "the experiments have different sample times; all were resampled to the longest, " +
+      text(configuration.sample_time) + " s; sample_time states another");
+  return loaded;
+}
+
+/// What was noticed while loading. A remark that applies to data and validation alike is made once.
+inline void addWarnings(const LoadedData& loaded, std::vector<std::string>* warnings) {
+  for (const std::string& text : loaded.warnings)
+    if (std::find(warnings->begin(), warnings->end(), text) == warnings->end())
+      warnings->push_back(text);
 }
 
 /// The files and folders that a command line gives to be read.

@@ -30,7 +30,7 @@ void addFindings(const ui::LoadedData& loaded, ui::Explanation* explanation) {
   const auto append = [](const auto& from, auto* to) {
     to->insert(to->end(), from.begin(), from.end());
   };
-  append(loaded.warnings, &explanation->warnings);
+  ui::addWarnings(loaded, &explanation->warnings);
   append(loaded.rejected, &explanation->before.rejected);
   append(loaded.rejected, &explanation->after.rejected);
 }
@@ -38,16 +38,16 @@ void addFindings(const ui::LoadedData& loaded, ui::Explanation* explanation) {
 ui::Explanation explain(const po::variables_map& arguments, const ui::InterruptGuard& interrupt) {
   const ui::Configuration configuration =
       ui::loadConfiguration(arguments["config"].as<std::string>());
-  const ui::LoadedData data = ui::loadDataArgument(arguments, "data", configuration);
-  const ui::LoadedData validation = ui::loadDataArgument(arguments, "validation", configuration);
+  const ui::LoadedArguments loaded = ui::loadArguments(arguments, configuration);
   ui::ProgressBar bar(std::cerr, isatty(STDERR_FILENO) != 0);
   const auto progress = [&](const ui::Progress& at) {
     bar.show(at);
     return !interrupt.requested();
   };
   ui::Explanation explanation =
-      ui::explain(configuration, data.experiments, validation.experiments, progress);
-  for (const ui::LoadedData* loaded : {&data, &validation}) addFindings(*loaded, &explanation);
+      ui::explain(configuration, loaded.data.experiments, loaded.validation.experiments, progress);
+  for (const ui::LoadedData* part : {&loaded.data, &loaded.validation})
+    addFindings(*part, &explanation);
   return explanation;
 }
 

@@ -99,14 +99,13 @@ ui::Result identify(const po::variables_map& arguments,
   const ui::Configuration configuration =
       ui::loadConfiguration(arguments["config"].as<std::string>());
   const ui::Identifier identifier(configuration);
-  const ui::LoadedData data = ui::loadDataArgument(arguments, "data", configuration);
   if (method && arguments.count("validation") > 0) {
     throw ui::ConfigurationError("--validation: found with --method " +
                                  arguments["method"].as<std::string>() +
                                  ", which measures nothing on other experiments; allowed: with se");
   }
-  const ui::LoadedData validation = ui::loadDataArgument(arguments, "validation", configuration);
-
+  const ui::LoadedArguments loaded = ui::loadArguments(arguments, configuration);
+  const ui::LoadedData &data = loaded.data, &validation = loaded.validation;
   ui::ProgressBar bar(std::cerr, isatty(STDERR_FILENO) != 0);
   const auto progress = [&](const ui::Progress& at) {
     bar.show(at);
@@ -119,12 +118,10 @@ ui::Result identify(const po::variables_map& arguments,
   } else {
     result.estimate = identifier.identify(data.experiments, validation.experiments, progress);
   }
-  for (const ui::LoadedData* loaded : {&data, &validation}) {
+  for (const ui::LoadedData* part : {&data, &validation}) {
     ui::Estimate& estimate = result.estimate;
-    estimate.rejected.insert(estimate.rejected.end(), loaded->rejected.begin(),
-                             loaded->rejected.end());
-    estimate.warnings.insert(estimate.warnings.end(), loaded->warnings.begin(),
-                             loaded->warnings.end());
+    estimate.rejected.insert(estimate.rejected.end(), part->rejected.begin(), part->rejected.end());
+    ui::addWarnings(*part, &estimate.warnings);
   }
   if (!method) result.bounds = boundsOf(data.experiments, progress, &result.estimate);
   addOverview(arguments, data.experiments, validation.experiments, &result);

@@ -24,6 +24,11 @@ struct LoadedData {
 void addResampled(const Recording& recording, double sample_time, const ResamplingOptions& options,
                   LoadedData& data, double first = 0);
 
+/// The sample time [s] to which experiments must be resampled to be used together: the longest of
+/// them. 0 where all have the same within two per cent, or where they differ by more than a factor
+/// of 30, which is a mistake rather than another logger.
+double sampleTimeForAll(const std::vector<Experiment>& experiments);
+
 /// Appends the contents of `more` to those of `data`.
 void append(LoadedData more, LoadedData& data);
 

@@ -65,7 +65,8 @@ struct Cause {
   std::string group;        ///< "actuator", "plant", "sensor", "noise", "experiment"
   std::string description;  ///< in words
   double confidence = 0;    ///< posterior probability among the candidates; not shown where the
-                            ///< verdict is partly_explained; NaN: found in the simulation
+                            ///< verdict is partly_explained; NaN: found in the simulation, or
+                            ///< explanation.time_limit ended the search before all were tried
   std::vector<std::string> equivalent;  ///< names of effects that the data may not distinguish
   std::vector<CauseParameter> parameters;
   std::string advice;  ///< what to check on the rig, or to record next

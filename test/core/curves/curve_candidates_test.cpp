@@ -12,8 +12,7 @@ CurveCandidate leaving(CandidateKind kind, Place place, const Eigen::Vector4d& e
   CurveCandidate candidate;
   candidate.kind = kind;
   candidate.place.place = place;
-  candidate.fit.left_out_of = errors;
-  candidate.fit.left_out = candidate.fit.squared_error = errors.sum();
+  candidate.unseen = candidate.named_unseen = errors;
   candidate.fit.model.theta = Eigen::Vector3d::Zero();
   for (int k = 0; k < 4; ++k)
     candidate.fit.residuals.push_back(
@@ -28,7 +27,7 @@ CurveCandidate curve(Place place, const Eigen::Vector4d& errors) {
   return leaving(CandidateKind::curve, place, errors);
 }
 
-WindowFit now() { return curve(Place::input, Eigen::Vector4d(10, 11, 9, 10)).fit; }
+Eigen::VectorXd now() { return Eigen::Vector4d(10, 11, 9, 10); }
 
 TEST(TiedWithFirst, HoldsWhatWindowsCannotTellApart) {
   const std::vector<CurveCandidate> tied =

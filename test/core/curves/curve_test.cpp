@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
+#include <array>
 #include <cmath>
 
 namespace uncertainty_identification {
@@ -35,6 +37,21 @@ TEST(Curve, HasNoLinearPart) {
     EXPECT_LT(std::abs(value.dot(z)), 1e-6 * size) << name;
     EXPECT_LT(std::abs(value.sum()), 1e-6 * size) << name;
   }
+}
+
+/// Steps of three heights from rest: there are as many free values as levels, less the linear part.
+TEST(Curve, BendsAtEachLevelOfAnInputThatHasFew) {
+  Eigen::VectorXd samples(400);
+  for (Eigen::Index k = 0; k < 400; ++k)
+    samples[k] = std::array<double, 4>{0, 6, 12, 24}[k * 4 / 400];
+  const Curve curve(Place::input, nullptr, samples, 0);
+  ASSERT_EQ(curve.parameters(), 2);
+  Eigen::MatrixXd free(400, 4);
+  free << curve.atSamples(Eigen::Vector2d(1, 0)), curve.atSamples(Eigen::Vector2d(0, 1)),
+      curve.samples(), Eigen::VectorXd::Ones(400);
+  const Eigen::VectorXd dead_zone = (curve.samples().array() - 2.3).max(0.0);
+  const Eigen::VectorXd fitted = free * free.colPivHouseholderQr().solve(dead_zone);
+  EXPECT_LT((dead_zone - fitted).norm(), 1e-6);
 }
 
 TEST(Curve, TableGivesTheCurveAndItsSlope) {

@@ -46,6 +46,26 @@ TEST(Preparation, ThinnedInputsAreMeansAndOutputsAreTakenAtTheStart) {
   EXPECT_DOUBLE_EQ(kept.sample_time, 0.004);
 }
 
+/// A second heater that is off for a whole record is read as a constant.
+TEST(Preparation, CovariatesMayBeConstantInSomeExperiments) {
+  std::vector<Experiment> fitted(2, wave(400, 24));
+  fitted[0].signals["heater"] = fitted[0].u;
+  fitted[1].scalars["heater"] = 0;
+  std::vector<Experiment> held(1, wave(400, 24));
+  held[0].scalars["heater"] = 399;
+  const SignalScales scales = scalesOf(fitted, held);
+  EXPECT_DOUBLE_EQ(scales.covariates.at("heater").offset, 399 / 4.0);
+  const WindowPlan plan = planWindows(fitted);
+  const Scale& scale = scales.covariates.at("heater");
+  EXPECT_NEAR(windowsOf(held, plan, scales, 0).windows[0].covariates.at("heater")[7],
+              (399 - scale.offset) / scale.unit, 1e-12);
+  held[0].scalars.clear();
+  EXPECT_TRUE(scalesOf(fitted, held).covariates.empty()) << "unknown in one of them";
+  fitted[0].signals.clear();
+  fitted[0].scalars["heater"] = 1;
+  EXPECT_TRUE(scalesOf(fitted).covariates.empty()) << "it never moves";
+}
+
 TEST(Preparation, CutsALongRecordAndLeavesManyShortOnesWhole) {
   const std::vector<Experiment> one{wave(2000, 24)};
   const SimulationData cut = windowsOf(one, planWindows(one), scalesOf(one), 0);

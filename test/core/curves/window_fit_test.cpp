@@ -100,10 +100,18 @@ TEST(WindowFit, DoesNotSeeWhatIsNotMeasured) {
   EXPECT_EQ(one.squared_error, other.squared_error);
 }
 
+TEST(WindowFit, UnseenWindowsAreThoseLeftOutAndThoseHeldOut) {
+  const WindowFit fit = fitted(firstOrderWindows(20, 60, 0.1, 4));
+  const SimulationData held = firstOrderWindows(9, 60, 0.1, 5);
+  const Eigen::VectorXd unseen = unseenErrors(fit, held);
+  ASSERT_EQ(unseen.size(), 29);
+  EXPECT_EQ(unseen.head(20), fit.left_out_of);
+  EXPECT_EQ(unseen.tail(9), heldOutErrors(held, fit.model));
+}
+
 TEST(WindowFit, PairedTComparesWindowByWindow) {
-  WindowFit before, after;
-  before.left_out_of = Eigen::Vector4d(4, 5, 6, 7);
-  after.left_out_of = Eigen::Vector4d(3, 4.5, 5, 6.5);
+  const Eigen::VectorXd before = Eigen::Vector4d(4, 5, 6, 7);
+  const Eigen::VectorXd after = Eigen::Vector4d(3, 4.5, 5, 6.5);
   // Differences 1, 0.5, 1, 0.5: mean 0.75, standard error 0.2887 / 2.
   const double of_differences = 0.75 / (std::sqrt(0.25 / 3) / 2);
   EXPECT_GE(pairedT(before, after), of_differences - 1e-6);

@@ -63,5 +63,18 @@ TEST(LoadedData, Appends) {
   EXPECT_EQ(data.experiments.size(), 4u);
 }
 
+TEST(SampleTimeForAll, IsTheLongestWhereTheyDiffer) {
+  std::vector<Experiment> all(3);
+  for (Experiment& experiment : all) experiment.sample_time = 0.1;
+  EXPECT_EQ(sampleTimeForAll(all), 0);
+  all[1].sample_time = 0.101;
+  EXPECT_EQ(sampleTimeForAll(all), 0) << "jitter";
+  all[1].sample_time = 0.3;
+  EXPECT_EQ(sampleTimeForAll(all), 0.3);
+  all[1].sample_time = 10;
+  EXPECT_EQ(sampleTimeForAll(all), 0) << "a mistake, which the checks refuse";
+  EXPECT_EQ(sampleTimeForAll({}), 0);
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

@@ -84,6 +84,18 @@ TEST(Explain, TriesOnlyWhatLeadingCurvesName) {
   EXPECT_GT(explain(configuration(), clean()).candidates.size(), 3u) << "nothing leads";
 }
 
+TEST(Explain, GivesNoProbabilityWhereNotAllCausesWereTried) {
+  Configuration hurried = configuration();
+  hurried.explanation.time_limit = 1e-6;
+  std::vector<Experiment> clipped = clean();
+  for (Experiment& experiment : clipped)
+    experiment.y = experiment.y.cwiseMin(0.5 * experiment.y.maxCoeff());
+  const Explanation found = explain(hurried, clipped);
+  ASSERT_EQ(found.causes.size(), 1u) << found.message;
+  EXPECT_EQ(found.causes[0].name, "sens_clip");
+  EXPECT_TRUE(std::isnan(found.causes[0].confidence));
+}
+
 /// One fit may take longer than the whole time limit: it must ask whether to go on as well.
 TEST(Explain, ReportsWithinEachFit) {
   Configuration all = configuration();

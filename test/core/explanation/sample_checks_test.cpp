@@ -93,11 +93,24 @@ TEST(SampleChecks, RepeatedExtremesAreALimit) {
   EXPECT_EQ(valid, 1000 - clipped);
 }
 
-/// A robot's joint that waits at the end of its path. The command leaves three samples before it.
+TEST(SampleChecks, ALimitIsNoneWhereOtherExperimentsReadBeyondIt) {
+  SpoiltSamples limit{"sens_clip", {}};
+  limit.parameters.resize(2);
+  limit.parameters[0].value = -HUGE_VAL;
+  limit.parameters[1].value = 3;
+  std::vector<Experiment> others = noise();
+  EXPECT_TRUE(isExceeded(limit, others));
+  for (Experiment& experiment : others) experiment.y = experiment.y.cwiseMin(3.0);
+  EXPECT_FALSE(isExceeded(limit, others));
+  EXPECT_FALSE(isExceeded({"sens_quant", {}}, others));
+}
+
+/// A robot's joint that waits at the end of its path, held by friction while the command creeps.
+/// The command leaves three samples before it.
 TEST(SampleChecks, AMachineThatRestsAtItsLargestOutputHasNoLimit) {
   std::vector<Experiment> all = noise();
   all[0].y.segment(100, 60).setConstant(20);
-  all[0].u.segment(97, 60).setConstant(15);
+  all[0].u.segment(97, 60) = Eigen::VectorXd::LinSpaced(60, 15, 15.5);
   EXPECT_TRUE(checkSamples(all).empty());
   all[0].u.segment(97, 30).setConstant(12);
   EXPECT_EQ(checkSamples(all).size(), 1u) << "two commands, one value";

@@ -56,6 +56,16 @@ TEST(ExplanationText, GivesAProbabilityWhereNothingIsLeftWrong) {
                    "\nCause 1: act_deadzone, actuator, probability 98 %\n");
 }
 
+TEST(ExplanationText, GivesNoProbabilityWhereNotAllCausesWereTried) {
+  Explanation explained = exampleExplanation();
+  explained.verdict = Verdict::explained;
+  explained.causes[0].confidence = std::numeric_limits<double>::quiet_NaN();
+  explained.causes[0].simulation.reset();
+  expectPartOfText(
+      explanationText(explained),
+      "\nCause 1: act_deadzone, actuator, no probability, since not all causes were tried\n");
+}
+
 TEST(ExplanationText, ShowsPlaceTiesAndCurveOfWhatTheSimulationShows) {
   Explanation example = test::exampleExplanation();
   example.causes[0].confidence = std::numeric_limits<double>::quiet_NaN();

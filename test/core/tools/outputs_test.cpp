@@ -56,5 +56,47 @@ TEST_F(Outputs, AreNoneOfTheInputs) {
   expectRefusal("simulate", {"--config", truth}, truth);
 }
 
+/// Both files are of one layout, which is one remark.
+TEST_F(Outputs, RepeatNoRemarkOnDataForTheValidation) {
+  std::string rows = "time_ms,u,y\n";
+  for (int t = 0; t < 200; ++t)
+    rows += std::to_string(10 * t) + "," + std::to_string(t * t % 7) + "," +
+            std::to_string((t + 1) * (t + 1) % 11) + "\n";
+  const std::string data = write("data.csv", rows), validation = write("validation.csv", rows);
+  const std::string config =
+      write("config.yaml", "{estimation: {algorithm: em}, nominal_model: {na: 1, nb: 1}}");
+  const ProcessResult run =
+      runProcess({std::string(TOOLS_FOLDER) + "/identify", "--config", config, "--output",
+                  folder_ / "result.json", "--validation", validation, "--", data});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  const std::size_t first = run.output.find("'time_ms' in ms");
+  ASSERT_NE(first, std::string::npos) << run.output;
+  EXPECT_EQ(run.output.find("'time_ms' in ms", first + 1), std::string::npos) << run.output;
+}
+
+/// Two loggers, of which one wrote every third sample.
+TEST_F(Outputs, ExperimentsOfTwoRatesAreUsedTogether) {
+  const auto rows = [](double sample_time, int samples) {
+    std::string text = "t,u,y\n";
+    double y = 0;
+    for (int t = 0; t < samples; ++t) {
+      const double u = t / 12 % 3 - 1 + 0.5 * (t / 7 % 2);
+      text += std::to_string(sample_time * t) + "," + std::to_string(u) + "," + std::to_string(y) +
+              "\n";
+      y += sample_time * (u - y) / 2;
+    }
+    return text;
+  };
+  const std::string fast = write("fast.csv", rows(0.1, 900)),
+                    slow = write("slow.csv", rows(0.3, 300));
+  const std::string result = folder_ / "result.json";
+  const ProcessResult run = runProcess({std::string(TOOLS_FOLDER) + "/identify", "--config",
+                                        write("config.yaml", "{nominal_model: {na: 1, nb: 1}}"),
+                                        "--output", result, "--validation", slow, "--", fast});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_NE(run.output.find("resampled to the longest, 0.3 s"), std::string::npos) << run.output;
+  EXPECT_NEAR(loadResult(result).estimate.nominal_model.sample_time, 0.3, 1e-9);
+}
+
 }  // namespace
 }  // namespace uncertainty_identification
