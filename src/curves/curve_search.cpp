@@ -80,10 +80,10 @@ class CurveSearch {
  private:
   enum class Round { nothing, plant, cause };
   Round round();
-  bool isWorth(const CurveCandidate& candidate) const;
+  bool isWorth(const CurveCandidate& candidate, const Eigen::VectorXd& now) const;
   bool takePlant(const CurveCandidate& candidate);
   bool convinces(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const;
-  bool takeCause(std::vector<CurveCandidate>* all);
+  bool takeCause(std::vector<CurveCandidate>* all, const Eigen::VectorXd& now);
   void nameAgain();
   Eigen::VectorXd heldErrors(const WindowFit& fit) const;
   void keepIfAsGood(WindowFit changed);
@@ -97,7 +97,7 @@ class CurveSearch {
   const CurveSearchLimits& limits_;
   const CurveSearchContext& context_;
   CurveSearchResult result_;
-  double base_left_out_ = 0;
+  double base_unseen_ = 0;
   Eigen::VectorXd held_errors_;  ///< of result_.fit
 };
 
@@ -105,14 +105,13 @@ Eigen::VectorXd CurveSearch::heldErrors(const WindowFit& fit) const {
   return heldOutErrors(held_, fit.model);
 }
 
-bool CurveSearch::isWorth(const CurveCandidate& candidate) const {
-  const WindowFit& now = result_.fit;
-  const double gain = now.left_out - candidate.fit.left_out;
+bool CurveSearch::isWorth(const CurveCandidate& candidate, const Eigen::VectorXd& now) const {
+  const double gain = (now - candidate.unseen).sum();
   const bool is_cause =
       candidate.kind == CandidateKind::curve || candidate.kind == CandidateKind::delay;
-  return pairedT(now.left_out_of, candidate.fit.left_out_of) >= limits_.least_t &&
-         gain > limits_.least_gain * now.left_out &&
-         (!is_cause || gain > limits_.least_share * base_left_out_);
+  return pairedT(now, candidate.unseen) >= limits_.least_t &&
+         gain > limits_.least_gain * now.sum() &&
+         (!is_cause || gain > limits_.least_share * base_unseen_);
 }
 
 /// A larger plant costs nothing and is no cause, but must not simulate held-out windows worse.
@@ -131,8 +130,8 @@ bool CurveSearch::convinces(const Eigen::VectorXd& before, const Eigen::VectorXd
 }
 
 /// Accepts the best of the curves, or dead time, if held-out windows gain; otherwise drops it.
-bool CurveSearch::takeCause(std::vector<CurveCandidate>* all) {
-  const std::vector<CurveCandidate> tied = tiedWithFirst(*all, unseenErrors(result_.fit, held_));
+bool CurveSearch::takeCause(std::vector<CurveCandidate>* all, const Eigen::VectorXd& now) {
+  const std::vector<CurveCandidate> tied = tiedWithFirst(*all, now);
   const CurveCandidate& first = tied.front();
   const WindowFit& fit = first.accepted();
   Eigen::VectorXd errors = heldErrors(fit);
@@ -156,14 +155,15 @@ CurveSearch::Round CurveSearch::round() {
   tell("comparing curves");
   std::vector<CurveCandidate> all =
       candidatesFor(data_, held_, result_.fit, linear_, limits_.candidates, context_);
+  const Eigen::VectorXd now = unseenErrors(result_.fit, held_);
   all.erase(std::remove_if(all.begin(), all.end(),
-                           [this](const CurveCandidate& each) { return !isWorth(each); }),
+                           [&](const CurveCandidate& each) { return !isWorth(each, now); }),
             all.end());
   for (int tried = 0; tried < 3 && !all.empty(); ++tried) {
     const bool is_plant =
         all.front().kind == CandidateKind::order || all.front().kind == CandidateKind::direct;
     if (!is_plant) {
-      if (takeCause(&all)) return Round::cause;
+      if (takeCause(&all, now)) return Round::cause;
       continue;
     }
     if (takePlant(all.front())) return Round::plant;
@@ -224,7 +224,7 @@ CurveSearchResult CurveSearch::run(const WindowFit& base) {
   constexpr double kPerfect = 1e-5;
   result_ = {};
   result_.base = result_.fit = base;
-  base_left_out_ = base.left_out;
+  base_unseen_ = unseenErrors(base, held_).sum();
   held_errors_ = heldErrors(base);
   for (int k = 0; k < limits_.max_causes + 3; ++k) {
     if (static_cast<int>(result_.causes.size()) >= limits_.max_causes) break;

@@ -148,21 +148,26 @@ void lendCurves(Explanation* explanation) {
       if (found.what.name == cause.name) cause.simulation = found;
 }
 
-}  // namespace
-
-std::vector<std::string> leadingCurves(const SimulationCauses& simulation) {
-  std::vector<std::string> names;
-  if (logRatio(simulation.fit_before, simulation.fit_after) > kHalf) return names;
-  for (const SimulationCause& cause : simulation.causes) {
-    names.push_back(cause.what.name);
-    for (const PlaceAndShape& tie : cause.ties) names.push_back(tie.name);
-  }
-  return names;
+/// Tests of what cannot be predicted may pass though the input explains little of the output.
+void warnOfPoorSimulation(Explanation* explanation) {
+  constexpr double kPoor = 50;  // [%] fit
+  const Verdict verdict = explanation->verdict;
+  if (verdict != Verdict::none && verdict != Verdict::explained) return;
+  double fit = explanation->simulation.fit_after;
+  for (const Cause& cause : explanation->causes)
+    if (cause.gain && std::isfinite(cause.gain->nrmse_fit_percent.after))
+      fit = cause.gain->nrmse_fit_percent.after;
+  if (!(fit < kPoor)) return;
+  std::ostringstream text;
+  text.precision(2);
+  text << "the simulation fits held-out data by " << fit
+       << " % only: the input explains little of the output, the noise model describes the rest, "
+          "and the tests cannot see what the simulation lacks";
+  explanation->warnings.push_back(text.str());
 }
 
-void joinSimulation(Explanation* explanation) {
+void joinCurves(Explanation* explanation) {
   const SimulationCauses& simulation = explanation->simulation;
-  if (!simulation.skipped.empty()) return;
   const bool passed = allPassed(explanation->checks_after);
   if (simulation.causes.empty()) {
     if (!passed) dropUnconfirmed(explanation);
@@ -176,6 +181,24 @@ void joinSimulation(Explanation* explanation) {
     lendCurves(explanation);
   else
     takeCurves(explanation);
+}
+
+}  // namespace
+
+std::vector<std::string> leadingCurves(const SimulationCauses& simulation) {
+  std::vector<std::string> names;
+  if (logRatio(simulation.fit_before, simulation.fit_after) > kHalf) return names;
+  for (const SimulationCause& cause : simulation.causes) {
+    names.push_back(cause.what.name);
+    for (const PlaceAndShape& tie : cause.ties) names.push_back(tie.name);
+  }
+  return names;
+}
+
+void joinSimulation(Explanation* explanation) {
+  if (!explanation->simulation.skipped.empty()) return;
+  joinCurves(explanation);
+  warnOfPoorSimulation(explanation);
 }
 
 }  // namespace uncertainty_identification

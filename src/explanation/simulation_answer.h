@@ -15,7 +15,8 @@ std::vector<std::string> leadingCurves(const SimulationCauses& simulation);
 /// stand where all tests of the residuals pass with them and the simulation gains about as much by
 /// them, or little by the curves. Otherwise the curves are the causes: effects of noise, samples
 /// and experiments that were found beside a curve that the likelihood's model cannot contain may
-/// only be its symptoms.
+/// only be its symptoms. Where tests pass though the simulation fits by less than 50 %, a warning
+/// says so.
 void joinSimulation(Explanation* explanation);
 
 }  // namespace uncertainty_identification

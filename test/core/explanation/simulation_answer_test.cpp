@@ -72,6 +72,18 @@ TEST(SimulationAnswer, LeavesCausesWithWhichTestsPassAndTheSimulationGains) {
   EXPECT_EQ(found.verdict, Verdict::explained);
 }
 
+TEST(SimulationAnswer, WarnsWhereTestsPassThoughTheSimulationIsPoor) {
+  const auto warnings = [](double fit) {
+    Explanation found = withFriction(true, {ofLikelihood("noise_tails", fit, fit)});
+    found.simulation.causes.clear();
+    joinSimulation(&found);
+    return found.warnings;
+  };
+  ASSERT_EQ(warnings(9.8).size(), 1u);
+  EXPECT_TRUE(test::mentions(warnings(9.8)[0], "fits held-out data by 9.8 % only"));
+  EXPECT_TRUE(warnings(60).empty());
+}
+
 TEST(SimulationAnswer, LeadsWhereCurvesTakeHalfOfTheSquaredErrorAway) {
   SimulationCauses simulation = withFriction(false, {}).simulation;
   EXPECT_EQ(leadingCurves(simulation), (std::vector<std::string>{"plant_coulomb", "act_backlash"}));
