@@ -18,7 +18,8 @@ inline LoadedData loadDataArgument(const boost::program_options::variables_map& 
 /// The files and folders that a command line gives to be read.
 inline std::vector<std::string> inputArguments(
     const boost::program_options::variables_map& arguments) {
-  std::vector<std::string> inputs{arguments["config"].as<std::string>()};
+  std::vector<std::string> inputs;
+  if (arguments.count("config") > 0) inputs.push_back(arguments["config"].as<std::string>());
   for (const char* key : {"data", "validation"}) {
     if (arguments.count(key) == 0) continue;
     const auto& named = arguments[key].as<std::vector<std::string>>();
