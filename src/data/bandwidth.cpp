@@ -15,8 +15,8 @@ double bandwidth(const Eigen::VectorXd& signal) {
   Eigen::VectorXd windowed = Eigen::VectorXd::Zero(length);
   for (Eigen::Index k = 0; k < samples; ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(samples - 1);
-    windowed[k] =
-        (signal[k] - signal[0] - (signal[samples - 1] - signal[0]) * share) * 0.5 * (1 - std::cos(2 * M_PI * share));
+    windowed[k] = (signal[k] - signal[0] - (signal[samples - 1] - signal[0]) * share) * 0.5 *
+                  (1 - std::cos(2 * M_PI * share));
   }
   Eigen::FFT<double> transform;
   Eigen::VectorXcd spectrum;

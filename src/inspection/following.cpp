@@ -14,14 +14,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index kOrder = 10;           // [samples] of its past that predict a signal
-constexpr Index kLags = 20;            // at which signals may answer
-constexpr Index kLate = 40;            // up to which lags show what chance does
-constexpr double kPerPeriod = 10;      // samples a period of the output's bandwidth
+constexpr Index kOrder = 10;            // [samples] of its past that predict a signal
+constexpr Index kLags = 20;             // at which signals may answer
+constexpr Index kLate = 40;             // up to which lags show what chance does
+constexpr double kPerPeriod = 10;       // samples a period of the output's bandwidth
 constexpr double kMostSamples = 40000;  // of a record
-constexpr double kFewest = 5;          // times the lags, samples that correlations need
-constexpr double kMatters = 0.1;       // correlation below which nothing is concluded
-constexpr double kBeyondChance = 2;
+constexpr double kFewest = 5;           // times the lags, samples that correlations need
+constexpr double kMatters = 0.1;        // correlation below which nothing is concluded
+constexpr double kBeyondChance = 1.5;
+constexpr double kShareOfAnswer = 0.5;  // of the correlation the other way round
 
 /// A record of both signals on one grid.
 struct CommonRecord {
@@ -43,7 +44,8 @@ double periodFor(const Channel& output, double output_band) {
   if (!(own > 0)) return 0;
   const double by_band = output_band > 0 ? 1 / (kPerPeriod * output_band) : own;
   const double wanted = std::min(by_band, longest / (10 * kLate));  // enough samples are left
-  const double thinning = std::max(std::floor(wanted / own + 1e-9), std::ceil(longest / own / kMostSamples));
+  const double thinning =
+      std::max(std::floor(wanted / own + 1e-9), std::ceil(longest / own / kMostSamples));
   return own * std::max(1.0, thinning);
 }
 
@@ -58,7 +60,8 @@ std::vector<CommonRecord> commonRecords(const Channel& input, const Channel& out
     const double count = std::min(std::floor((end - start) / period) + 1, kMostSamples);
     if (!(count > 2 * kOrder)) continue;
     const auto samples = static_cast<Index>(count);
-    common.push_back({heldSignal(u, start, period, samples), heldSignal(y, start, period, samples)});
+    common.push_back(
+        {heldSignal(u, start, period, samples), heldSignal(y, start, period, samples)});
   }
   return common;
 }
@@ -121,9 +124,9 @@ struct LargestCorrelation {
 };
 
 LargestCorrelation largestOf(const std::vector<VectorXd>& later,
-                             const std::vector<VectorXd>& earlier, double scale) {
+                             const std::vector<VectorXd>& earlier, Index first, double scale) {
   LargestCorrelation largest;
-  for (Index lag = 1; lag <= kLate; ++lag) {
+  for (Index lag = first; lag <= kLate; ++lag) {
     const double size = std::abs(laggedProduct(later, earlier, lag)) / scale;
     if (lag > kLags) largest.late.push_back(size);
     if (lag > kLags || size <= largest.size) continue;
@@ -141,7 +144,9 @@ bool matters(double correlation, double chance) {
 
 bool Following::outputFollows() const { return measured && matters(after, chance); }
 
-bool Following::inputFollows() const { return measured && matters(before, chance); }
+bool Following::inputFollows() const {
+  return measured && matters(before, chance) && before > kShareOfAnswer * after;
+}
 
 Following followingOf(const Channel& input, const Channel& output, double output_band,
                       double period) {
@@ -156,7 +161,7 @@ Following followingOf(const Channel& input, const Channel& output, double output
   const std::vector<VectorXd> y = novelties(records, &CommonRecord::y);
   const double scale = std::sqrt(energyOf(u) * energyOf(y));
   if (!(scale > 0)) return following;
-  const LargestCorrelation after = largestOf(y, u, scale), before = largestOf(u, y, scale);
+  const LargestCorrelation after = largestOf(y, u, 0, scale), before = largestOf(u, y, 1, scale);
   const double late = std::max(*std::max_element(after.late.begin(), after.late.end()),
                                *std::max_element(before.late.begin(), before.late.end()));
   following.measured = true;

@@ -6,10 +6,10 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kSingle = 3e-7;        // relative rounding of single precision, with some reserve
-constexpr double kNearWhole = 0.1;      // [steps] a multiple may differ from a whole number
-constexpr double kAgreeing = 0.95;      // share of the differences that must be multiples
-constexpr double kTypicalSteps = 30;    // [steps] median difference above which a match says little
+constexpr double kSingle = 3e-7;      // relative rounding of single precision, with some reserve
+constexpr double kNearWhole = 0.1;    // [steps] a multiple may differ from a whole number
+constexpr double kAgreeing = 0.95;    // share of the differences that must be multiples
+constexpr double kTypicalSteps = 30;  // [steps] median difference above which a match says little
 constexpr std::size_t kCompared = 5000;  // differences
 
 /// Share of the differences that are whole multiples, and the step that fits them best.

@@ -13,11 +13,26 @@ constexpr std::size_t kMostOthers = 4;
 constexpr long kFewestSamples = 20;
 
 /// Weights of what speaks for a pair, beside the strengths of the names (0 to 3 each).
-constexpr double kFollows = 2, kSameComponent = 0.5, kLikeCommand = 0.5, kContrary = 2;
+constexpr double kFollows = 2, kSameComponent = 2, kLikeCommand = 0.5, kContrary = 2, kUnlikely = 1;
 
-/// The last part of a field: "x" of "linear.x".
+/// The last two parts of a field: "linear.x" of "twist.twist.linear.x".
 std::string componentOf(const Channel& channel) {
-  return channel.field.substr(channel.field.rfind('.') + 1);  // npos + 1 = 0
+  const auto last = channel.field.rfind('.');
+  if (last == std::string::npos || last == 0) return channel.field;
+  return channel.field.substr(channel.field.rfind('.', last - 1) + 1);  // npos + 1 = 0
+}
+
+/// Fields that hardly ever are what a plant is identified from.
+bool isUnlikely(const Channel& channel) {
+  return channel.name.find("orientation") != std::string::npos ||
+         channel.name.find("covariance") != std::string::npos;
+}
+
+/// Whether a record holds both.
+bool shareRecords(const Channel& left, const Channel& right) {
+  for (std::size_t r = 0; r < std::min(left.records.size(), right.records.size()); ++r)
+    if (!left.records[r].stamps.empty() && !right.records[r].stamps.empty()) return true;
+  return false;
 }
 
 /// Goes through the channels of one survey.
@@ -40,7 +55,7 @@ class PairChooser {
     SignalChoice choice;
     std::vector<SignalPair> pairs = allPairs();
     if (pairs.empty()) {
-      choice.doubt = "fewer than two signals move";
+      choice.doubt = "no two signals move in the same record";
       return choice;
     }
     choice.chosen = pairs.front();
@@ -64,8 +79,8 @@ class PairChooser {
   }
 
   std::vector<std::size_t> candidates(const std::vector<std::size_t>& named,
-                                      const std::optional<std::size_t>& given,
-                                      SignalRole contrary, std::size_t most) const {
+                                      const std::optional<std::size_t>& given, SignalRole contrary,
+                                      std::size_t most) const {
     if (given) return {*given};
     if (const auto only = settled(named)) return {*only};
     std::vector<std::size_t> found = named.empty() ? moving_ : named;
@@ -75,6 +90,8 @@ class PairChooser {
       if (end != found.begin()) found.erase(end, found.end());
     }
     std::stable_sort(found.begin(), found.end(), [&](std::size_t left, std::size_t right) {
+      const bool unlikely_left = isUnlikely(survey_.channels[left]);
+      if (unlikely_left != isUnlikely(survey_.channels[right])) return !unlikely_left;
       return hints_[left].strength > hints_[right].strength;
     });
     found.resize(std::min(found.size(), most));
@@ -87,7 +104,8 @@ class PairChooser {
          candidates(named_inputs_, given_.input, SignalRole::output, kMostInputs))
       for (const std::size_t y :
            candidates(named_outputs_, given_.output, SignalRole::input, kMostOutputs))
-        if (u != y) pairs.push_back(pairOf(u, y));
+        if (u != y && shareRecords(survey_.channels[u], survey_.channels[y]))
+          pairs.push_back(pairOf(u, y));
     std::stable_sort(pairs.begin(), pairs.end(),
                      [](const auto& left, const auto& right) { return left.score > right.score; });
     return pairs;
@@ -102,6 +120,7 @@ class PairChooser {
     if (following.inputFollows() && following.before > following.after) pair.score -= kContrary;
     if (!input.field.empty() && componentOf(input) == componentOf(output))
       pair.score += kSameComponent;
+    pair.score -= kUnlikely * (isUnlikely(input) + isUnlikely(output));
     const SignalShape shape = measures_[u].shape;
     if (shape == SignalShape::steps || shape == SignalShape::two_levels) pair.score += kLikeCommand;
     return pair;

@@ -18,9 +18,9 @@ struct SignalPair {
 
 /// Which channels are taken for u and y, and why.
 struct SignalChoice {
-  std::optional<SignalPair> chosen;  ///< nothing: fewer than two signals move
+  std::optional<SignalPair> chosen;         ///< nothing: fewer than two signals move
   std::string input_reason, output_reason;  ///< what speaks for each, in words
-  std::string doubt;  ///< what else it could be; empty: the names settle it
+  std::string doubt;                        ///< what else it could be; empty: the names settle it
   std::vector<SignalPair> others = {};  ///< the next best ones, best first, without the chosen one
 };
 

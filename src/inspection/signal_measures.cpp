@@ -82,9 +82,8 @@ std::vector<double> allValues(const Channel& channel) {
 /// The record with the most samples.
 const StampedSignal* longestRecord(const Channel& channel) {
   const auto longest = std::max_element(
-      channel.records.begin(), channel.records.end(), [](const auto& left, const auto& right) {
-        return left.values.size() < right.values.size();
-      });
+      channel.records.begin(), channel.records.end(),
+      [](const auto& left, const auto& right) { return left.values.size() < right.values.size(); });
   return longest == channel.records.end() ? nullptr : &*longest;
 }
 
@@ -96,8 +95,8 @@ std::optional<double> bandHertz(const Channel& channel) {
   if (!(length >= kShortest)) return std::nullopt;
   const double thinned = std::max(1.0, std::ceil(length / kLongestSpectrum));
   const double period = stamps.period * thinned;
-  const Eigen::VectorXd signal = heldSignal(*record, stamps.start, period,
-                                            static_cast<Eigen::Index>(length / thinned));
+  const Eigen::VectorXd signal =
+      heldSignal(*record, stamps.start, period, static_cast<Eigen::Index>(length / thinned));
   if (!(signal.maxCoeff() > signal.minCoeff())) return std::nullopt;
   return bandwidth(signal) / period;
 }

@@ -14,18 +14,19 @@ const std::map<std::string, NameHint>& knownWords() {
     const auto add = [&all](SignalRole role, int strength, const std::vector<std::string>& names) {
       for (const std::string& name : names) all[name] = {role, strength, name};
     };
-    add(SignalRole::input, 3, {"u"});
-    add(SignalRole::output, 3, {"y"});
-    add(SignalRole::input, 2, {"input", "in", "cmd", "command", "commanded", "control", "setpoint",
-                               "sp", "target", "desired", "reference", "ref", "duty", "pwm",
-                               "throttle", "actuator", "excitation", "demand", "goal"});
-    add(SignalRole::output, 2, {"output", "out", "measured", "measurement", "meas", "sensor",
-                                "feedback", "actual", "response", "odom", "encoder", "state"});
-    add(SignalRole::input, 1, {"voltage", "volt", "volts", "effort", "torque", "force", "heater",
-                               "valve", "pump", "drive"});
-    add(SignalRole::output, 1, {"position", "pos", "velocity", "vel", "speed", "angle", "rpm",
-                                "temperature", "temp", "level", "acceleration", "gyro", "imu",
-                                "pose", "twist", "omega"});
+    add(SignalRole::input, 2,
+        {"input", "in", "cmd", "command", "commanded", "control", "setpoint", "sp", "target",
+         "desired", "reference", "ref", "duty", "pwm", "throttle", "actuator", "excitation",
+         "demand", "goal"});
+    add(SignalRole::output, 2,
+        {"output", "out", "measured", "measurement", "meas", "sensor", "feedback", "actual",
+         "response", "odom", "encoder", "state"});
+    add(SignalRole::input, 1,
+        {"voltage", "volt", "volts", "effort", "torque", "force", "heater", "valve", "pump",
+         "drive"});
+    add(SignalRole::output, 1,
+        {"position", "pos", "velocity", "vel", "speed", "angle", "rpm", "temperature", "temp",
+         "level", "acceleration", "gyro", "imu", "pose", "twist", "omega"});
     return all;
   }();
   return words;
@@ -62,17 +63,26 @@ std::string lowered(std::string text) {
   return text;
 }
 
+/// For u and y, also one of several: "u2", "y_1".
+NameHint hintOfLetter(const std::string& name) {
+  const std::string rest = name.empty() ? "" : name.substr(1);
+  if (rest.find_first_not_of("_0123456789") != std::string::npos) return {};
+  const std::string letter = lowered(name.substr(0, 1));
+  const int strength = rest.empty() ? 3 : 2;
+  if (letter == "u") return {SignalRole::input, strength, letter};
+  if (letter == "y") return {SignalRole::output, strength, letter};
+  return {};
+}
+
 }  // namespace
 
 NameHint hintOf(const std::string& name) {
-  if (lowered(name) == "u" || lowered(name) == "y") return knownWords().at(lowered(name));
-  NameHint hint;
+  NameHint hint = hintOfLetter(name);
+  if (hint.strength > 0) return hint;
   for (const std::string& word : wordsOf(name)) {
     const auto known = knownWords().find(word);
     if (known == knownWords().end()) continue;
-    NameHint found = known->second;
-    found.strength = std::min(found.strength, 2);  // one of several signals, as in "u2"
-    if (weighsMore(found, hint)) hint = found;
+    if (weighsMore(known->second, hint)) hint = known->second;
   }
   return hint;
 }
@@ -80,16 +90,17 @@ NameHint hintOf(const std::string& name) {
 std::string unitOfName(const std::string& name) {
   if (name.size() > 2 && (name.back() == ']' || name.back() == ')')) {
     const auto open = name.rfind(name.back() == ']' ? '[' : '(');
-    const std::string inside = open == std::string::npos ? "" : name.substr(open + 1, name.size() - open - 2);
+    const std::string inside =
+        open == std::string::npos ? "" : name.substr(open + 1, name.size() - open - 2);
     const bool is_index = inside.find_first_not_of("0123456789") == std::string::npos;
     return is_index ? "" : inside;
   }
   static const std::map<std::string, std::string> units = {
-      {"deg", "deg"},  {"degrees", "deg"}, {"rad", "rad"},     {"rpm", "rpm"},  {"volt", "V"},
-      {"volts", "V"},  {"voltage", "V"},   {"mv", "mV"},       {"amps", "A"},   {"ma", "mA"},
-      {"percent", "%"}, {"pct", "%"},      {"celsius", "degC"}, {"degc", "degC"}, {"kelvin", "K"},
-      {"mm", "mm"},    {"cm", "cm"},       {"meters", "m"},    {"nm", "N m"},   {"hz", "Hz"},
-      {"mps", "m/s"},  {"rads", "rad/s"},  {"radps", "rad/s"}, {"dps", "deg/s"}};
+      {"deg", "deg"},   {"degrees", "deg"}, {"rad", "rad"},      {"rpm", "rpm"},   {"volt", "V"},
+      {"volts", "V"},   {"voltage", "V"},   {"mv", "mV"},        {"amps", "A"},    {"ma", "mA"},
+      {"percent", "%"}, {"pct", "%"},       {"celsius", "degC"}, {"degc", "degC"}, {"kelvin", "K"},
+      {"mm", "mm"},     {"cm", "cm"},       {"meters", "m"},     {"nm", "N m"},    {"hz", "Hz"},
+      {"mps", "m/s"},   {"rads", "rad/s"},  {"radps", "rad/s"},  {"dps", "deg/s"}};
   const std::vector<std::string> words = wordsOf(name);
   if (words.empty()) return "";
   const auto known = units.find(words.back());

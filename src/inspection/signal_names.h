@@ -15,13 +15,14 @@ struct NameHint {
   std::string word = {};  ///< that says so
 };
 
-/// By the words of the name, which capitals, digits and signs separate: "wheel_speed", "motorVoltage",
+/// By the words of the name, which capitals, digits and signs separate: "wheel_speed",
+/// "motorVoltage",
 /// "/cmd_vel linear.x". Words that name commands weigh more than those that name quantities:
 /// "speed_setpoint" is an input.
 NameHint hintOf(const std::string& name);
 
-/// The unit that a name states: the brackets at its end, "angle [deg]", or its last word, "angle_deg";
-/// a voltage is in V. Empty if it states none.
+/// The unit that a name states: the brackets at its end, "angle [deg]", or its last word,
+/// "angle_deg"; a voltage is in V. Empty if it states none.
 std::string unitOfName(const std::string& name);
 
 }  // namespace uncertainty_identification

@@ -10,7 +10,7 @@ namespace uncertainty_identification {
 namespace {
 
 constexpr double kWindows = 10;          // that a record without markers is cut into
-constexpr double kFewestInWindow = 100;   // of a window
+constexpr double kFewestInWindow = 100;  // of a window
 
 const SurveyedStream* streamOf(const Survey& survey, bool (*is_wanted)(const std::string&)) {
   const SurveyedStream* found = nullptr;
@@ -37,8 +37,7 @@ double windowFor(const Survey& survey, const SignalPair& pair) {
   for (std::size_t r = 0; r < u.records.size(); ++r) {
     const auto &of_u = u.records[r].stamps, &of_y = y.records[r].stamps;
     if (of_u.empty() || of_y.size() < 2) continue;
-    const double length =
-        std::min(of_u.back(), of_y.back()) - std::max(of_u.front(), of_y.front());
+    const double length = std::min(of_u.back(), of_y.back()) - std::max(of_u.front(), of_y.front());
     if (length <= longest) continue;
     longest = length;
     period = summaryOf(of_y).period;

@@ -51,7 +51,8 @@ class CsvSurveyor {
       const bool is_t = splitUnit(name).base == "t";
       if (!is_t && !timeName(name)) continue;
       if (header_.is_text[i])
-        remark("the column " + inQuotes(name) + " holds texts; dates and times of day are not read");
+        remark("the column " + inQuotes(name) +
+               " holds texts; dates and times of day are not read");
       else
         (is_t ? called_t : known).push_back(name);
     }
@@ -65,8 +66,9 @@ class CsvSurveyor {
     if (candidates.empty()) {
       time.unit = TimeUnit::index;
       time.sample_time = 1;
-      remark("no column is known to hold the time: the rows are counted, and a row is taken for "
-             "1 s; state the real sample time, or time: {column: NAME, unit: ms}");
+      remark(
+          "no column is known to hold the time: the rows are counted, and a row is taken for "
+          "1 s; state the real sample time, or time: {column: NAME, unit: ms}");
       return;
     }
     time.column = candidates.front();

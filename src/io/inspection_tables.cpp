@@ -1,7 +1,7 @@
 #include "io/inspection_tables.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 #include "data/text.h"
@@ -14,8 +14,15 @@ namespace {
 
 using TableRows = std::vector<std::vector<std::string>>;
 
-constexpr std::size_t kMostStreams = 30, kMostSignals = 60, kMostNames = 12;
+constexpr std::size_t kMostStreams = 30, kMostSignals = 60, kMostNames = 8;
 constexpr double kPerceptibleJitter = 0.02;  // [periods]
+
+/// A value with the digits that tell a range.
+std::string fiveDigits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.5g", value);
+  return text;
+}
 
 std::string percent(double share) {
   if (share > 0 && share < 0.001) return "<0.1 %";
@@ -63,8 +70,8 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 std::vector<std::string> stampCells(const StampSummary& stamps) {
-  return {std::to_string(stamps.count), rateText(stamps), rounded(stamps.end - stamps.start) + " s",
-          stampText(stamps)};
+  return {std::to_string(stamps.count), rateText(stamps),
+          fiveDigits(stamps.end - stamps.start) + " s", stampText(stamps)};
 }
 
 void appendCells(const std::vector<std::string>& cells, std::vector<std::string>& row) {
@@ -103,16 +110,18 @@ std::string topicTable(const std::vector<const SurveyedStream*>& topics) {
 }
 
 std::string rangeText(const SignalMeasures& measures) {
-  return rounded(measures.smallest) + " to " + rounded(measures.largest);
+  return fiveDigits(measures.smallest) + " to " + fiveDigits(measures.largest);
 }
 
 std::string remarkOf(const Channel& channel, const SignalMeasures& measures) {
   std::string text;
   const auto add = [&text](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };
   if (measures.clipped && measures.at_largest >= measures.at_smallest)
-    add("stays at its largest value for " + percent(measures.at_largest) + " of the samples: a limit?");
+    add("stays at its largest value for " + percent(measures.at_largest) +
+        " of the samples: a limit, or rest?");
   else if (measures.clipped)
-    add("stays at its smallest value for " + percent(measures.at_smallest) + " of the samples: a limit?");
+    add("stays at its smallest value for " + percent(measures.at_smallest) +
+        " of the samples: a limit, or rest?");
   if (channel.empty > 0) add(std::to_string(channel.empty) + " values missing");
   if (channel.not_finite > 0) add(std::to_string(channel.not_finite) + " not finite");
   return text;
@@ -145,21 +154,24 @@ std::string streamTables(const Survey& survey) {
     std::vector<const SurveyedStream*> topics;
     for (const SurveyedStream& other : survey.streams)
       if (other.file == stream.file && !other.type.empty()) topics.push_back(&other);
-    text += "Topics of " + printable(stream.file) + "\n\n" + topicTable(topics) + "\n";
+    text += (text.empty() ? "" : "\n");
+    text += "Topics of " + printable(stream.file) + "\n\n" + topicTable(topics);
   }
   if (files.empty()) return text;
+  if (!text.empty()) text += "\n";
   text += "Files of columns";
   if (!survey.times.empty()) {
     const SurveyedTime& time = survey.times.front();
     text += time.column.empty() ? " (no column of time)"
-                                : " (time: column '" + printable(time.column) + "' in " + time.unit +
-                                      (time.assumed ? ", assumed)" : ")");
+                                : " (time: column '" + printable(time.column) + "' in " +
+                                      time.unit + (time.assumed ? ", assumed)" : ")");
   }
   return text + "\n\n" + fileTable(files);
 }
 
 std::string signalTable(const Survey& survey, const std::vector<SignalMeasures>& measures) {
-  TableRows rows{{"signal", "unit", "range", "resolution", "repeats", "shape", "99.5 % of power", ""}};
+  TableRows rows{
+      {"signal", "unit", "range", "resolution", "repeats", "shape", "99.5 % of power", "remark"}};
   std::vector<std::string> constant, empty;
   for (std::size_t i = 0; i < survey.channels.size(); ++i) {
     const Channel& channel = survey.channels[i];
@@ -171,7 +183,8 @@ std::string signalTable(const Survey& survey, const std::vector<SignalMeasures>&
       rows.push_back(signalRow(channel, measures[i]));
   }
   std::string text = textTable(rows);
-  if (!constant.empty()) text += "  constant: " + joined(constant) + "\n";
+  if (!constant.empty())
+    text += "  constant (" + std::to_string(constant.size()) + "): " + joined(constant) + "\n";
   if (!empty.empty()) text += "  without a value: " + joined(empty) + "\n";
   return text;
 }
@@ -183,7 +196,7 @@ std::string experimentTable(const LoadedData& data) {
     const Experiment& experiment = data.experiments[i];
     rows.push_back({printable(experiment.id), std::to_string(experiment.samples()),
                     rounded(experiment.sample_time) + " s",
-                    rounded(experiment.samples() * experiment.sample_time) + " s",
+                    fiveDigits(experiment.samples() * experiment.sample_time) + " s",
                     std::to_string(experiment.samples() - experiment.validSamples())});
   }
   std::string text = textTable(rows);

@@ -1,7 +1,11 @@
 #include "io/inspection_text.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cctype>
+#include <cstdio>
+#include <iterator>
+#include <map>
+#include <utility>
 
 #include "data/text.h"
 #include "inspection/suggestion.h"
@@ -15,18 +19,29 @@ const Channel& channelOf(const InspectedData& data, std::size_t place) {
   return data.survey.channels[place];
 }
 
-std::string name(const InspectedData& data, std::size_t place) {
+std::string nameIn(const InspectedData& data, std::size_t place) {
   return "'" + printable(channelOf(data, place).name) + "'";
+}
+
+std::string twoDigits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", value);
+  return text;
 }
 
 /// How much an output answers, in words with the numbers.
 std::string answerText(const InspectedData& data, const SignalPair& pair) {
   const Following& following = pair.following;
-  const std::string u = name(data, pair.input), y = name(data, pair.output);
+  const std::string u = nameIn(data, pair.input), y = nameIn(data, pair.output);
   if (!following.measured)
-    return "Whether " + y + " follows " + u + " cannot be told: too few samples, or changes, in common.";
-  const std::string numbers = " (correlation of what is new in both " + rounded(following.after) +
-                              ", by chance up to " + rounded(following.chance) + ")";
+    return "Whether " + y + " follows " + u +
+           " cannot be told: too few samples, or changes, in common.";
+  const std::string numbers = " (correlation " + twoDigits(following.after) +
+                              " of what their own past does not predict; unrelated signals reach " +
+                              twoDigits(following.chance) + ")";
+  if (following.outputFollows() && following.delay == 0)
+    return y + " moves with " + u + " within one reading of " + rounded(following.period) + " s" +
+           numbers + ", so that the direction cannot be seen.";
   if (following.outputFollows())
     return y + " follows " + u + " after about " + rounded(following.delay) + " s" + numbers + ".";
   return "It is not seen that " + y + " follows " + u + numbers +
@@ -36,26 +51,27 @@ std::string answerText(const InspectedData& data, const SignalPair& pair) {
 std::string loopText(const InspectedData& data, const SignalPair& pair) {
   const Following& following = pair.following;
   if (!following.measured) return "";
-  const std::string u = name(data, pair.input), y = name(data, pair.output);
-  if (!following.inputFollows())
-    return "Closed loop: no sign that " + u + " follows " + y + ".";
+  const std::string u = nameIn(data, pair.input), y = nameIn(data, pair.output);
+  if (!following.inputFollows()) return "Closed loop: no sign that " + u + " follows " + y + ".";
   const std::string how = u + " follows " + y + " after about " + rounded(following.lead) +
-                          " s (correlation " + rounded(following.before) + ")";
+                          " s (correlation " + twoDigits(following.before) + ")";
   if (following.before > following.after)
     return "Careful: " + how +
            ", more than the other way round: input and output may be exchanged, or a controller "
            "computes the input.";
   return "Closed loop: perhaps, as " + how +
-         "; a controller that computes the input biases the model. Record with a known excitation, or "
+         "; a controller that computes the input biases the model. Record with a known excitation, "
+         "or "
          "identify from its setpoint.";
 }
 
 std::string othersText(const InspectedData& data) {
   std::string text;
   for (const SignalPair& pair : data.choice.others)
-    text += (text.empty() ? "" : "; ") + name(data, pair.input) + " to " + name(data, pair.output) +
+    text += (text.empty() ? "" : "; ") + nameIn(data, pair.input) + " to " +
+            nameIn(data, pair.output) +
             (pair.following.outputFollows()
-                 ? " (follows, correlation " + rounded(pair.following.after) + ")"
+                 ? " (follows, correlation " + twoDigits(pair.following.after) + ")"
                  : " (not seen to follow)");
   return text;
 }
@@ -66,15 +82,35 @@ std::string choiceText(const InspectedData& data) {
   return text + "\n";
 }
 
+/// A text without its numbers, by which notes of the same kind are recognised.
+std::string kindOf(const std::string& note) {
+  std::string kind;
+  std::copy_if(note.begin(), note.end(), std::back_inserter(kind),
+               [](unsigned char c) { return std::isalpha(c) != 0; });
+  return kind;
+}
+
+/// Each kind of note once, with the number of those like it.
+std::string notesText(const std::vector<std::string>& notes) {
+  std::map<std::string, long> count;
+  for (const std::string& note : notes) ++count[kindOf(note)];
+  std::string text;
+  for (const std::string& note : notes) {
+    const long alike = std::exchange(count[kindOf(note)], 0);
+    if (alike == 0) continue;
+    text += "  note: " + printable(note) +
+            (alike > 1 ? " (and " + std::to_string(alike - 1) + " more like this)" : "") + "\n";
+  }
+  return text;
+}
+
 std::string cutText(const InspectedData& data) {
   std::string text = "Experiments (" + cutReason(data.survey, data.configuration) + ")\n\n";
   if (!data.failure.empty()) text += "  none: " + printable(data.failure) + "\n";
   text += experimentTable(data.loaded);
   for (const RejectedExperiment& rejected : data.loaded.rejected)
     text += "  left out: " + printable(rejected.reason) + "\n";
-  for (const std::string& warning : data.loaded.warnings)
-    text += "  note: " + printable(warning) + "\n";
-  return text;
+  return text + notesText(data.loaded.warnings);
 }
 
 }  // namespace
@@ -88,9 +124,10 @@ std::vector<std::string> choiceSentences(const InspectedData& data) {
   std::vector<std::string> sentences;
   if (!choice.doubt.empty())
     sentences.push_back("Cannot tell for sure: " + printable(choice.doubt) +
-                        ". The likeliest pair is taken:");
-  sentences.push_back("Input u: " + name(data, pair.input) + " (" + choice.input_reason + ").");
-  sentences.push_back("Output y: " + name(data, pair.output) + " (" + choice.output_reason + ").");
+                        ". The likeliest pair is taken, as a guess:");
+  sentences.push_back("Input u: " + nameIn(data, pair.input) + " (" + choice.input_reason + ").");
+  sentences.push_back("Output y: " + nameIn(data, pair.output) + " (" + choice.output_reason +
+                      ").");
   sentences.push_back(answerText(data, pair));
   if (const std::string loop = loopText(data, pair); !loop.empty()) sentences.push_back(loop);
   if (const std::string others = othersText(data); !others.empty())
@@ -100,8 +137,10 @@ std::vector<std::string> choiceSentences(const InspectedData& data) {
 
 std::string chosenText(const InspectedData& data) {
   const SignalPair& pair = *data.choice.chosen;
-  return "input: " + name(data, pair.input) + " (" + data.choice.input_reason + "), output: " +
-         name(data, pair.output) + " (" + data.choice.output_reason + "); --config chooses others";
+  return "input: " + nameIn(data, pair.input) + " (" + data.choice.input_reason +
+         "), output: " + nameIn(data, pair.output) + " (" + data.choice.output_reason +
+         "); experiments: " + cutReason(data.survey, data.configuration) +
+         "; --config chooses others";
 }
 
 std::string inspectionText(const InspectedData& data) {

@@ -46,7 +46,8 @@ std::string signalLine(const std::string& key, const SignalOptions& signal,
   }
   if (signal.scale != usual.scale) parts.push_back("scale: " + numberOf(signal.scale));
   if (signal.offset != usual.offset) parts.push_back("offset: " + numberOf(signal.offset));
-  if (parts.empty()) return "# " + key + ": {}   # the column " + (key == "input" ? "u" : "y") + "\n";
+  if (parts.empty())
+    return "# " + key + ": {}   # the column " + (key == "input" ? "u" : "y") + "\n";
   std::string line = key + ": {";
   for (std::size_t i = 0; i < parts.size(); ++i) line += (i == 0 ? "" : ", ") + parts[i];
   return line + "}\n";
@@ -54,7 +55,8 @@ std::string signalLine(const std::string& key, const SignalOptions& signal,
 
 std::string timeLine(const Survey& survey, const TimeOptions& time) {
   if (survey.times.empty()) return "";
-  if (survey.times.size() > 1) return "# The files name their time differently; each is read by its own names.\n";
+  if (survey.times.size() > 1)
+    return "# The files name their time differently; each is read by its own names.\n";
   std::string line = "time: {";
   if (!time.column.empty()) line += "column: " + quotedName(time.column) + ", ";
   line += "unit: " + nameOf(time.unit);
@@ -72,7 +74,8 @@ std::string experimentLine(const ExperimentOptions& experiment) {
       experiment.mode == ExperimentMode::topic || experiment.mode == ExperimentMode::message;
   if (has_topic && experiment.topic != ExperimentOptions().topic)
     line += ", topic: " + quotedName(experiment.topic);
-  if (experiment.mode == ExperimentMode::duration) line += ", duration: " + numberOf(experiment.duration);
+  if (experiment.mode == ExperimentMode::duration)
+    line += ", duration: " + numberOf(experiment.duration);
   if (experiment.mode == ExperimentMode::gap) line += ", gap: " + numberOf(experiment.gap);
   if (!experiment.column.empty()) line += ", column: " + quotedName(experiment.column);
   return line + "}\n";
@@ -90,7 +93,8 @@ std::string covariateLines(const InspectedData& data) {
     lines += (lines.empty() ? "# covariates:\n" : "") + std::string("#   - {name: ") + name +
              ", column: " + name + "}\n";
   }
-  const bool by_name = !data.configuration.input.column.empty() || !data.configuration.output.column.empty();
+  const bool by_name =
+      !data.configuration.input.column.empty() || !data.configuration.output.column.empty();
   if (lines.empty() || !by_name) return "";
   return "\n# Further signals, in which explain may find a cause:\n" + lines;
 }
@@ -114,14 +118,17 @@ std::string inspectionYaml(const InspectedData& data) {
   requireUsable(data);
   const Configuration& configuration = data.configuration;
   std::string text =
-      "# Written by inspect; works as it is with identify and explain. config/reference.yaml explains every key.\n\n";
+      "# Written by inspect; works as it is with identify and explain. config/reference.yaml "
+      "explains every key.\n\n";
   for (const std::string& sentence : choiceSentences(data)) text += comment(sentence);
   if (configuration.experiment.mode != ExperimentMode::message) {
     const bool is_bag = data.survey.channels[data.choice.chosen->input].column.empty();
     const SignalOptions usual;
     text += signalLine("input", configuration.input, usual, is_bag);
     text += signalLine("output", configuration.output, usual, is_bag);
-    text += "# scale: deg in the braces turns degrees into radians; what is kept is scale * value + offset.\n";
+    text +=
+        "# scale: deg in the braces turns degrees into radians; what is kept is scale * value + "
+        "offset.\n";
     text += covariateLines(data);
     text += "\n" + timeLine(data.survey, configuration.time);
   }

@@ -18,7 +18,7 @@ constexpr std::uint32_t kMostElements = 32;  // of an array that is looked at
 constexpr std::size_t kMostFields = 200;     // of a topic
 
 bool isOfTheSystem(const std::string& topic) {
-  static const std::set<std::string> topics{"/rosout", "/rosout_agg", "/clock", "/tf",
+  static const std::set<std::string> topics{"/rosout",    "/rosout_agg",  "/clock",          "/tf",
                                             "/tf_static", "/diagnostics", "/diagnostics_agg"};
   return topics.count(topic) > 0;
 }

@@ -4,7 +4,9 @@
 
 #include "data/experiment_checks.h"
 #include "inspection/suggestion.h"
+#include "io/csv_header.h"
 #include "io/csv_survey.h"
+#include "io/inspection_text.h"
 #include "ros/bag_survey.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/ros/load_data.h"
@@ -20,22 +22,36 @@ std::string absolute(const std::string& topic) {
   return topic.empty() || topic.front() == '/' ? topic : "/" + topic;
 }
 
+/// Whether a field is meant by the path in a configuration, which may begin with another name.
+bool isMeant(const std::string& field, const std::string& path) {
+  if (field == path || path == "auto") return true;
+  return path.size() > field.size() && path[path.size() - field.size() - 1] == '.' &&
+         path.compare(path.size() - field.size(), field.size(), field) == 0;
+}
+
 /// The channel that the configuration names; nothing where it names none that the data hold.
 std::optional<std::size_t> givenChannel(const Survey& survey, const SignalOptions& signal) {
   for (std::size_t i = 0; i < survey.channels.size(); ++i) {
     const Channel& channel = survey.channels[i];
     const bool by_column = !channel.column.empty() && channel.column == signal.column;
     const bool by_field = !channel.topic.empty() && channel.topic == absolute(signal.topic) &&
-                          channel.field == signal.field;
+                          isMeant(channel.field, signal.field);
     if (by_column || by_field) return i;
   }
   return std::nullopt;
 }
 
+/// What a configuration states of a signal stays as it is.
+void keepStated(const SignalOptions& stated, const SignalOptions& usual, SignalOptions& signal) {
+  const bool is_stated =
+      !stated.column.empty() || stated.topic != usual.topic || stated.field != usual.field;
+  if (is_stated) signal = stated;
+}
+
 /// What cannot be used for a fit moves from the experiments to the rejected ones.
 void rejectDefects(const Configuration& configuration, LoadedData& data) {
-  const CheckReport report = checkExperiments(data.experiments, configuration.limits, {},
-                                              configuration.sample_time);
+  const CheckReport report =
+      checkExperiments(data.experiments, configuration.limits, {}, configuration.sample_time);
   std::vector<Experiment> usable;
   for (const int r : report.usable)
     usable.push_back(std::move(data.experiments[static_cast<std::size_t>(r)]));
@@ -52,6 +68,24 @@ void readExperiments(const std::vector<std::string>& paths, InspectedData& data)
   } catch (const Error& error) {
     data.failure = error.what();
   }
+}
+
+/// The survey with its measures, and the signals that are chosen.
+InspectedData chosenSignals(const std::vector<std::string>& paths,
+                            const Configuration& configuration, bool given) {
+  InspectedData data;
+  data.survey = surveyData(paths, configuration);
+  for (const Channel& channel : data.survey.channels) data.measures.push_back(measure(channel));
+  GivenSignals signals;
+  if (given) {
+    signals.input = givenChannel(data.survey, configuration.input);
+    signals.output = givenChannel(data.survey, configuration.output);
+  }
+  data.choice = chooseSignals(data.survey, data.measures, signals);
+  data.configuration = suggestedConfiguration(data.survey, data.choice, configuration);
+  keepStated(configuration.input, Configuration().input, data.configuration.input);
+  keepStated(configuration.output, Configuration().output, data.configuration.output);
+  return data;
 }
 
 }  // namespace
@@ -73,18 +107,38 @@ Survey surveyData(const std::vector<std::string>& paths, const Configuration& co
 
 InspectedData inspectData(const std::vector<std::string>& paths, const Configuration& configuration,
                           bool given) {
-  InspectedData data;
-  data.survey = surveyData(paths, configuration);
-  for (const Channel& channel : data.survey.channels) data.measures.push_back(measure(channel));
-  GivenSignals signals;
-  if (given) {
-    signals.input = givenChannel(data.survey, configuration.input);
-    signals.output = givenChannel(data.survey, configuration.output);
-  }
-  data.choice = chooseSignals(data.survey, data.measures, signals);
-  data.configuration = suggestedConfiguration(data.survey, data.choice, configuration);
+  InspectedData data = chosenSignals(paths, configuration, given);
   readExperiments(paths, data);
   return data;
+}
+
+bool readsByItself(const std::vector<std::string>& paths) {
+  for (const std::string& file : dataFiles(paths)) {
+    if (isBag(file)) return false;
+    try {
+      CsvLines lines(file);
+      chooseColumns(readHead(file, lines).header, {});
+    } catch (const Error&) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Configuration configurationByNames(const std::vector<std::string>& paths, std::string& told) {
+  if (readsByItself(paths)) return {};
+  const InspectedData data = chosenSignals(paths, {}, false);
+  if (data.configuration.experiment.mode == ExperimentMode::message) return data.configuration;
+  const std::string& doubt = data.choice.doubt;
+  if (!doubt.empty() || !data.choice.chosen)
+    throw ConfigurationError(
+        "no --config was given, and input and output cannot be told from the "
+        "names: " +
+        doubt +
+        "; 'inspect DATA...' shows what is in the data, and 'inspect --write "
+        "C.yaml DATA...' writes a configuration to start from");
+  told = chosenText(data);
+  return data.configuration;
 }
 
 }  // namespace uncertainty_identification

@@ -4,9 +4,25 @@
 #include <string>
 #include <vector>
 
+#include "io/command_line.h"
+#include "ros/survey_data.h"
+#include "uncertainty_identification/io/configuration_yaml.h"
 #include "uncertainty_identification/ros/load_data.h"
 
 namespace uncertainty_identification {
+
+/// The configuration that a command line names; without one that of configurationByNames for DATA,
+/// which is told on standard error.
+inline Configuration configurationArgument(const boost::program_options::variables_map& arguments,
+                                           const std::string& program) {
+  if (arguments.count("config") > 0)
+    return loadConfiguration(arguments["config"].as<std::string>());
+  std::string told;
+  const Configuration configuration =
+      configurationByNames(arguments["data"].as<std::vector<std::string>>(), told);
+  if (!told.empty()) printMessage(program, told);
+  return configuration;
+}
 
 /// The data that a command line names under this key; nothing where it names none.
 inline LoadedData loadDataArgument(const boost::program_options::variables_map& arguments,
