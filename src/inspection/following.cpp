@@ -142,7 +142,9 @@ bool matters(double correlation, double chance) {
 
 }  // namespace
 
-bool Following::outputFollows() const { return measured && matters(after, chance); }
+bool Following::outputFollows() const {
+  return measured && matters(after, chance) && after > kShareOfAnswer * before;
+}
 
 bool Following::inputFollows() const {
   return measured && matters(before, chance) && before > kShareOfAnswer * after;

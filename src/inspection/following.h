@@ -18,7 +18,7 @@ struct Following {
 
   /// Whether y follows u, and whether u follows y, beyond chance and to an extent that matters.
   /// What the past of a signal does not predict linearly also correlates a little the wrong way
-  /// round: u is said to follow y only where it does so at least half as much as y follows u.
+  /// round: a signal is said to follow only where it does so at least half as much as the other.
   bool outputFollows() const;
   bool inputFollows() const;
 };

@@ -11,8 +11,8 @@ namespace uncertainty_identification {
 namespace {
 
 constexpr double kPictureWidth = 720, kPictureHeight = 90;  // [px] of one signal's picture
-constexpr int kColumns = 360;                 // points of a picture: smallest and largest of each
-constexpr std::size_t kMostPictures = 24;     // experiments that are drawn
+constexpr int kColumns = 360;              // points of a picture: smallest and largest of each
+constexpr std::size_t kMostPictures = 24;  // experiments that are drawn
 
 const char* const kHead = R"(<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>What is in the data</title>
@@ -89,8 +89,8 @@ std::string picture(const std::vector<DrawnSignal>& signals, double start, doubl
   double top = 0;
   for (const DrawnSignal& signal : signals) {
     if (signal.values.empty()) continue;
-    svg += "<g transform=\"translate(0 " + pixels(top) + ")\">" +
-           polyline(signal, start, end) + "</g>\n";
+    svg += "<g transform=\"translate(0 " + pixels(top) + ")\">" + polyline(signal, start, end) +
+           "</g>\n";
     top += kPictureHeight;
   }
   return svg + "</svg>\n";
@@ -127,9 +127,8 @@ std::string recordPicture(const InspectedData& data) {
   for (const Experiment& experiment : data.loaded.experiments) {
     const double scale = kPictureWidth / std::max(end - start, 1e-9);
     marks += "<rect x=\"" + pixels((experiment.start_time - start) * scale) +
-             "\" y=\"0\" width=\"" +
-             pixels(experiment.samples() * experiment.sample_time * scale) + "\" height=\"" +
-             pixels(2 * kPictureHeight) + "\"/>\n";
+             "\" y=\"0\" width=\"" + pixels(experiment.samples() * experiment.sample_time * scale) +
+             "\" height=\"" + pixels(2 * kPictureHeight) + "\"/>\n";
   }
   return "<h2>Where the record is cut</h2>\n" + picture(signals, start, end, marks);
 }

@@ -115,7 +115,8 @@ TEST_F(BagSurvey, KeepsWhatAConfigurationStates) {
   EXPECT_EQ(data.configuration.output.field, "joint_states.position[0]");
   EXPECT_EQ(data.failure, "");
   stated.input.topic = "absent";
-  EXPECT_TRUE(test::mentions(inspectData({robotBag()}, stated, true).failure, "no topic '/absent'"));
+  EXPECT_TRUE(
+      test::mentions(inspectData({robotBag()}, stated, true).failure, "no topic '/absent'"));
 }
 
 TEST_F(BagSurvey, TakesWholeExperiments) {

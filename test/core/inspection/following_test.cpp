@@ -4,7 +4,6 @@
 
 #include <random>
 
-
 namespace uncertainty_identification {
 namespace {
 

@@ -64,7 +64,8 @@ TEST(SignalMeasures, OfClippedSignalSayWhereItStays) {
   const SignalMeasures found = measure(sampledChannel(1000, clipped));
   EXPECT_TRUE(found.clipped);
   EXPECT_NEAR(found.at_largest, 0.2, 0.03);
-  EXPECT_FALSE(measure(sampledChannel(1000, [](double t) { return std::sin(2 * M_PI * t); })).clipped);
+  EXPECT_FALSE(
+      measure(sampledChannel(1000, [](double t) { return std::sin(2 * M_PI * t); })).clipped);
   const auto at_rest = [](double t) { return std::max(0.0, t - 3); };
   EXPECT_FALSE(measure(sampledChannel(1000, at_rest)).clipped) << "rest is no limit";
 }

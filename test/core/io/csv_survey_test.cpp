@@ -32,7 +32,8 @@ using Names = std::vector<std::string>;
 
 TEST_F(CsvSurvey, ReadsEveryColumnOfNumbers) {
   const Survey found = survey(
-      "time_ms;motor_voltage;state;w [rad/s]\n0;1,5;on;2\n10;1,5;on;\n20;-2;off;nan\n30;0;on;inf\n");
+      "time_ms;motor_voltage;state;w "
+      "[rad/s]\n0;1,5;on;2\n10;1,5;on;\n20;-2;off;nan\n30;0;on;inf\n");
   EXPECT_EQ(names(found), (Names{"motor_voltage", "w [rad/s]"}));
   EXPECT_EQ(found.channels[0].records.front().values, (std::vector<double>{1.5, 1.5, -2, 0}));
   EXPECT_EQ(found.channels[0].unit, "V");
@@ -85,8 +86,9 @@ TEST_F(CsvSurvey, SaysWhyAnExperimentEnds) {
 }
 
 TEST_F(CsvSurvey, RefusesWhatHoldsNoNumbers) {
-  EXPECT_NE(messageOf<FileError>([&] { survey("t,name\n0,a\n1,b\n"); }).find("no column of numbers"),
-            std::string::npos);
+  EXPECT_NE(
+      messageOf<FileError>([&] { survey("t,name\n0,a\n1,b\n"); }).find("no column of numbers"),
+      std::string::npos);
   EXPECT_NE(messageOf<FileError>([&] { survey(""); }).find("empty"), std::string::npos);
   const Survey twice = survey("t,a,a,b\n0,1,1,2\n1,1,1,3\n");
   EXPECT_EQ(names(twice), (Names{"b"}));

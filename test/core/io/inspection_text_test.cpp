@@ -68,8 +68,8 @@ std::string sentencesWith(const Following& following) {
 TEST(InspectionText, SaysWhatFollowsWhat) {
   EXPECT_TRUE(mentions(sentencesWith({true, 0.8, 0.2, 0.02, 0.1, 0.05, 0.1}),
                        "'wheel speed' follows 'cmd' after about 0.2 s (correlation 0.80"));
-  EXPECT_TRUE(mentions(sentencesWith({true, 0.8, 0, 0.02, 0.1, 0.05, 0.1}),
-                       "within one reading of 0.1 s"));
+  EXPECT_TRUE(
+      mentions(sentencesWith({true, 0.8, 0, 0.02, 0.1, 0.05, 0.1}), "within one reading of 0.1 s"));
   EXPECT_TRUE(mentions(sentencesWith({true, 0.04, 0.2, 0.02, 0.1, 0.05, 0.1}), "It is not seen"));
   EXPECT_TRUE(mentions(sentencesWith({}), "cannot be told: too few samples"));
 }
@@ -81,8 +81,8 @@ TEST(InspectionText, SaysWhatSpeaksForALoop) {
                        "Closed loop: perhaps, as 'cmd' follows 'wheel speed' after about 0.1 s"));
   EXPECT_TRUE(mentions(sentencesWith({true, 0.2, 0.2, 0.4, 0.1, 0.05, 0.1}),
                        "input and output may be exchanged"));
-  EXPECT_TRUE(mentions(sentencesWith({true, 0.5, 0.2, 0.2, 0.1, 0.05, 0.1}),
-                       "no sign that 'cmd' follows"))
+  EXPECT_TRUE(
+      mentions(sentencesWith({true, 0.5, 0.2, 0.2, 0.1, 0.05, 0.1}), "no sign that 'cmd' follows"))
       << "less than half as much as the other way round";
 }
 
@@ -119,9 +119,9 @@ TEST(InspectionTables, ShowStampsAndRemarks) {
   stamps.jitter = 0.01;
   data.survey.streams.front().remark = "line 7 is broken";
   const std::string text = streamTables(data.survey);
-  for (const char* part : {"motor.csv", "100", "10 Hz", "9.9 s", "jitter up to 10 ms",
-                           "2 pauses, up to 3 s", "4 stamps repeat", "line 7 is broken",
-                           "time: column 't' in s, assumed"})
+  for (const char* part :
+       {"motor.csv", "100", "10 Hz", "9.9 s", "jitter up to 10 ms", "2 pauses, up to 3 s",
+        "4 stamps repeat", "line 7 is broken", "time: column 't' in s, assumed"})
     EXPECT_TRUE(mentions(text, part)) << part << "\n" << text;
 }
 
@@ -178,13 +178,11 @@ TEST(InspectionYaml, IsNotWrittenWhereItWouldNotWork) {
                        "no experiment can be used:\nthe input is constant"));
   data = inspectedMotor();
   data.failure = "a column is missing";
-  EXPECT_TRUE(
-      mentions(messageOf<DataError>([&] { inspectionYaml(data); }), "a column is missing"));
+  EXPECT_TRUE(mentions(messageOf<DataError>([&] { inspectionYaml(data); }), "a column is missing"));
   data = inspectedMotor();
   data.choice = {};
   data.choice.doubt = "no two signals move";
-  EXPECT_TRUE(
-      mentions(messageOf<DataError>([&] { inspectionYaml(data); }), "no two signals move"));
+  EXPECT_TRUE(mentions(messageOf<DataError>([&] { inspectionYaml(data); }), "no two signals move"));
 }
 
 TEST(InspectionHtml, DrawsEachExperimentAndWhereItWasCut) {

@@ -8,6 +8,9 @@
 #include <sstream>
 
 #include "io/read_file.h"
+#include "io/truth_yaml.h"
+#include "ros/bag_writer.h"
+#include "simulation/simulate.h"
 #include "support/mentions.h"
 #include "support/process.h"
 #include "support/temporary_folder.h"
@@ -132,7 +135,8 @@ TEST_F(Inspect, DrawsAPageThatNeedsNoOtherFile) {
   EXPECT_FALSE(mentions(page, "w<i>"));
   EXPECT_FALSE(mentions(page, "http"));
   std::size_t cuts = 0, pictures = 0;
-  for (std::size_t at = page.find("<rect"); at != std::string::npos; at = page.find("<rect", at + 1))
+  for (std::size_t at = page.find("<rect"); at != std::string::npos;
+       at = page.find("<rect", at + 1))
     ++cuts;
   for (std::size_t at = page.find("<svg"); at != std::string::npos; at = page.find("<svg", at + 1))
     ++pictures;
@@ -175,8 +179,9 @@ TEST_F(Inspect, EscapesNamesThatAreNoText) {
 TEST_F(Inspect, SurvivesMutatedFiles) {
   const std::string original = motorLog("motor_voltage", "wheel_speed", 60);
   std::mt19937 random(20);
-  const std::string bytes = ";,\t\n\r\"0-9e.NaN\0\xFF#%="
-                            "t";
+  const std::string bytes =
+      ";,\t\n\r\"0-9e.NaN\0\xFF#%="
+      "t";
   for (int trial = 0; trial < 200; ++trial) {
     std::string content = original;
     for (unsigned change = 0; change <= random() % 20; ++change) {
@@ -201,6 +206,29 @@ TEST_F(Inspect, SurvivesMutatedFiles) {
   }
 }
 
+/// The same for bags, of which bytes are changed or the end is missing.
+TEST_F(Inspect, SurvivesMutatedBags) {
+  Truth truth = loadTruth(std::string(PROJECT_FOLDER) + "/config/example1_truth.yaml");
+  truth.experiments = 3;
+  writeBag(folder_ / "whole.bag", simulate(truth, 1));
+  ASSERT_EQ(runTool("inspect", {folder_ / "whole.bag"}).status, 0);
+  const std::string original = readFile(folder_ / "whole.bag");
+  std::mt19937 random(21);
+  int refused = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    std::string content = original;
+    for (unsigned change = 0; change <= random() % 30; ++change)
+      content[random() % content.size()] = static_cast<char>(random() % 256);
+    if (trial % 4 == 0) content.resize(random() % content.size());
+    const ProcessResult shown = runTool("inspect", {write("mutated.bag", content)});
+    EXPECT_TRUE(shown.status == 0 || shown.status == 2) << shown.status << shown.errors;
+    EXPECT_EQ(shown.errors.empty(), shown.status == 0) << shown.errors;
+    EXPECT_FALSE(mentions(shown.errors, "internal error")) << shown.errors;
+    refused += shown.status == 2 ? 1 : 0;
+  }
+  EXPECT_GT(refused, 15) << "a bag without its end has no index";
+}
+
 TEST_F(Inspect, NoToolFollowsAnAliasThatHoldsItself) {
   const std::string data = write("log.csv", motorLog("u", "y"));
   const std::string config = write("c.yaml", "input: &a [*a, *a]\n");
@@ -210,8 +238,7 @@ TEST_F(Inspect, NoToolFollowsAnAliasThatHoldsItself) {
         {"explain", "--config", config, "--output", output, data},
         {"inspect", "--config", config, "--write", output, data},
         {"simulate", "--config", config, "--output", output}}) {
-    const ProcessResult result =
-        runTool(command.front(), {command.begin() + 1, command.end()});
+    const ProcessResult result = runTool(command.front(), {command.begin() + 1, command.end()});
     EXPECT_EQ(result.status, 2) << command.front() << ": " << result.errors;
     EXPECT_TRUE(mentions(result.errors, "line 1: aliases (*name) are refused")) << result.errors;
   }
