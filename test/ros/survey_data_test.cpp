@@ -49,8 +49,9 @@ TEST_F(SurveyedData, SaysWhichFilesCannotBeRead) {
   write("a.csv", "t,u,y,x");
   std::ofstream(folder_ / "b.csv") << "";
   EXPECT_TRUE(test::anyMentions(surveyData({folder_.path()}, {}).remarks, "b.csv"));
-  const std::string message =
-      messageOf<FileError>([&] { surveyData({folder_ / "b.csv", folder_ / "b.csv"}, {}); });
+  const std::string message = messageOf<FileError>([&] {
+    surveyData({folder_ / "b.csv", folder_ / "b.csv"}, {});
+  });
   EXPECT_TRUE(test::mentions(message, "nothing could be read\ncannot read")) << message;
   EXPECT_TRUE(test::mentions(messageOf<FileError>([&] { surveyData({folder_ / "c.csv"}, {}); }),
                              "does not exist"));
