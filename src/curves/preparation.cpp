@@ -3,11 +3,11 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <iterator>
 #include <set>
 #include <string>
-#include <unsupported/Eigen/FFT>
+
+#include "data/bandwidth.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -31,37 +31,6 @@ Eigen::VectorXd filledOutput(const Experiment& experiment) {
   return y;
 }
 
-/// Frequency [1/sample] below which 99.5 % of the power of the detrended output lies; the noise
-/// floor, seen in the highest quarter, is taken off.
-double bandwidth(const Experiment& experiment) {
-  const Eigen::VectorXd y = filledOutput(experiment);
-  const Eigen::Index samples = y.size();
-  Eigen::Index length = 1;
-  while (length < samples) length *= 2;
-  Eigen::VectorXd windowed = Eigen::VectorXd::Zero(length);
-  for (Eigen::Index k = 0; k < samples; ++k) {
-    const double share = static_cast<double>(k) / static_cast<double>(samples - 1);
-    windowed[k] =
-        (y[k] - y[0] - (y[samples - 1] - y[0]) * share) * 0.5 * (1 - std::cos(2 * M_PI * share));
-  }
-  Eigen::FFT<double> transform;
-  Eigen::VectorXcd spectrum;
-  transform.fwd(spectrum, windowed);
-  Eigen::ArrayXd power = spectrum.head(length / 2 + 1).array().abs2();
-  std::vector<double> top(power.data() + power.size() * 3 / 4, power.data() + power.size());
-  std::nth_element(top.begin(), top.begin() + static_cast<std::ptrdiff_t>(top.size() / 2),
-                   top.end());
-  power = (power - 2 * top[top.size() / 2]).max(0.0);
-  const double total = power.sum();
-  if (!(total > 0)) return 0.5;
-  double sum = 0;
-  for (Eigen::Index k = 0; k < power.size(); ++k) {
-    sum += power[k];
-    if (sum >= 0.995 * total) return static_cast<double>(k) / static_cast<double>(length);
-  }
-  return 0.5;
-}
-
 double medianOf(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -73,7 +42,7 @@ int thinningFor(const std::vector<Experiment>& experiments) {
   std::vector<double> widths;
   for (const Experiment& experiment : experiments) {
     samples += experiment.samples();
-    if (experiment.samples() >= 8) widths.push_back(bandwidth(experiment));
+    if (experiment.samples() >= 8) widths.push_back(bandwidth(filledOutput(experiment)));
   }
   if (widths.empty()) return 1;
   const double by_bandwidth = 1 / (kPerPeriod * std::max(medianOf(widths), 1e-9));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/memory.h"
+#include "io/printable.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/version.h"
 
@@ -81,7 +82,8 @@ int runProgram(const Program& program, int argc, const char* const* argv) {
 
 void printMessage(const std::string& program, const std::string& message) {
   std::istringstream lines(message);
-  for (std::string line; std::getline(lines, line);) std::cerr << program << ": " << line << '\n';
+  for (std::string line; std::getline(lines, line);)
+    std::cerr << program << ": " << printable(line) << '\n';
 }
 
 }  // namespace uncertainty_identification

@@ -30,7 +30,8 @@ struct Program {
 /// kNoAnswer for any other exception, which is a fault of the program and is called one.
 int runProgram(const Program& program, int argc, const char* const* argv);
 
-/// Writes a message to standard error, each of its lines starting with the program's name.
+/// Writes a message to standard error, each of its lines starting with the program's name. Bytes
+/// that are no text, such as those of names from files, are escaped (printable.h).
 void printMessage(const std::string& program, const std::string& message);
 
 }  // namespace uncertainty_identification

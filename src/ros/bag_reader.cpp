@@ -102,12 +102,14 @@ LoadedData readExperiments(BagFile& bag, const std::set<std::string>& topics,
 
 LoadedData readFrom(BagFile& bag, const Configuration& configuration, const KeepGoing& keep_going) {
   const auto& experiment = configuration.experiment;
+  const auto complete = experimentTopics(bag);
   if (experiment.mode == ExperimentMode::message) {
     const std::string topic = inRootNamespace(experiment.topic);
+    // The bags of a node's store have a topic of their own, whatever the node listens to.
+    if (!has(bag, topic) && !complete.empty()) return readExperiments(bag, complete, keep_going);
     requireTopic(bag, topic, "experiment.topic");
     return readExperiments(bag, {topic}, keep_going);
   }
-  const auto complete = experimentTopics(bag);
   if (!complete.empty() && !has(bag, inRootNamespace(configuration.input.topic)))
     return readExperiments(bag, complete, keep_going);
   if (experiment.mode == ExperimentMode::service)

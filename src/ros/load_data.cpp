@@ -79,12 +79,18 @@ void requireExperiments(const LoadedData& data) {
 
 }  // namespace
 
+std::vector<std::string> dataFiles(const std::vector<std::string>& paths) {
+  std::vector<std::string> files;
+  for (const auto& path : paths)
+    for (const auto& file : filesOf(path)) files.push_back(file.string());
+  return files;
+}
+
 LoadedData loadData(const std::vector<std::string>& paths, const Configuration& configuration,
                     const KeepGoing& keep_going) {
   std::vector<std::pair<fs::path, LoadedData>> parts;
-  for (const auto& path : paths)
-    for (const auto& file : filesOf(path))
-      parts.emplace_back(file, readFile(file, configuration, keep_going));
+  for (const fs::path file : dataFiles(paths))
+    parts.emplace_back(file, readFile(file, configuration, keep_going));
   makeIdsDistinct(parts);
   LoadedData data;
   for (auto& part : parts) append(std::move(part.second), data);

@@ -6,9 +6,25 @@
 #include <vector>
 
 #include "data/text.h"
+#include "io/command_line.h"
+#include "ros/survey_data.h"
+#include "uncertainty_identification/io/configuration_yaml.h"
 #include "uncertainty_identification/ros/load_data.h"
 
 namespace uncertainty_identification {
+
+/// The configuration that a command line names; without one that of configurationByNames for DATA,
+/// which is told on standard error.
+inline Configuration configurationArgument(const boost::program_options::variables_map& arguments,
+                                           const std::string& program) {
+  if (arguments.count("config") > 0)
+    return loadConfiguration(arguments["config"].as<std::string>());
+  std::string told;
+  const Configuration configuration =
+      configurationByNames(arguments["data"].as<std::vector<std::string>>(), told);
+  if (!told.empty()) printMessage(program, told);
+  return configuration;
+}
 
 /// The data that a command line names under this key; nothing where it names none.
 inline LoadedData loadDataArgument(const boost::program_options::variables_map& arguments,
@@ -53,7 +69,8 @@ inline void addWarnings(const LoadedData& loaded, std::vector<std::string>* warn
 /// The files and folders that a command line gives to be read.
 inline std::vector<std::string> inputArguments(
     const boost::program_options::variables_map& arguments) {
-  std::vector<std::string> inputs{arguments["config"].as<std::string>()};
+  std::vector<std::string> inputs;
+  if (arguments.count("config") > 0) inputs.push_back(arguments["config"].as<std::string>());
   for (const char* key : {"data", "validation"}) {
     if (arguments.count(key) == 0) continue;
     const auto& named = arguments[key].as<std::vector<std::string>>();

@@ -15,7 +15,6 @@
 #include "tools/data_argument.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/explanation/explanation.h"
-#include "uncertainty_identification/io/configuration_yaml.h"
 #include "uncertainty_identification/io/explanation_json.h"
 
 namespace {
@@ -36,8 +35,7 @@ void addFindings(const ui::LoadedData& loaded, ui::Explanation* explanation) {
 }
 
 ui::Explanation explain(const po::variables_map& arguments, const ui::InterruptGuard& interrupt) {
-  const ui::Configuration configuration =
-      ui::loadConfiguration(arguments["config"].as<std::string>());
+  const ui::Configuration configuration = ui::configurationArgument(arguments, kName);
   const ui::LoadedArguments loaded = ui::loadArguments(arguments, configuration);
   ui::ProgressBar bar(std::cerr, isatty(STDERR_FILENO) != 0);
   const auto progress = [&](const ui::Progress& at) {
@@ -77,7 +75,7 @@ int run(const po::variables_map& arguments) {
 int main(int argc, char** argv) {
   ui::Program program;
   program.name = kName;
-  program.usage = "--config C.yaml --output explanation.json [--validation DATA]... [--] DATA...";
+  program.usage = "[--config C.yaml] --output explanation.json [--validation DATA]... [--] DATA...";
   program.purpose =
       R"(Identifies the model from experiments, shows where its simulation and the data part, names the cause,
 takes it into the model and measures what that gains on experiments not used for fitting. DATA is a
@@ -86,8 +84,9 @@ are covariates, in which a cause may be found.
 Exit status: 0 done; 1 the data cannot support an answer, cancelled, or an internal error; 2 wrong
 usage or configuration, or a file that cannot be read or written.)";
   program.options.add_options()  //
-      ("config", po::value<std::string>()->required()->value_name("FILE"),
-       "configuration (YAML); config/reference.yaml explains every key")  //
+      ("config", po::value<std::string>()->value_name("FILE"),
+       "configuration (YAML); config/reference.yaml explains every key; without it every default "
+       "is taken, and input and output by their names (inspect shows them)")  //
       ("output", po::value<std::string>()->required()->value_name("FILE"),
        "where the explanation goes (JSON)")  //
       ("validation", po::value<std::vector<std::string>>()->composing()->value_name("DATA"),

@@ -19,7 +19,6 @@
 #include "uncertainty_identification/enum_names.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/identifier.h"
-#include "uncertainty_identification/io/configuration_yaml.h"
 #include "uncertainty_identification/io/result_json.h"
 
 namespace {
@@ -96,8 +95,7 @@ void addOverview(const po::variables_map& arguments, const std::vector<ui::Exper
 ui::Result identify(const po::variables_map& arguments,
                     const std::optional<ui::BaselineMethod>& method,
                     const ui::InterruptGuard& interrupt) {
-  const ui::Configuration configuration =
-      ui::loadConfiguration(arguments["config"].as<std::string>());
+  const ui::Configuration configuration = ui::configurationArgument(arguments, kName);
   const ui::Identifier identifier(configuration);
   if (method && arguments.count("validation") > 0) {
     throw ui::ConfigurationError("--validation: found with --method " +
@@ -157,7 +155,7 @@ int run(const po::variables_map& arguments) {
 int main(int argc, char** argv) {
   ui::Program program;
   program.name = kName;
-  program.usage = "--config C.yaml --output result.json [--validation DATA]... [--] DATA...";
+  program.usage = "[--config C.yaml] --output result.json [--validation DATA]... [--] DATA...";
   program.purpose =
       R"(Estimates the nominal model, the noise model and the distribution of the model's error from
 experiments, and writes them to a JSON file. DATA is a .bag, a .csv with the columns experiment,t,u,y
@@ -165,8 +163,9 @@ or t,u,y or with columns that the configuration names, or a folder of such files
 Exit status: 0 done; 1 the data cannot support an answer, cancelled, or an internal error; 2 wrong
 usage or configuration, or a file that cannot be read or written.)";
   program.options.add_options()  //
-      ("config", po::value<std::string>()->required()->value_name("FILE"),
-       "configuration (YAML); config/reference.yaml explains every key")  //
+      ("config", po::value<std::string>()->value_name("FILE"),
+       "configuration (YAML); config/reference.yaml explains every key; without it every default "
+       "is taken, and input and output by their names (inspect shows them)")  //
       ("output", po::value<std::string>()->required()->value_name("FILE"),
        "where the result goes (JSON)")  //
       ("method", po::value<std::string>()->default_value("se")->value_name("NAME"),

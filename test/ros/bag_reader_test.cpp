@@ -215,6 +215,8 @@ TEST_F(BagReaderTest, ReadsCompleteExperiments) {
   by_topic.experiment.mode = ExperimentMode::message;
   by_topic.experiment.topic = "identification/stored";
   EXPECT_EQ(readBag(path_, by_topic).experiments.size(), written.size());
+  by_topic.experiment.topic = "what/the/node/listens/to";
+  EXPECT_EQ(readBag(path_, by_topic).experiments.size(), written.size()) << "a node's own store";
 }
 
 TEST_F(BagReaderTest, MissingTopicListsThoseThere) {

@@ -24,7 +24,7 @@ namespace uncertainty_identification {
 namespace {
 
 using Request = messages::Identify::Request;
-using Response = messages::Identify::Response;
+using IdentifyResponse = messages::Identify::Response;
 
 class IdentifyRequestTest : public testing::Test {
  protected:
@@ -33,7 +33,7 @@ class IdentifyRequestTest : public testing::Test {
     own_.bag_directory = folder_.path();
   }
 
-  Response answer(const Request& request) {
+  IdentifyResponse answer(const Request& request) {
     return answerIdentify(request, own_, [](const Progress&) { return true; });
   }
 
@@ -50,7 +50,7 @@ class IdentifyRequestTest : public testing::Test {
 TEST_F(IdentifyRequestTest, ExperimentsGiveWhatTheIdentifierGives) {
   const auto experiments = example1Experiments(10);
   const auto response = answer(requestWith(experiments));
-  ASSERT_EQ(response.code, Response::OK) << response.message;
+  ASSERT_EQ(response.code, IdentifyResponse::OK) << response.message;
   const Estimate expected = Identifier(own_).identify(experiments);
   EXPECT_EQ(response.result.log_likelihood, expected.log_likelihood);
   EXPECT_EQ(response.result.nominal_model.b[0], expected.nominal_model.b[0]);
@@ -64,7 +64,7 @@ TEST_F(IdentifyRequestTest, BagsAreReadBelowTheDirectory) {
   Request request;
   request.bags = {"data.bag"};
   const auto response = answer(request);
-  ASSERT_EQ(response.code, Response::OK) << response.message;
+  ASSERT_EQ(response.code, IdentifyResponse::OK) << response.message;
   EXPECT_EQ(response.result.experiment_count, 10U);
 }
 
@@ -73,27 +73,27 @@ TEST_F(IdentifyRequestTest, ConfigurationOfTheRequestCounts) {
   request.configuration =
       "{nominal_model: {structure: arx, nb: 1, na: 1, delay: 1}, error_model: {taps: 0}}";
   const auto response = answer(request);
-  ASSERT_EQ(response.code, Response::OK) << response.message;
+  ASSERT_EQ(response.code, IdentifyResponse::OK) << response.message;
   EXPECT_EQ(response.result.nominal_model.structure, "arx");
   EXPECT_EQ(response.result.error_model.taps, 0U);
 }
 
 TEST_F(IdentifyRequestTest, EachFailureHasItsCode) {
   Request request;
-  EXPECT_EQ(answer(request).code, Response::DATA_ERROR);
+  EXPECT_EQ(answer(request).code, IdentifyResponse::DATA_ERROR);
   request.configuration = "{nominal_modell: {}}";
-  EXPECT_EQ(answer(request).code, Response::CONFIGURATION_ERROR);
+  EXPECT_EQ(answer(request).code, IdentifyResponse::CONFIGURATION_ERROR);
   request.configuration = "{unclosed";
-  EXPECT_EQ(answer(request).code, Response::CONFIGURATION_ERROR);
+  EXPECT_EQ(answer(request).code, IdentifyResponse::CONFIGURATION_ERROR);
   request.configuration.clear();
   request.bags = {"../data.bag"};
-  EXPECT_EQ(answer(request).code, Response::REFUSED);
+  EXPECT_EQ(answer(request).code, IdentifyResponse::REFUSED);
   request.bags = {"absent.bag"};
-  EXPECT_EQ(answer(request).code, Response::FILE_ERROR);
+  EXPECT_EQ(answer(request).code, IdentifyResponse::FILE_ERROR);
   std::ofstream(folder_ / "no.bag") << "no bag";
   request.bags = {"no.bag"};
   const auto response = answer(request);
-  EXPECT_EQ(response.code, Response::FILE_ERROR);
+  EXPECT_EQ(response.code, IdentifyResponse::FILE_ERROR);
   EXPECT_NE(response.message.find("is not a ROS bag"), std::string::npos) << response.message;
 }
 
@@ -125,21 +125,22 @@ TEST_F(IdentifyRequestTest, BagsThatUnpackToMoreThanTheLimitAreRefused) {
   writeBomb(path);
   Request request;
   request.bags = {"bomb.bag"};
-  EXPECT_EQ(answer(request).code, Response::DATA_ERROR) << "it can be read, but marks nothing";
+  EXPECT_EQ(answer(request).code, IdentifyResponse::DATA_ERROR)
+      << "it can be read, but marks nothing";
   own_.limits.max_bag_size = 1;
   ASSERT_LT(std::filesystem::file_size(path), 1U << 16U);
   request.configuration = "{nominal_model: {orders: auto}, limits: {max_bag_size: 100}}";
   const auto refused = answer(request);
-  EXPECT_EQ(refused.code, Response::REFUSED);
+  EXPECT_EQ(refused.code, IdentifyResponse::REFUSED);
   EXPECT_NE(refused.message.find("limits.max_bag_size"), std::string::npos) << refused.message;
   pretend(path, 0xffffffff);
-  EXPECT_EQ(answer(request).code, Response::REFUSED);
+  EXPECT_EQ(answer(request).code, IdentifyResponse::REFUSED);
   pretend(path, 1000);  // and expands to more
-  EXPECT_EQ(answer(request).code, Response::FILE_ERROR);
+  EXPECT_EQ(answer(request).code, IdentifyResponse::FILE_ERROR);
   own_.limits.max_bag_size = 4096;  // no chunk may have more than 1024
   request.configuration.clear();
   pretend(path, 0x60000000);
-  EXPECT_EQ(answer(request).code, Response::FILE_ERROR);
+  EXPECT_EQ(answer(request).code, IdentifyResponse::FILE_ERROR);
 }
 
 TEST_F(IdentifyRequestTest, RequestCannotOpenAnotherFolder) {
@@ -147,14 +148,14 @@ TEST_F(IdentifyRequestTest, RequestCannotOpenAnotherFolder) {
   Request request;
   request.bags = {"data.bag"};
   request.configuration = "{nominal_model: {orders: auto}, bag_directory: " + folder_.path() + "}";
-  EXPECT_EQ(answer(request).code, Response::REFUSED);
+  EXPECT_EQ(answer(request).code, IdentifyResponse::REFUSED);
 }
 
 TEST_F(IdentifyRequestTest, BadExperimentsAreListed) {
   auto request = requestWith(example1Experiments(6));
   request.experiments[2].y.pop_back();
   const auto response = answer(request);
-  ASSERT_EQ(response.code, Response::OK) << response.message;
+  ASSERT_EQ(response.code, IdentifyResponse::OK) << response.message;
   EXPECT_EQ(response.result.experiment_count, 5U);
   const auto rejected =
       nlohmann::json::parse(response.result.result_json)["experiments"]["rejected"];
@@ -165,7 +166,7 @@ TEST_F(IdentifyRequestTest, BadExperimentsAreListed) {
 TEST_F(IdentifyRequestTest, CancellingEndsReadingAndIdentifying) {
   const auto request = requestWith(example1Experiments(10));
   const auto response = answerIdentify(request, own_, [](const Progress&) { return false; });
-  EXPECT_EQ(response.code, Response::CANCELLED) << response.message;
+  EXPECT_EQ(response.code, IdentifyResponse::CANCELLED) << response.message;
 
   writeBag(folder_ / "data.bag", example1Experiments(10));
   messages::IdentifyBagsGoal goal;

@@ -20,7 +20,7 @@ using KeepGoing = std::function<bool()>;
 /// messages without a header are stamped with the time of recording. Relative topic names belong to
 /// the root namespace: actuator/command is /actuator/command. If the bag holds messages of type
 /// Experiment and not the input topic, or in experiment.mode message, these messages are the
-/// experiments.
+/// experiments; in that mode those of experiment.topic, if the bag has it.
 ///
 /// Throws FileError when the file cannot be read, is not a bag, is damaged or was not closed;
 /// ConfigurationError when a topic is not in the bag (the message lists those that are), a field is

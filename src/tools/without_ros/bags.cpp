@@ -1,3 +1,4 @@
+#include "ros/bag_survey.h"
 #include "ros/bag_writer.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/ros/bag_reader.h"
@@ -20,6 +21,8 @@ LoadedData readBag(const std::string& path, const Configuration& /*configuration
 }
 
 std::uint64_t unpackedSize(const std::string& path) { refuse(path); }
+
+Survey surveyBag(const std::string& path) { refuse(path); }
 
 void writeBag(const std::string& path, const std::vector<Experiment>& /*experiments*/) {
   refuse(path);

@@ -57,5 +57,11 @@ TEST(CommandLine, AnUnexpectedExceptionIsAnInternalErrorAndNotOneOfUsage) {
   EXPECT_NE(errors.text().find("Please report it"), std::string::npos);
 }
 
+TEST(CommandLine, MessagesEscapeWhatIsNoText) {
+  const CapturedErrors errors;
+  printMessage("tool", "no 'caf\xE9\x1b[2J'\nbut '\xC3\xA9'");
+  EXPECT_EQ(errors.text(), "tool: no 'caf\\xE9\\x1B[2J'\ntool: but '\xC3\xA9'\n");
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

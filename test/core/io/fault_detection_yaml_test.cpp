@@ -15,7 +15,7 @@ using nlohmann::json;
 
 const std::string kFile = std::string(PROJECT_FOLDER) + "/config/fault_detection.yaml";
 
-std::string complaint(const std::string& yaml) {
+std::string faultComplaint(const std::string& yaml) {
   return messageOf<ConfigurationError>([&] { parseFaultDetection(YAML::Load(yaml)); });
 }
 
@@ -51,12 +51,12 @@ TEST(FaultDetectionYaml, ValuesArrive) {
 }
 
 TEST(FaultDetectionYaml, BadKeysAreNamed) {
-  EXPECT_EQ(complaint("windwo: 20"), "windwo (line 1): unknown key; did you mean window?");
-  EXPECT_EQ(complaint("experiment: {tpoic: x}"),
+  EXPECT_EQ(faultComplaint("windwo: 20"), "windwo (line 1): unknown key; did you mean window?");
+  EXPECT_EQ(faultComplaint("experiment: {tpoic: x}"),
             "experiment.tpoic (line 1): unknown key; did you mean experiment.topic?");
-  EXPECT_EQ(complaint("window: 3"), "window: found 3; allowed: 10 to 100000");
-  EXPECT_EQ(complaint("input: {topic: ''}"), "input.topic: found ''; allowed: a topic");
-  EXPECT_NE(complaint("false_alarm_rate: often").find("found 'often'"), std::string::npos);
+  EXPECT_EQ(faultComplaint("window: 3"), "window: found 3; allowed: 10 to 100000");
+  EXPECT_EQ(faultComplaint("input: {topic: ''}"), "input.topic: found ''; allowed: a topic");
+  EXPECT_NE(faultComplaint("false_alarm_rate: often").find("found 'often'"), std::string::npos);
 }
 
 }  // namespace

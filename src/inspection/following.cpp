@@ -1,0 +1,178 @@
+#include "inspection/following.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "inspection/held_signal.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr Index kOrder = 10;            // [samples] of its past that predict a signal
+constexpr Index kLags = 20;             // at which signals may answer
+constexpr Index kLate = 40;             // up to which lags show what chance does
+constexpr double kPerPeriod = 10;       // samples a period of the output's bandwidth
+constexpr double kMostSamples = 40000;  // of a record
+constexpr double kFewest = 5;           // times the lags, samples that correlations need
+constexpr double kMatters = 0.1;        // correlation below which nothing is concluded
+constexpr double kBeyondChance = 1.5;
+constexpr double kShareOfAnswer = 0.5;  // of the correlation the other way round
+
+/// A record of both signals on one grid.
+struct CommonRecord {
+  VectorXd u, y;
+};
+
+double periodFor(const Channel& output, double output_band) {
+  std::vector<double> periods;
+  double longest = 0;
+  for (const StampedSignal& record : output.records) {
+    if (record.stamps.size() < 2) continue;
+    const StampSummary summary = summaryOf(record.stamps);
+    periods.push_back(summary.period);
+    longest = std::max(longest, summary.end - summary.start);
+  }
+  if (periods.empty()) return 0;
+  std::sort(periods.begin(), periods.end());
+  const double own = periods[periods.size() / 2];
+  if (!(own > 0)) return 0;
+  const double by_band = output_band > 0 ? 1 / (kPerPeriod * output_band) : own;
+  const double wanted = std::min(by_band, longest / (10 * kLate));  // enough samples are left
+  const double thinning =
+      std::max(std::floor(wanted / own + 1e-9), std::ceil(longest / own / kMostSamples));
+  return own * std::max(1.0, thinning);
+}
+
+std::vector<CommonRecord> commonRecords(const Channel& input, const Channel& output,
+                                        double period) {
+  std::vector<CommonRecord> common;
+  for (std::size_t r = 0; r < std::min(input.records.size(), output.records.size()); ++r) {
+    const StampedSignal &u = input.records[r], &y = output.records[r];
+    if (u.stamps.empty() || y.stamps.empty()) continue;
+    const double start = std::max(u.stamps.front(), y.stamps.front());
+    const double end = std::min(u.stamps.back(), y.stamps.back());
+    const double count = std::min(std::floor((end - start) / period) + 1, kMostSamples);
+    if (!(count > 2 * kOrder)) continue;
+    const auto samples = static_cast<Index>(count);
+    common.push_back(
+        {heldSignal(u, start, period, samples), heldSignal(y, start, period, samples)});
+  }
+  return common;
+}
+
+/// 1, x(t - 1), ..., x(t - kOrder).
+VectorXd pastOf(const VectorXd& x, Index t) {
+  VectorXd past(kOrder + 1);
+  past << 1, x.segment(t - kOrder, kOrder).reverse();
+  return past;
+}
+
+/// What the own past does not predict of a signal, in each record.
+std::vector<VectorXd> novelties(const std::vector<CommonRecord>& records,
+                                VectorXd CommonRecord::*signal) {
+  MatrixXd gram = MatrixXd::Zero(kOrder + 1, kOrder + 1);
+  VectorXd right = VectorXd::Zero(kOrder + 1);
+  for (const CommonRecord& record : records) {
+    const VectorXd& x = record.*signal;
+    for (Index t = kOrder; t < x.size(); ++t) {
+      const VectorXd past = pastOf(x, t);
+      gram.selfadjointView<Eigen::Lower>().rankUpdate(past);
+      right += past * x[t];
+    }
+  }
+  gram = gram.selfadjointView<Eigen::Lower>();
+  gram.diagonal().array() += 1e-10 * gram.diagonal().maxCoeff() + 1e-300;
+  const VectorXd predictor = gram.ldlt().solve(right);
+  std::vector<VectorXd> novel;
+  for (const CommonRecord& record : records) {
+    const VectorXd& x = record.*signal;
+    VectorXd left(x.size() - kOrder);
+    for (Index t = kOrder; t < x.size(); ++t) left[t - kOrder] = x[t] - predictor.dot(pastOf(x, t));
+    novel.push_back(std::move(left));
+  }
+  return novel;
+}
+
+double energyOf(const std::vector<VectorXd>& signals) {
+  double energy = 0;
+  for (const VectorXd& signal : signals) energy += signal.squaredNorm();
+  return energy;
+}
+
+/// Sum of later(t) earlier(t - lag).
+double laggedProduct(const std::vector<VectorXd>& later, const std::vector<VectorXd>& earlier,
+                     Index lag) {
+  double sum = 0;
+  for (std::size_t r = 0; r < later.size(); ++r) {
+    const Index count = later[r].size() - lag;
+    if (count > 0) sum += later[r].tail(count).dot(earlier[r].head(count));
+  }
+  return sum;
+}
+
+/// The largest correlation within kLags, its lag, and the sizes at the lags beyond.
+struct LargestCorrelation {
+  double size = 0;
+  Index lag = 0;
+  std::vector<double> late = {};
+};
+
+LargestCorrelation largestOf(const std::vector<VectorXd>& later,
+                             const std::vector<VectorXd>& earlier, Index first, double scale) {
+  LargestCorrelation largest;
+  for (Index lag = first; lag <= kLate; ++lag) {
+    const double size = std::abs(laggedProduct(later, earlier, lag)) / scale;
+    if (lag > kLags) largest.late.push_back(size);
+    if (lag > kLags || size <= largest.size) continue;
+    largest.size = size;
+    largest.lag = lag;
+  }
+  return largest;
+}
+
+bool matters(double correlation, double chance) {
+  return correlation > std::max(kMatters, kBeyondChance * chance);
+}
+
+}  // namespace
+
+bool Following::outputFollows() const {
+  return measured && matters(after, chance) && after > kShareOfAnswer * before;
+}
+
+bool Following::inputFollows() const {
+  return measured && matters(before, chance) && before > kShareOfAnswer * after;
+}
+
+Following followingOf(const Channel& input, const Channel& output, double output_band,
+                      double period) {
+  Following following;
+  following.period = period > 0 ? period : periodFor(output, output_band);
+  if (!(following.period > 0)) return following;
+  const std::vector<CommonRecord> records = commonRecords(input, output, following.period);
+  double samples = 0;
+  for (const CommonRecord& record : records) samples += static_cast<double>(record.u.size());
+  if (samples < kFewest * kLate) return following;
+  const std::vector<VectorXd> u = novelties(records, &CommonRecord::u);
+  const std::vector<VectorXd> y = novelties(records, &CommonRecord::y);
+  const double scale = std::sqrt(energyOf(u) * energyOf(y));
+  if (!(scale > 0)) return following;
+  const LargestCorrelation after = largestOf(y, u, 0, scale), before = largestOf(u, y, 1, scale);
+  const double late = std::max(*std::max_element(after.late.begin(), after.late.end()),
+                               *std::max_element(before.late.begin(), before.late.end()));
+  following.measured = true;
+  following.after = after.size;
+  following.delay = static_cast<double>(after.lag) * following.period;
+  following.before = before.size;
+  following.lead = static_cast<double>(before.lag) * following.period;
+  following.chance = std::max(2 / std::sqrt(samples), late);
+  return following;
+}
+
+}  // namespace uncertainty_identification
