@@ -1,0 +1,51 @@
+#include "io/own_simulation_text.h"
+
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "io/text_table.h"
+
+namespace uncertainty_identification {
+namespace {
+
+std::string fourDigits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return std::isfinite(value) ? text : "-";
+}
+
+std::vector<std::string> rowOf(const OwnCause& cause, const OwnValue& value) {
+  const bool known = std::isfinite(value.standard_error);
+  return {value.name + (value.unit.empty() || value.unit == "1" ? "" : " [" + value.unit + "]"),
+          fourDigits(value.yours),
+          estimateText(value.measured, value.standard_error),
+          known ? fourDigits(value.lower_95) + " to " + fourDigits(value.upper_95) : "-",
+          std::isfinite(cause.t) ? "t = " + fourDigits(cause.t) : "-",
+          fourDigits(cause.fit_without) + " %"};
+}
+
+}  // namespace
+
+std::string ownSimulationText(const OwnSimulationFindings& findings) {
+  std::string text = findings.sentence + ".\n";
+  std::vector<std::vector<std::string>> rows{{"What is wrong with it", "yours", "measured",
+                                              "95 % interval", "significance", "fit without this"}};
+  for (const OwnCause& cause : findings.causes)
+    for (const OwnValue& value : cause.values) rows.push_back(rowOf(cause, value));
+  if (rows.size() > 1) text += "\n" + textTable(rows);
+  for (const OwnCause& cause : findings.causes) {
+    text += "\n" + cause.name + (cause.parameter.empty() ? "" : " (" + cause.parameter + ")") +
+            ": " + cause.description + (cause.remark.empty() ? "" : "; " + cause.remark) + "\n";
+    for (const std::string& tie : cause.ties) text += "  or " + tie + ": the data cannot tell\n";
+    text += "  What to do: " + cause.advice + "\n";
+  }
+  text += "\nThis is " + findings.simulation + ", run " + std::to_string(findings.simulations) +
+          (findings.simulations == 1 ? " time" : " times") +
+          (findings.can_rerun ? "" : " (a logged signal cannot be run with other values)") +
+          (findings.ended_early ? "; the search ended early (simulation.max_simulations)" : "") +
+          ".\n\nBeside your simulation, a model identified from the same data:\n";
+  return text;
+}
+
+}  // namespace uncertainty_identification
