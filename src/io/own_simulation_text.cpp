@@ -25,6 +25,25 @@ std::vector<std::string> rowOf(const OwnCause& cause, const OwnValue& value) {
           fourDigits(cause.fit_without) + " %"};
 }
 
+/// The curves that it lacks, of which parameters may have taken up a part.
+std::string structureText(const OwnSimulationFindings& findings) {
+  const SimulationCauses& structure = findings.structure;
+  std::string text;
+  if (!structure.skipped.empty())
+    text += "\nCurves were not searched: " + structure.skipped + ".\n";
+  for (const SimulationCause& cause : structure.causes) {
+    text += "\n" + cause.what.name + ": " + cause.description + "\n";
+    for (const ShapeValue& value : cause.values)
+      text += "  " + value.name + " " + estimateText(value.value, value.standard_error) + "\n";
+    text += "  What to do: " + cause.advice + "\n";
+  }
+  if (!structure.causes.empty() && !findings.causes.empty())
+    text +=
+        "\nThe values above may have taken up a part of what a curve does: mend the curve first, "
+        "and compare again.\n";
+  return text;
+}
+
 }  // namespace
 
 std::string ownSimulationText(const OwnSimulationFindings& findings) {
@@ -40,6 +59,7 @@ std::string ownSimulationText(const OwnSimulationFindings& findings) {
     for (const std::string& tie : cause.ties) text += "  or " + tie + ": the data cannot tell\n";
     text += "  What to do: " + cause.advice + "\n";
   }
+  text += structureText(findings);
   text += "\nThis is " + findings.simulation + ", run " + std::to_string(findings.simulations) +
           (findings.simulations == 1 ? " time" : " times") +
           (findings.can_rerun ? "" : " (a logged signal cannot be run with other values)") +

@@ -166,6 +166,21 @@ TEST(OwnSimulationText, BeginsWithTheAnswer) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
+TEST(OwnSimulationText, TellsTheCurvesThatTheSimulationLacks) {
+  OwnSimulationFindings found = exampleFindings();
+  EXPECT_NE(ownSimulationText(found).find("Curves were not searched: not searched."),
+            std::string::npos);
+  found.structure = {};
+  found.structure.causes = test::exampleExplanation().simulation.causes;
+  const std::string text = ownSimulationText(found);
+  for (const char* part :
+       {"act_deadzone: the input acts through a dead zone\n  half_width 0.3100 +- 0.0040\n",
+        "What to do: drive the actuator slowly", "mend the curve first, and compare again"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  found.causes.clear();
+  EXPECT_EQ(ownSimulationText(found).find("mend the curve first"), std::string::npos);
+}
+
 TEST(ExplanationJson, HoldsWhatIsWrongWithTheUsersSimulation) {
   Explanation explanation = test::exampleExplanation();
   EXPECT_FALSE(toJson(explanation).contains("own_simulation"));
