@@ -23,7 +23,7 @@ Configuration configured(const std::string& yaml) {
   return parseConfiguration(YAML::Load("simulation: " + yaml));
 }
 
-std::string refusalOf(const std::string& yaml) {
+std::string simulationRefusal(const std::string& yaml) {
   return messageOf<ConfigurationError>([&] { configured(yaml); });
 }
 
@@ -73,7 +73,8 @@ TEST(OpenSimulation, RefusesWhatIsNoSimulation) {
       {"{column: y, time_limit: 0}", "simulation.time_limit: found 0"},
       {"{fmu: a.fmu}", "simulation.fmu: found 'a.fmu'; allowed: model, result, command or column"}};
   for (const auto& [yaml, message] : cases)
-    EXPECT_NE(refusalOf(yaml).find(message), std::string::npos) << yaml << "\n" << refusalOf(yaml);
+    EXPECT_NE(simulationRefusal(yaml).find(message), std::string::npos) << yaml << "\n"
+                                                                        << simulationRefusal(yaml);
 }
 
 TEST(OpenSimulation, OpensModelsAndSignals) {
