@@ -57,11 +57,13 @@ function navigation(entries) {
 function showReport(result, explanation, parent) {
   const explained = explanation ? kExplanationSections : [];
   const details = result.baseline ? [kBaselineSection, ...kSections] : kSections;
-  const verdict = explanation ? [{id: 'verdict', title: 'What the simulation gets wrong'}] : [];
+  const own = explanation && explanation.own_simulation ? [{id: 'own', title: 'What your simulation gets wrong'}] : [];
+  const verdict = explanation ? [...own, {id: 'verdict', title: 'What the simulation gets wrong'}] : [];
   document.title = reportTitle(result);
   parent.append(element('header', {}, element('h1', {}, reportTitle(result)), paragraph(originLine(result), 'origin'),
     navigation([...verdict, ...explained, ...details])));
-  if (explanation) showVerdict(section(parent, 'verdict', verdict[0].title), explanation);
+  if (own.length > 0) showOwnSimulation(section(parent, 'own', own[0].title), explanation.own_simulation);
+  if (explanation) showVerdict(section(parent, 'verdict', verdict[verdict.length - 1].title), explanation);
   showFirstPage(parent, result);
   explained.forEach(({id, title, show}) => show(section(parent, id, title), explanation));
   details.forEach(({id, title, show, printed}) => show(foldedSection(parent, id, title, printed), result));

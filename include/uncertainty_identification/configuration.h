@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "uncertainty_identification/math/mixture.h"
+#include "uncertainty_identification/own_simulation_options.h"
 
 /// Options of an identification. Each YAML key has the name of a field here (config/reference.yaml
 /// documents them). The initialiser of a field is its default; defaults are stated nowhere else.
@@ -260,6 +261,7 @@ struct Configuration {
   InitialOptions initial;
   std::vector<EffectOptions> effects;  ///< extend the linear model
   ExplanationOptions explanation;
+  std::optional<OwnSimulationOptions> simulation;  ///< of the user, which explain compares
   ResamplingOptions resampling;
   SignalOptions input{"", "actuator/command", "auto"};
   SignalOptions output{"", "sensor/measurement", "auto"};

@@ -28,6 +28,7 @@ const EnumNames<InputResampling>& enumNames(InputResampling);
 const EnumNames<OutputResampling>& enumNames(OutputResampling);
 const EnumNames<TimeUnit>& enumNames(TimeUnit);
 const EnumNames<ExperimentMode>& enumNames(ExperimentMode);
+const EnumNames<TransferDomain>& enumNames(TransferDomain);
 
 /// The word for a value, e.g. "box_jenkins". Throws std::invalid_argument for a value that is not
 /// in the list.

@@ -256,6 +256,7 @@ void Configuration::validate() const {
   estimation.validate();
   initial.validate();
   explanation.validate();
+  if (simulation) simulation->validate();
   resampling.validate();
   full_identification.validate();
   bounds.validate();

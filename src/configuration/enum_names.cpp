@@ -101,4 +101,9 @@ const EnumNames<ExperimentMode>& enumNames(ExperimentMode) {
   return kNames;
 }
 
+const EnumNames<TransferDomain>& enumNames(TransferDomain) {
+  static const EnumNames<TransferDomain> kNames{{TransferDomain::s, "s"}, {TransferDomain::z, "z"}};
+  return kNames;
+}
+
 }  // namespace uncertainty_identification

@@ -12,7 +12,7 @@ double positive(double z) { return std::max(z, 0.0); }
 double sign(double z) { return z > 0 ? 1 : z < 0 ? -1 : 0; }
 double step(double z, double width) { return std::tanh(z / std::max(std::abs(width), 0.01)); }
 double limited(double z, double limit) {
-  const double bound = std::abs(limit) + 0.05;
+  const double bound = std::max(std::abs(limit), 0.05);
   return std::min(std::max(z, -bound), bound);
 }
 double deadZone(double z, double width) {

@@ -110,7 +110,15 @@ class Archive {
   virtual void visit(OrAutomatic<int>& value) = 0;
   virtual void visit(OrAutomatic<double>& value) = 0;
 
-  void visit(std::map<std::string, double>& values);
+  template <class Value>
+  void visit(std::map<std::string, Value>& values) {
+    const std::vector<std::string> found = beginMap();
+    if (reads()) {
+      values.clear();
+      for (const std::string& key : found) values.emplace(key, Value());
+    }
+    for (auto& [key, value] : values) (*this)(key, value);
+  }
 
   template <class Value>
   void visit(std::optional<Value>& value) {

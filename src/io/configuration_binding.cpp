@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "io/archive.h"
+#include "io/own_simulation_binding.h"
 #include "math/constants.h"
 
 namespace uncertainty_identification {
@@ -204,6 +205,7 @@ void bind(Archive& archive, Configuration& configuration) {
   archive("initial", configuration.initial);
   archive("effects", configuration.effects);
   archive("explanation", configuration.explanation);
+  archive("simulation", whenPresent(configuration.simulation));
   archive("resampling", configuration.resampling);
   bindSignalOrColumn(archive, "input", configuration.input);
   bindSignalOrColumn(archive, "output", configuration.output);

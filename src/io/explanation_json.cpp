@@ -4,6 +4,7 @@
 
 #include "io/estimate_binding.h"
 #include "io/json_file.h"
+#include "io/own_simulation_binding.h"
 #include "io/result_checks.h"
 #include "io/tree_reader.h"
 #include "io/tree_writer.h"
@@ -184,12 +185,23 @@ Estimate modelFrom(const nlohmann::json& json, const std::string& key) {
   }
 }
 
+const char* const kOwnSimulation = "own_simulation";
+
+OwnSimulationFindings ownSimulationFrom(const nlohmann::json& json) {
+  try {
+    return readRecord<OwnSimulationFindings>(json[kOwnSimulation]);
+  } catch (const ConfigurationError& error) {
+    throw ConfigurationError(pathOf(kOwnSimulation, error.what()));
+  }
+}
+
 }  // namespace
 
 nlohmann::json toJson(const Explanation& explanation) {
   nlohmann::json tree = writtenTree(explanation);
   tree["model"] = toJson(explanation.after);
   tree["model_before"] = toJson(explanation.before);
+  if (explanation.own_simulation) tree[kOwnSimulation] = writtenTree(*explanation.own_simulation);
   return tree;
 }
 
@@ -197,6 +209,7 @@ Explanation explanationFromJson(const nlohmann::json& json) {
   Explanation explanation = readRecord<Explanation>(json);
   explanation.after = modelFrom(json, "model");
   explanation.before = modelFrom(json, "model_before");
+  if (json.contains(kOwnSimulation)) explanation.own_simulation = ownSimulationFrom(json);
   requireConsistent(explanation);
   return explanation;
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "io/own_simulation_text.h"
 #include "io/text_table.h"
 #include "uncertainty_identification/enum_names.h"
 
@@ -166,7 +167,9 @@ std::string triedText(std::vector<TriedEffect> tried, bool held_out) {
 }  // namespace
 
 std::string explanationText(const Explanation& explanation) {
-  std::string text = "Verdict: " + nameOf(explanation.verdict);
+  std::string text =
+      explanation.own_simulation ? ownSimulationText(*explanation.own_simulation) : "";
+  text += "Verdict: " + nameOf(explanation.verdict);
   text += (explanation.message.empty() ? "" : ": " + explanation.message) + "\n\n";
   text += checksText(explanation);
   for (std::size_t k = 0; k < explanation.causes.size(); ++k) {

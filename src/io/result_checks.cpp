@@ -177,6 +177,11 @@ void requireConsistent(const Explanation& explanation) {
     requireLengthUnlessEmpty("simulation.pictures.before", window.before, window.measured.size());
     requireLengthUnlessEmpty("simulation.pictures.after", window.after, window.measured.size());
   }
+  if (explanation.own_simulation)
+    for (const OwnRun& run : explanation.own_simulation->runs) {
+      requireLength("own_simulation.runs.yours", run.yours, run.measured.size());
+      requireLength("own_simulation.runs.extended", run.extended, run.measured.size());
+    }
   for (const ExperimentPicture& picture : explanation.pictures) {
     const Index samples = picture.measured.size();
     requireLengthUnlessEmpty("pictures.input", picture.input, samples);

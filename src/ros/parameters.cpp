@@ -7,6 +7,7 @@
 #include <locale>
 #include <sstream>
 
+#include "io/open_simulation.h"
 #include "io/tree.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
@@ -71,7 +72,9 @@ YAML::Node toYaml(XmlRpcValue value, const std::string& path) {
 }
 
 Configuration parseParameters(const XmlRpcValue& parameters) {
-  return parseConfiguration(withoutForeignKeys(toYaml(parameters)));
+  Configuration configuration = parseConfiguration(withoutForeignKeys(toYaml(parameters)));
+  refuseSimulation(configuration, "the node compares none, and starts no program of the user");
+  return configuration;
 }
 
 YAML::Node loadParameterTree(const ros::NodeHandle& node) {

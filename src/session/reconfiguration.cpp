@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "io/open_simulation.h"
 #include "io/untrusted_yaml.h"
 #include "session/refused_error.h"
 #include "uncertainty_identification/errors.h"
@@ -44,7 +45,9 @@ Configuration wantedConfiguration(const std::string& text, const Configuration& 
                                   const LimitOptions& started) {
   YAML::Node tree = parse(text);
   nlohmann::json own = toJson(current);
-  nlohmann::json asked = toJson(parseConfiguration(tree));
+  const Configuration parsed = parseConfiguration(tree);
+  refuseSimulation(parsed, "no request starts a simulation");
+  nlohmann::json asked = toJson(parsed);
   for (auto& [key, value] : asked["limits"].items())
     if (!tree["limits"] || !tree["limits"][key]) value = own["limits"][key];
   Configuration at_start = current;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/open_simulation.h"
 #include "io/untrusted_yaml.h"
 #include "session/bag_name.h"
 #include "session/mebibytes.h"
@@ -12,6 +13,7 @@ namespace uncertainty_identification {
 Configuration requestedConfiguration(const std::string& yaml, const Configuration& own) {
   if (yaml.empty()) return own;
   Configuration asked = parseConfiguration(loadUntrustedYaml(yaml));
+  refuseSimulation(asked, "no request starts a simulation");
   asked.limits.max_experiments = std::min(asked.limits.max_experiments, own.limits.max_experiments);
   asked.limits.max_samples = std::min(asked.limits.max_samples, own.limits.max_samples);
   asked.limits.max_bag_size = std::min(asked.limits.max_bag_size, own.limits.max_bag_size);

@@ -10,9 +10,11 @@
 #include "io/command_line.h"
 #include "io/explanation_text.h"
 #include "io/interrupt.h"
+#include "io/open_simulation.h"
 #include "io/output_file.h"
 #include "io/progress_bar.h"
 #include "tools/data_argument.h"
+#include "tools/own_comparison.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/explanation/explanation.h"
 #include "uncertainty_identification/io/explanation_json.h"
@@ -36,14 +38,17 @@ void addFindings(const ui::LoadedData& loaded, ui::Explanation* explanation) {
 
 ui::Explanation explain(const po::variables_map& arguments, const ui::InterruptGuard& interrupt) {
   const ui::Configuration configuration = ui::configurationArgument(arguments, kName);
-  const ui::LoadedArguments loaded = ui::loadArguments(arguments, configuration);
+  const ui::LoadedArguments loaded =
+      ui::loadArguments(arguments, ui::withLoggedSimulation(configuration));
   ui::ProgressBar bar(std::cerr, isatty(STDERR_FILENO) != 0);
   const auto progress = [&](const ui::Progress& at) {
     bar.show(at);
     return !interrupt.requested();
   };
-  ui::Explanation explanation =
-      ui::explain(configuration, loaded.data.experiments, loaded.validation.experiments, progress);
+  const ui::OwnComparison own = ui::compareOwn(configuration, loaded.data.experiments,
+                                               loaded.validation.experiments, progress);
+  ui::Explanation explanation = ui::explain(configuration, own.data, own.validation, progress);
+  explanation.own_simulation = own.findings;
   for (const ui::LoadedData* part : {&loaded.data, &loaded.validation})
     addFindings(*part, &explanation);
   return explanation;
@@ -80,7 +85,8 @@ int main(int argc, char** argv) {
       R"(Identifies the model from experiments, shows where its simulation and the data part, names the cause,
 takes it into the model and measures what that gains on experiments not used for fitting. DATA is a
 .bag, a .csv with the columns experiment,t,u,y or t,u,y, or a folder of such files; further columns
-are covariates, in which a cause may be found.
+are covariates, in which a cause may be found. Where the configuration gives a simulation of your own
+(simulation:), it first says what is wrong with that (docs/own_simulation.md).
 Exit status: 0 done; 1 the data cannot support an answer, cancelled, or an internal error; 2 wrong
 usage or configuration, or a file that cannot be read or written.)";
   program.options.add_options()  //

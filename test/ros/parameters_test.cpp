@@ -42,6 +42,15 @@ TEST(Parameters, EveryKindOfValueArrives) {
   EXPECT_EQ(configuration.error_model.T(1, 0), -0.5);
 }
 
+TEST(Parameters, NoNodeStartsASimulationOfTheUser) {
+  XmlRpcValue parameters = minimal();
+  parameters["simulation"]["command"][0] = "./my_sim";
+  EXPECT_NE(messageOf<ConfigurationError>([&] {
+              parseParameters(parameters);
+            }).find("simulation: the node compares none, and starts no program of the user"),
+            std::string::npos);
+}
+
 TEST(Parameters, NumbersMayBeTextAsRosparamReadsThem) {
   XmlRpcValue parameters = minimal();
   parameters["estimation"]["tolerance"] = "1e-6";

@@ -32,7 +32,7 @@ TEST(Shapes, StartsFitTheirParameters) {
 TEST(Shapes, AreTheCurvesOfTheirNames) {
   EXPECT_DOUBLE_EQ(valueOf("dead_zone", 0.4, {0.5}), 0);
   EXPECT_DOUBLE_EQ(valueOf("dead_zone", -2, {0.5}), -1.5);
-  EXPECT_DOUBLE_EQ(valueOf("saturation", 3, {0.95}), 1);
+  EXPECT_DOUBLE_EQ(valueOf("saturation", 3, {0.95}), 0.95);
   EXPECT_DOUBLE_EQ(valueOf("saturation", -0.5, {0.95}), -0.5);
   EXPECT_DOUBLE_EQ(valueOf("asymmetric_dead_zone", -1, {0.1, 0.5}), -0.5);
   EXPECT_DOUBLE_EQ(valueOf("signed_square", -3), -9);

@@ -7,6 +7,7 @@
 #include "support/error_message.h"
 #include "support/example1.h"
 #include "support/wait_for.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -85,6 +86,22 @@ TEST(RequestLimits, ARequestCannotRaiseTheNodesLimits) {
   EXPECT_EQ(asked.limits.max_experiments, 5);
   EXPECT_EQ(asked.limits.max_samples, 700);
   EXPECT_EQ(asked.estimation.threads, 2);
+}
+
+TEST(RequestLimits, NoRequestStartsASimulationOfTheUser) {
+  for (const char* yaml :
+       {"simulation: {command: [touch, started]}", "simulation: {column: y_sim}"})
+    EXPECT_EQ(
+        messageOf<ConfigurationError>([&] { requestedConfiguration(yaml, {}); }),
+        "simulation: no request starts a simulation; leave it out, and run the program explain "
+        "with it");
+}
+
+TEST_F(ReconfigurationTest, RefusesASimulationOfTheUser) {
+  EXPECT_NE(messageOf<ConfigurationError>([this] {
+              configure("simulation: {command: [touch, started]}");
+            }).find("no request starts a simulation"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "uncertainty_identification/configuration.h"
+#include "uncertainty_identification/own_simulation/simulation.h"
+
+namespace uncertainty_identification {
+
+/// Name of the signal of the experiments that a logged simulation is.
+std::string loggedName(const OwnSimulationOptions& options);
+
+/// The configuration with which data are read: a logged simulation is a signal among the
+/// covariates. Unchanged without one.
+Configuration withLoggedSimulation(Configuration configuration);
+
+/// The simulation of configuration.simulation, for data with this sample time [s]. A program is
+/// started: call it for a user at the command line only, never for a configuration that came over
+/// a network. Throws ConfigurationError, or FileError for a result that cannot be read.
+std::unique_ptr<Simulation> openSimulation(const OwnSimulationOptions& options, double sample_time);
+
+/// Throws ConfigurationError where the configuration gives a simulation: `who` does not compare
+/// one.
+void refuseSimulation(const Configuration& configuration, const std::string& who);
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,59 @@
+#include "own_simulation/own_structure.h"
+
+#include <cstdio>
+
+#include "curves/explain_simulation.h"
+#include "own_simulation/linear_surrogate.h"
+
+namespace uncertainty_identification {
+namespace {
+
+/// The experiments with the simulation's answer in place of the measurement.
+std::vector<Experiment> answersOf(const ChangedSimulation& simulation,
+                                  const std::vector<Experiment>& experiments) {
+  std::vector<Experiment> answers = experiments;
+  const ComparedData data = comparedData(experiments, 0, 1);
+  for (std::size_t k = 0; k < answers.size(); ++k) {
+    answers[k].y = simulation.output(data.runs[k], {});
+    answers[k].valid.clear();
+  }
+  return answers;
+}
+
+/// The measurement without what the simulation does beyond the linear model of it.
+std::vector<Experiment> linearPart(const std::vector<Experiment>& measured,
+                                   const std::vector<Experiment>& answers, Simulation& linear) {
+  std::vector<Experiment> rest = measured;
+  for (std::size_t k = 0; k < rest.size(); ++k)
+    rest[k].y += linear.run(inputOf(rest[k]), ownValuesOf(linear)) - answers[k].y;
+  return rest;
+}
+
+}  // namespace
+
+SimulationCauses searchStructure(const ChangedSimulation& simulation,
+                                 const std::vector<Experiment>& fitted,
+                                 const std::vector<Experiment>& held, int max_causes,
+                                 const std::function<bool(const std::string& doing)>& progress) {
+  SimulationCauses found;
+  const std::vector<Experiment> answers = answersOf(simulation, fitted);
+  const LinearFit linear = fitLinear(answers, "");
+  if (!linear.simulation || linear.fit < kLeastSurrogateFit) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "a linear model fits only %.1f %% of the simulation itself, so that no curve can "
+                  "be placed in it",
+                  linear.fit);
+    found.skipped = text;
+    return found;
+  }
+  SimulationSearchOptions options;
+  options.max_causes = max_causes;
+  options.progress = progress;
+  WorkerPool pool(1);
+  return explainSimulation(linearPart(fitted, answers, *linear.simulation),
+                           linearPart(held, answersOf(simulation, held), *linear.simulation),
+                           options, &pool);
+}
+
+}  // namespace uncertainty_identification

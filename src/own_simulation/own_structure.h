@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "own_simulation/change.h"
+#include "uncertainty_identification/curves/simulation_causes.h"
+
+namespace uncertainty_identification {
+
+/// Looks for curves - dead zone, saturation, friction, drift, ... - that the simulation lacks, at
+/// any place before, in and behind it: what it does beyond a linear model of it is taken off the
+/// measured output, and the rest is searched as that of a linear plant, whose parameters are free.
+/// `skipped` says so where the linear model fits less than 90 % of the simulation. `held` as in
+/// examine().
+SimulationCauses searchStructure(const ChangedSimulation& simulation,
+                                 const std::vector<Experiment>& fitted,
+                                 const std::vector<Experiment>& held, int max_causes,
+                                 const std::function<bool(const std::string& doing)>& progress);
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "io/open_simulation.h"
+#include "own_simulation/logged_simulation.h"
+#include "uncertainty_identification/explanation/explanation.h"
+
+namespace uncertainty_identification {
+
+/// What the user's simulation gets wrong, if there is one, and the data without it.
+struct OwnComparison {
+  std::optional<OwnSimulationFindings> findings;
+  std::vector<Experiment> data, validation;
+};
+
+/// Runs the simulation that the configuration gives, if it gives one.
+inline OwnComparison compareOwn(const Configuration& configuration,
+                                const std::vector<Experiment>& data,
+                                const std::vector<Experiment>& validation,
+                                const ProgressCallback& progress) {
+  OwnComparison own{std::nullopt, data, validation};
+  if (!configuration.simulation || data.empty()) return own;
+  const OwnSimulationOptions& options = *configuration.simulation;
+  const auto simulation = openSimulation(options, data.front().sample_time);
+  own.findings = compareSimulation(configuration, *simulation, data, validation, progress);
+  if (!options.isLogged()) return own;
+  own.data = withoutSignal(data, loggedName(options));
+  own.validation = withoutSignal(validation, loggedName(options));
+  return own;
+}
+
+}  // namespace uncertainty_identification
