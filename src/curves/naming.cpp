@@ -65,9 +65,10 @@ struct Contender {
 /// The share of the free curve's gain that each contender has; the free curve is the first.
 std::vector<double> sharesOf(const std::vector<Contender>& contenders, const WindowFit& before) {
   const double gain = before.squared_error - contenders.front().fit.squared_error;
-  std::vector<double> shares;
-  for (const Contender& each : contenders)
-    shares.push_back(gain > 0 ? (before.squared_error - each.fit.squared_error) / gain : 0);
+  std::vector<double> shares(contenders.size());
+  std::transform(contenders.begin(), contenders.end(), shares.begin(), [&](const Contender& each) {
+    return gain > 0 ? (before.squared_error - each.fit.squared_error) / gain : 0;
+  });
   return shares;
 }
 

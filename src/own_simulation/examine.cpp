@@ -162,6 +162,13 @@ struct Comparison {
   double heldError() const { return result.held_after.sum(); }
 };
 
+ChangeSearchLimits limitsOf(const ExamineOptions& options, std::string* doing) {
+  ChangeSearchLimits limits;
+  limits.max_causes = options.max_causes;
+  limits.tell = [doing](const std::string& what) { *doing = what; };
+  return limits;
+}
+
 }  // namespace
 
 bool OwnSimulationFindings::curveLeads() const {
@@ -186,9 +193,7 @@ OwnSimulationFindings examine(Simulation& simulation, const std::vector<Experime
   if (simulation.parameters().empty()) surrogate = fitSurrogate(simulation, fitted);
   Simulation& compared = surrogate.simulation ? *surrogate.simulation : simulation;
   const int most = simulation.canRerun() ? options.max_simulations : kUnlimited;
-  ChangeSearchLimits limits;
-  limits.max_causes = options.max_causes;
-  limits.tell = [&doing](const std::string& what) { doing = what; };
+  const ChangeSearchLimits limits = limitsOf(options, &doing);
   Comparison own(compared, most, keep_going, data, kept, limits);
 
   OwnSimulationFindings found;
@@ -208,7 +213,7 @@ OwnSimulationFindings examine(Simulation& simulation, const std::vector<Experime
   found.can_rerun = simulation.canRerun();
   found.fit_before = kept.fitOf(own.result.held_before.sum());
   found.fit_after = kept.fitOf(best.heldError());
-  for (const Experiment& experiment : held) found.held_out.push_back(experiment.id);
+  for (const Experiment& each : held) found.held_out.push_back(each.id);
   const Changes& changes = best.result.fit.changes;
   found.causes = describeChanges(best.result, spreadOf(best.changed, data, changes), best.changed,
                                  data, kept, data.runs.front().experiment->sample_time);

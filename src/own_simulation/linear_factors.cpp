@@ -65,8 +65,9 @@ Complex complexNumber(const std::string& text, const std::string& key) {
 }
 
 std::vector<Complex> complexNumbers(const std::vector<std::string>& texts, const std::string& key) {
-  std::vector<Complex> all;
-  for (const std::string& text : texts) all.push_back(complexNumber(text, key));
+  std::vector<Complex> all(texts.size());
+  std::transform(texts.begin(), texts.end(), all.begin(),
+                 [&](const std::string& text) { return complexNumber(text, key); });
   for (const Complex& each : all) {
     const auto same = [&](const Complex& value) {
       return std::count_if(all.begin(), all.end(), [&](const Complex& other) {

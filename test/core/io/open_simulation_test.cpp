@@ -173,12 +173,17 @@ TEST(OwnSimulationText, TellsTheCurvesThatTheSimulationLacks) {
             std::string::npos);
   found.structure = {};
   found.structure.causes = test::exampleExplanation().simulation.causes;
+  found.structure.fit_before = 94;
+  found.structure.fit_after = 98;
   const std::string text = ownSimulationText(found);
+  EXPECT_LT(text.find("act_deadzone:"), text.find("Best without the curve  yours"));
+  EXPECT_EQ(text.find("set mass to"), std::string::npos) << "it may only stand for the curve";
   for (const char* part :
        {"act_deadzone: the input acts through a dead zone\n  half_width 0.3100 +- 0.0040\n",
         "What to do: drive the actuator slowly", "mend the curve first, and compare again"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
-  found.causes.clear();
+  found.has_curve_in_front = true;
+  EXPECT_NE(ownSimulationText(found).find("set mass to"), std::string::npos);
   EXPECT_EQ(ownSimulationText(found).find("mend the curve first"), std::string::npos);
 }
 

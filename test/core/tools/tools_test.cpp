@@ -98,7 +98,7 @@ TEST_F(Tools, HelpAndVersion) {
     const ProcessResult help = tool(name, {"--help"});
     EXPECT_EQ(help.status, 0);
     EXPECT_EQ(help.errors, "");
-    EXPECT_TRUE(contains(help.output, "usage: " + name + " --")) << help.output;
+    EXPECT_EQ(help.output.find("usage: " + name + " "), 0u) << help.output;
     EXPECT_TRUE(contains(help.output, "--output")) << help.output;
     const ProcessResult version = tool(name, {"--version"});
     EXPECT_EQ(version.status, 0);
@@ -107,9 +107,9 @@ TEST_F(Tools, HelpAndVersion) {
 }
 
 TEST_F(Tools, WrongUsage) {
-  expectFailure(tool("identify", {}), 2, "identify", "'--config' is required");
+  expectFailure(tool("identify", {}), 2, "identify", "'--output' is required");
   expectFailure(tool("simulate", {}), 2, "simulate", "'--config' is required");
-  expectFailure(tool("explain", {}), 2, "explain", "'--config' is required");
+  expectFailure(tool("explain", {}), 2, "explain", "'--output' is required");
   expectFailure(explain({}), 2, "explain", "no DATA given");
   expectFailure(identify({}), 2, "identify", "no DATA given");
   expectFailure(identify({"--colour", "x"}), 2, "identify", "unrecognised option '--colour'");
