@@ -77,6 +77,7 @@ double sizeOf(Simulation& simulation, const Flaw& flaw) {
 }
 
 std::string firstOf(const OwnSimulationFindings& found) {
+  if (found.has_curve_in_front || found.curveLeads()) return found.structure.causes[0].what.name;
   if (!found.causes.empty() && found.causes[0].name == "sim_parameter")
     return "parameter:" + found.causes[0].parameter;
   if (!found.causes.empty()) return found.causes[0].name;
