@@ -47,7 +47,8 @@ TEST(StreamTables, ListTheTopicsOfEachBagAndThenFiles) {
 
 TEST(StreamTables, SayColumnsOnceAndNameExperimentsOfAFile) {
   Survey survey;
-  survey.streams = {regularStream("/logs/a.csv", "a", ""), regularStream("/logs/b.csv", "run 7", "")};
+  survey.streams = {regularStream("/logs/a.csv", "a", ""),
+                    regularStream("/logs/b.csv", "run 7", "")};
   survey.times = {{"", "index", false, ""}};
   const std::string text = streamTables(survey);
   for (const char* part : {"Files of columns (no column of time)", "u, y", "the same",
@@ -124,8 +125,8 @@ TEST(ExperimentTable, CountsSamplesAndMissingOutputs) {
   experiment.valid[7] = experiment.valid[8] = 0;
   data.experiments.assign(32, experiment);
   const std::string text = experimentTable(data);
-  const std::string row = text.substr(text.find("first"), text.find("first", text.find("first") + 1) -
-                                                              text.find("first"));
+  const std::string row = text.substr(
+      text.find("first"), text.find("first", text.find("first") + 1) - text.find("first"));
   for (const char* part : {" 150 ", " 0.02 s", " 3 s", " 2"})
     EXPECT_TRUE(mentions(row, part)) << part << "\n" << row;
   EXPECT_TRUE(mentions(text, "and 2 more"));
