@@ -105,7 +105,8 @@ std::string notesText(const std::vector<std::string>& notes) {
 }
 
 std::string cutText(const InspectedData& data) {
-  std::string text = "Experiments (" + cutReason(data.survey, data.configuration) + ")\n\n";
+  std::string text =
+      "Experiments (" + printable(cutReason(data.survey, data.configuration)) + ")\n\n";
   if (!data.failure.empty()) text += "  none: " + printable(data.failure) + "\n";
   text += experimentTable(data.loaded);
   for (const RejectedExperiment& rejected : data.loaded.rejected)
@@ -139,7 +140,7 @@ std::string chosenText(const InspectedData& data) {
   const SignalPair& pair = *data.choice.chosen;
   return "input: " + nameIn(data, pair.input) + " (" + data.choice.input_reason +
          "), output: " + nameIn(data, pair.output) + " (" + data.choice.output_reason +
-         "); experiments: " + cutReason(data.survey, data.configuration) +
+         "); experiments: " + printable(cutReason(data.survey, data.configuration)) +
          "; --config chooses others";
 }
 

@@ -22,12 +22,7 @@ std::string quotedName(const std::string& name) {
   return nlohmann::json(name).dump();
 }
 
-std::string numberOf(double value) {
-  std::ostringstream stream;
-  stream.precision(17);
-  stream << nlohmann::json(value).dump();
-  return stream.str();
-}
+std::string numberOf(double value) { return nlohmann::json(value).dump(); }
 
 std::string comment(const std::string& text) {
   std::istringstream lines(text);

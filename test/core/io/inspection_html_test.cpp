@@ -82,6 +82,12 @@ TEST(InspectionPage, ShowsNamesFromFilesAsTextOnly) {
   EXPECT_TRUE(mentions(page, "y=\"12\">a&amp;b \\x1B[31m \\xB0: ")) << "valid UTF-8";
 }
 
+TEST(InspectionPage, ShowsATopicThatCutsAsTextOnly) {
+  InspectedData data = drawnData();
+  data.configuration.experiment.topic = "/a\x1b[31m<b>";
+  EXPECT_TRUE(mentions(inspectionHtml(data), "lasts while /a\\x1B[31m&lt;b> is true"));
+}
+
 TEST(InspectionPage, NeedsNothingElse) {
   const std::string page = inspectionHtml(drawnData());
   for (const char* part : {"http", "src=", "href", "url(", "@import", "<script"})

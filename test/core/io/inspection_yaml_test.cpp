@@ -57,12 +57,35 @@ class InspectionYamlFile : public testing::Test {
   const TemporaryFolder folder_;
 };
 
-constexpr const char* kOddNames[] = {
-    "a: b",     "- a",   "[a]",  "{a: 1}",   "a, b", "#1",   "a # b",
-    "it's",     "\"a\"", "a\\n", " leading", "tail ", "null", "true",
-    "0x10",     "1e3",   "~",    "*a",       "&a",   "!a",   "%a",
-    "@a",       "|",     ">",    "?",        "<<",   "${a}", "\xC3\xBC \xC2\xB0/s",
-    "\xF0\x9F\x98\x80"};
+constexpr const char* kOddNames[] = {"a: b",
+                                     "- a",
+                                     "[a]",
+                                     "{a: 1}",
+                                     "a, b",
+                                     "#1",
+                                     "a # b",
+                                     "it's",
+                                     "\"a\"",
+                                     "a\\n",
+                                     " leading",
+                                     "tail ",
+                                     "null",
+                                     "true",
+                                     "0x10",
+                                     "1e3",
+                                     "~",
+                                     "*a",
+                                     "&a",
+                                     "!a",
+                                     "%a",
+                                     "@a",
+                                     "|",
+                                     ">",
+                                     "?",
+                                     "<<",
+                                     "${a}",
+                                     "\xC3\xBC \xC2\xB0/s",
+                                     "\xF0\x9F\x98\x80"};
 
 TEST_F(InspectionYamlFile, KeepsAnyNameOfAColumn) {
   for (const std::string name : kOddNames) {
