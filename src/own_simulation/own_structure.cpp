@@ -1,6 +1,7 @@
 #include "own_simulation/own_structure.h"
 
 #include <cstdio>
+#include <iterator>
 
 #include "curves/explain_simulation.h"
 #include "own_simulation/linear_surrogate.h"
@@ -20,12 +21,20 @@ std::vector<Experiment> answersOf(const ChangedSimulation& simulation,
   return answers;
 }
 
+/// A logged simulation is a signal of the experiments, but nothing that acts on the machine.
+void dropSignal(const Eigen::VectorXd& signal, Experiment* experiment) {
+  for (auto each = experiment->signals.begin(); each != experiment->signals.end();)
+    each = each->second == signal ? experiment->signals.erase(each) : std::next(each);
+}
+
 /// The measurement without what the simulation does beyond the linear model of it.
 std::vector<Experiment> linearPart(const std::vector<Experiment>& measured,
                                    const std::vector<Experiment>& answers, Simulation& linear) {
   std::vector<Experiment> rest = measured;
-  for (std::size_t k = 0; k < rest.size(); ++k)
+  for (std::size_t k = 0; k < rest.size(); ++k) {
     rest[k].y += linear.run(inputOf(rest[k]), ownValuesOf(linear)) - answers[k].y;
+    dropSignal(answers[k].y, &rest[k]);
+  }
   return rest;
 }
 

@@ -41,15 +41,15 @@ OwnSimulationFindings examined(Simulation& simulation, std::vector<Experiment> e
 }
 
 /// The same where only the output of the simulation was logged.
-OwnSimulationFindings examinedAsColumn(Simulation& simulation,
-                                       std::vector<Experiment> experiments) {
+OwnSimulationFindings examinedAsColumn(Simulation& simulation, std::vector<Experiment> experiments,
+                                       const ExamineOptions& options = withoutStructure()) {
   Eigen::VectorXd values(static_cast<Eigen::Index>(simulation.parameters().size()));
   for (Eigen::Index k = 0; k < values.size(); ++k)
     values[k] = simulation.parameters()[static_cast<std::size_t>(k)].value;
   for (Experiment& each : experiments)
     each.signals["y_sim"] = simulation.run(inputOf(each), values);
   const auto logged = makeLoggedSimulation("y_sim", "the column y_sim");
-  return examined(*logged, experiments);
+  return examined(*logged, experiments, options);
 }
 
 /// One cause of this name, whose value is right within three standard errors.
@@ -192,6 +192,17 @@ TEST(Examine, ALoggedOutputShowsTheParametersOfALinearModelOfIt) {
   EXPECT_EQ(found.simulations, 0);
   const auto first = firstOrder();
   expectOnly(examinedAsColumn(*first, recordWithFactor(*first, 0, 1.1, {})), "sim_gain", 1.1);
+}
+
+/// The column is no covariate that acts on the machine.
+TEST(Examine, ALoggedOutputIsNoInputOfTheMachine) {
+  PendulumSimulation pendulum;
+  const OwnSimulationFindings found =
+      examinedAsColumn(pendulum, recordWithFactor(pendulum, 0, 1.15, {}), {});
+  for (const SimulationCause& cause : found.structure.causes)
+    EXPECT_NE(cause.what.name, "exp_input2") << found.sentence;
+  EXPECT_FALSE(found.curveLeads()) << found.sentence;
+  EXPECT_FALSE(found.causes.empty());
 }
 
 TEST(Examine, TellsWhatDiffersFromRunToRun) {
