@@ -59,7 +59,7 @@ OwnValue valueOf(const std::string& name, const std::string& unit, double yours,
 }
 
 std::string spreadText(const std::string& amount) {
-  return ", and differs by " + amount + " from run to run";
+  return " (differing by " + amount + " from run to run)";
 }
 
 void describeParameter(const Found& found, const ChangedSimulation& simulation, OwnCause* cause) {
