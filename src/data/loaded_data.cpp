@@ -47,13 +47,14 @@ void addResampled(const Recording& recording, double sample_time, const Resampli
 }
 
 double sampleTimeForAll(const std::vector<Experiment>& experiments) {
-  constexpr double kMost = 30;
+  constexpr double kMost = 30, kShare = 0.8;
   if (experiments.empty()) return 0;
-  const auto ends = std::minmax_element(experiments.begin(), experiments.end(),
-                                        [](const Experiment& left, const Experiment& right) {
-                                          return left.sample_time < right.sample_time;
-                                        });
-  const double shortest = ends.first->sample_time, longest = ends.second->sample_time;
+  std::vector<double> times;
+  for (const Experiment& experiment : experiments) times.push_back(experiment.sample_time);
+  std::sort(times.begin(), times.end());
+  const double count = static_cast<double>(times.size());
+  const auto enough = static_cast<std::size_t>(std::ceil(kShare * count));
+  const double shortest = times.front(), longest = times[enough - 1];
   const bool is_used = longest > (1 + kSameRate) * shortest && longest <= kMost * shortest;
   return is_used ? longest : 0;
 }

@@ -206,6 +206,7 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
           "fir, laguerre or kautz: explain looks for parameters that vary by itself");
   requireKnown(configuration_.explanation.exclude, experiments);
   Split data = split(configuration_, experiments, validation);
+  const std::vector<RejectedExperiment> rejected = leaveOutUnusable(configuration_, &data);
   searchSimulation(data);
   leading_curves_ = leadingCurves(explanation_.simulation);
   if (configuration_.explanation.time_limit > 0) thinning_ = thinLongRecords(&data);
@@ -216,6 +217,7 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
     if (!data.fitted_to) explanation_.held_out.push_back(experiment.id);
   if (data.fitted_to) explanation_.warnings.push_back(kNothingHeldOut);
   explanation_.before = best.estimate;
+  explanation_.before.rejected = rejected;
   explanation_.checks_before =
       checkResiduals(best.base.fit, best.base.train, best.base.heavy_tails);
   explanation_.candidates = best.tried;

@@ -4,6 +4,10 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <string>
+
+#include "data/experiment_checks.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -21,7 +25,38 @@ std::set<std::size_t> drawn(const Configuration& configuration, std::size_t coun
   return {order.begin(), order.begin() + static_cast<std::ptrdiff_t>(held)};
 }
 
+/// `sample_time` [s]; 0: that of most of these experiments.
+void leaveOut(const Configuration& configuration, double sample_time, const std::string& purpose,
+              std::vector<Experiment>* experiments, std::vector<RejectedExperiment>* rejected) {
+  std::vector<std::string> covariates;
+  for (const SignalOptions& covariate : configuration.covariates)
+    covariates.push_back(covariate.name);
+  const CheckReport checked =
+      checkExperiments(*experiments, configuration.limits, covariates, sample_time);
+  std::string reasons;
+  for (const RejectedExperiment& each : checked.rejected) reasons += "\n  " + each.reason;
+  if (checked.usable.empty())
+    throw DataError(experiments->empty()
+                        ? "no experiments were given"
+                        : "no usable experiment is left " + purpose + ":" + reasons);
+  std::vector<Experiment> usable;
+  for (const int k : checked.usable)
+    usable.push_back(std::move((*experiments)[static_cast<std::size_t>(k)]));
+  *experiments = std::move(usable);
+  rejected->insert(rejected->end(), checked.rejected.begin(), checked.rejected.end());
+}
+
 }  // namespace
+
+std::vector<RejectedExperiment> leaveOutUnusable(const Configuration& configuration, Split* data) {
+  std::vector<RejectedExperiment> rejected;
+  leaveOut(configuration, configuration.sample_time, "to fit to", &data->train, &rejected);
+  if (data->fitted_to)
+    data->held = data->train;
+  else
+    leaveOut(configuration, data->train.front().sample_time, "to hold out", &data->held, &rejected);
+  return rejected;
+}
 
 Split split(const Configuration& configuration, const std::vector<Experiment>& experiments,
             const std::vector<Experiment>& validation) {

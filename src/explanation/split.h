@@ -4,6 +4,7 @@
 
 #include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/experiment.h"
+#include "uncertainty_identification/data/rejected_experiment.h"
 
 namespace uncertainty_identification {
 
@@ -18,5 +19,10 @@ struct Split {
 /// than four experiments none.
 Split split(const Configuration& configuration, const std::vector<Experiment>& experiments,
             const std::vector<Experiment>& validation);
+
+/// Leaves out the experiments that `identify` refuses as well, e.g. those whose sample time is not
+/// that of most experiments to fit to; returns them with the reasons.
+/// @throws DataError if there are none left to fit to, or none to hold out.
+std::vector<RejectedExperiment> leaveOutUnusable(const Configuration& configuration, Split* data);
 
 }  // namespace uncertainty_identification

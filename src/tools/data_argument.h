@@ -38,8 +38,8 @@ struct LoadedArguments {
   LoadedData data, validation;
 };
 
-/// Experiments of different rates are resampled to the longest of their sample times, unless the
-/// configuration states one.
+/// Experiments of different rates are resampled to the sample time that most of them can have
+/// (sampleTimeForAll), unless the configuration states one.
 inline LoadedArguments loadArguments(const boost::program_options::variables_map& arguments,
                                      Configuration configuration) {
   const auto load = [&] {
@@ -54,8 +54,9 @@ inline LoadedArguments loadArguments(const boost::program_options::variables_map
   if (configuration.sample_time == 0) return loaded;
   loaded = load();
   loaded.data.warnings.push_back(
-      "the experiments have different sample times; all were resampled to the longest, " +
-      text(configuration.sample_time) + " s; sample_time states another");
+      "the experiments have different sample times; they were resampled to " +
+      text(configuration.sample_time) +
+      " s, and slower ones, if any, are rejected; sample_time states another");
   return loaded;
 }
 

@@ -24,9 +24,10 @@ struct LoadedData {
 void addResampled(const Recording& recording, double sample_time, const ResamplingOptions& options,
                   LoadedData& data, double first = 0);
 
-/// The sample time [s] to which experiments must be resampled to be used together: the longest of
-/// them. 0 where all have the same within two per cent, or where they differ by more than a factor
-/// of 30, which is a mistake rather than another logger.
+/// The sample time [s] to which experiments must be resampled so that at least four fifths of them
+/// can be used together. 0 where these have the same within two per cent, or where they differ by
+/// more than a factor of 30, which is a mistake rather than another logger. Experiments that are
+/// slower are left to be rejected by the checks.
 double sampleTimeForAll(const std::vector<Experiment>& experiments);
 
 /// Appends the contents of `more` to those of `data`.

@@ -63,7 +63,7 @@ TEST(LoadedData, Appends) {
   EXPECT_EQ(data.experiments.size(), 4u);
 }
 
-TEST(SampleTimeForAll, IsTheLongestWhereTheyDiffer) {
+TEST(SampleTimeForAll, IsTheLongestOfFew) {
   std::vector<Experiment> all(3);
   for (Experiment& experiment : all) experiment.sample_time = 0.1;
   EXPECT_EQ(sampleTimeForAll(all), 0);
@@ -74,6 +74,17 @@ TEST(SampleTimeForAll, IsTheLongestWhereTheyDiffer) {
   all[1].sample_time = 10;
   EXPECT_EQ(sampleTimeForAll(all), 0) << "a mistake, which the checks refuse";
   EXPECT_EQ(sampleTimeForAll({}), 0);
+}
+
+TEST(SampleTimeForAll, LeavesASlowFifthToTheChecks) {
+  std::vector<Experiment> all(10);
+  for (Experiment& experiment : all) experiment.sample_time = 0.01;
+  all[3].sample_time = all[7].sample_time = 0.2;
+  EXPECT_EQ(sampleTimeForAll(all), 0) << "the other eight go together as they are";
+  all[5].sample_time = 0.2;
+  EXPECT_EQ(sampleTimeForAll(all), 0.2);
+  all[3].sample_time = 0.25;
+  EXPECT_EQ(sampleTimeForAll(all), 0.2) << "all but the slowest";
 }
 
 }  // namespace

@@ -249,8 +249,9 @@ TEST(Explain, DoesNotNameALagWhereTheDataDrift) {
 /// much on three others, which have none, that the mean held-out gain is a loss, though not a
 /// significant one.
 TEST(Explain, DoesNotNameWhatLosesOnExperimentsHeldOut) {
-  const std::vector<Experiment> with = behindDeadZone(), without = clean(3);
-  std::vector<Experiment> held(with.begin(), with.begin() + 7);
+  const std::vector<Experiment> with = behindDeadZone();
+  std::vector<Experiment> without = clean(3), held(with.begin(), with.begin() + 7);
+  for (Experiment& experiment : without) experiment.id += " without";
   held.insert(held.end(), without.begin(), without.end());
   const Explanation found =
       explain(configuration(), std::vector<Experiment>(with.begin() + 7, with.end()), held);
