@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "math/polynomial.h"
+#include "model/central_differences.h"
 #include "model/continuous_poles.h"
 #include "model/zero_order_hold.h"
 #include "uncertainty_identification/errors.h"
@@ -121,6 +122,17 @@ class Continuous : public NominalModel {
     return p;
   }
 
+  /// By differences, but C and D are theta's own.
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& theta) const override {
+    const Eigen::Index noise = nc_ + nd_, own = theta.size() - noise;
+    const Eigen::MatrixXd of_plant = centralDifferences(
+        [this](const Eigen::VectorXd& at) { return polynomials(at).stacked(); }, theta, own);
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(of_plant.rows(), theta.size());
+    all.leftCols(own) = of_plant;
+    all.bottomRightCorner(noise, noise).setIdentity();
+    return all;
+  }
+
   Eigen::VectorXd toUnbounded(const Eigen::VectorXd& theta) const override {
     return mapped(theta, true);
   }
@@ -200,12 +212,33 @@ class Continuous : public NominalModel {
         return std::max(-pair.real() / std::abs(pair), 1e-3);
       }
       case Physical::dead_time:
-        return std::min((leadingZeros(p.b) + 0.5) * sample_time_,
-                        maxDeadTime() - 0.5 * std::min(sample_time_, maxDeadTime()));
+        return deadTimeOf(p);
       case Physical::zero:
         break;
     }
     return 0;
+  }
+
+  /// The dead time that makes up the delay of Go at frequency zero, beside the poles and half a
+  /// sample of the hold; within the sample in which B begins.
+  double deadTimeOf(const Polynomials& p) const {
+    constexpr double kInside = 0.05;  // [samples] off the ends, where the likelihood has a kink
+    const auto mean_lag = [](const Eigen::VectorXd& tail, double first_lag, double sum) {
+      return tail.dot(Eigen::VectorXd::LinSpaced(
+                 tail.size(), first_lag, first_lag + static_cast<double>(tail.size()) - 1)) /
+             sum;
+    };
+    const double first = p.delay - delay_ + leadingZeros(p.b);
+    double whole = mean_lag(p.b, p.delay, p.b.sum()) - (delay_ - 1) - 0.5;
+    if (p.a.size() > 0) whole -= mean_lag(p.a, 1, 1 + p.a.sum());
+    ContinuousPoles poles = continuousPoles(p.a, sample_time_);
+    for (const double tau : poles.time_constants) whole -= tau / sample_time_;
+    for (const std::complex<double>& pole : poles.pairs)
+      whole += 2 * pole.real() / std::norm(pole) / sample_time_;
+    if (!std::isfinite(whole)) whole = first + 0.5;
+    const double longest = maxDeadTime() / sample_time_;
+    return sample_time_ * std::min(std::clamp(whole, first + kInside, first + 1 - kInside),
+                                   longest - kInside * std::min(1.0, longest));
   }
 
   static bool isPositive(Physical::Kind kind) {

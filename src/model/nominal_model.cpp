@@ -1,31 +1,14 @@
 #include "uncertainty_identification/model/nominal_model.h"
 
 #include <cmath>
-#include <functional>
 
 #include "math/polynomial.h"
 #include "model/box_jenkins.h"
+#include "model/central_differences.h"
 #include "model/continuous.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
-namespace {
-
-Eigen::MatrixXd centralDifferences(
-    const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& function,
-    const Eigen::VectorXd& at) {
-  Eigen::MatrixXd jacobian(function(at).size(), at.size());
-  for (Eigen::Index j = 0; j < at.size(); ++j) {
-    const double step = 6e-6 * std::max(std::abs(at[j]), 1e-3);  // cube root of the rounding error
-    Eigen::VectorXd high = at, low = at;
-    high[j] += step;
-    low[j] -= step;
-    jacobian.col(j) = (function(high) - function(low)) / (high[j] - low[j]);
-  }
-  return jacobian;
-}
-
-}  // namespace
 
 Eigen::VectorXd Polynomials::stacked() const {
   Eigen::VectorXd all(b.size() + a.size() + c.size() + d.size());
@@ -39,12 +22,12 @@ std::vector<std::string> NominalModel::units() const {
 
 Eigen::MatrixXd NominalModel::jacobian(const Eigen::VectorXd& theta) const {
   return centralDifferences([this](const Eigen::VectorXd& at) { return polynomials(at).stacked(); },
-                            theta);
+                            theta, theta.size());
 }
 
 Eigen::MatrixXd NominalModel::unboundedJacobian(const Eigen::VectorXd& unbounded) const {
   return centralDifferences([this](const Eigen::VectorXd& at) { return fromUnbounded(at); },
-                            unbounded);
+                            unbounded, unbounded.size());
 }
 
 bool NominalModel::admissible(const Eigen::VectorXd& theta) const {

@@ -201,5 +201,14 @@ TEST(Continuous, FindsPhysicalParametersOfPolynomials) {
   EXPECT_LT((found - theta).cwiseQuotient(theta).norm(), 1e-8) << found.transpose();
 }
 
+TEST(Continuous, FindsTheDeadTimeOfPolynomials) {
+  const auto model = makeContinuous(options(1, 1, 0, true), kSampleTime);
+  for (const double samples : {0.3, 1.7, 3.4}) {
+    const VectorXd theta = vectorOf({2.0, 0.05, 30, 0.4, samples * kSampleTime});
+    const VectorXd found = model->fromPolynomials(model->polynomials(theta));
+    EXPECT_NEAR(found[4], theta[4], 1e-3 * kSampleTime) << samples;
+  }
+}
+
 }  // namespace
 }  // namespace uncertainty_identification
