@@ -20,7 +20,9 @@ enum class PlantFit { likelihood, simulation };
 enum class BasisKind { fir, laguerre, kautz, sensitivity, parameter_spread, automatic };
 enum class Constraint { zero_static_gain, zero_mean, free, explicit_matrix };
 enum class Algorithm { em, maximum_likelihood };
-enum class InitialState { zero, discard, estimate };
+/// What is known of Go before the first sample. `automatic`: zero where the first samples of at
+/// least three experiments show that they start at rest, estimate elsewhere.
+enum class InitialState { zero, discard, estimate, automatic };
 enum class NoiseStart { zero, stationary };
 enum class Offsets { none, estimate, per_experiment };
 enum class OffsetSide { output, input };
@@ -104,7 +106,7 @@ struct EstimationOptions {
   int restarts = 8;          ///< additional starts of the mixture, drawn with the seed
   int threads = kAutomatic;  ///< kAutomatic: cores - 1, at least 1; never changes a result
   std::uint64_t seed = 1;
-  InitialState initial_state = InitialState::estimate;
+  InitialState initial_state = InitialState::automatic;
   int discard_samples = 50;  ///< initial_state: discard; leading samples kept out of the likelihood
   /// initial_state: estimate. Precision of an unknown initial value or own output offset of an
   /// experiment, relative to 1/sigma^2; kAutomatic: from initial_variance and a guess of sigma^2;

@@ -50,7 +50,8 @@ const EnumNames<Algorithm>& enumNames(Algorithm) {
 const EnumNames<InitialState>& enumNames(InitialState) {
   static const EnumNames<InitialState> kNames{{InitialState::zero, "zero"},
                                               {InitialState::discard, "discard"},
-                                              {InitialState::estimate, "estimate"}};
+                                              {InitialState::estimate, "estimate"},
+                                              {InitialState::automatic, "auto"}};
   return kNames;
 }
 

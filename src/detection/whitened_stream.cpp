@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "math/polynomial.h"
+#include "model/evaluation.h"
 #include "model/sensitivity.h"
 
 namespace uncertainty_identification {
@@ -109,8 +110,7 @@ WhitenedStream::WhitenedStream(const StreamModel& model, const EstimationOptions
       whitening_(model.polynomials.c, model.polynomials.d, options.noise_start, 0) {
   for (const VectorXd& numerator : model.regressors)
     basis_.emplace_back(numerator, model.regressor_denominator);
-  if (options.initial_state == InitialState::estimate)
-    initial_ = VectorXd::Zero(model.free_directions);
+  if (estimatesInitialState(options)) initial_ = VectorXd::Zero(model.free_directions);
   signals_ = VectorXd::Zero(2 + regressors() + columns());
   whitening_ = StreamWhitening(model.polynomials.c, model.polynomials.d, options.noise_start,
                                signals_.size());

@@ -168,7 +168,7 @@ Chain ExtendedModel::simulated(const Block& block, const VectorXd& parameters,
 MatrixXd ExtendedModel::unknownSignals(const VectorXd& parameters, int samples) const {
   const Polynomials p = nominal().polynomials(theta(parameters.head(own())));
   std::vector<Signals> signals;
-  if (options().initial_state == InitialState::estimate) {
+  if (estimatesInitialState(options())) {
     Signals impulse = Signals::Zero(kLanes, samples), free, shifted;
     impulse.col(0).setOnes();
     filter(VectorXd::Ones(1), multiply(p.a, basis().denominator()), 0, impulse, &free);

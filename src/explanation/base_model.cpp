@@ -30,6 +30,8 @@ void requireKnown(const std::vector<std::string>& excluded,
 Configuration ofBaseModel(Configuration configuration) {
   if (configuration.error_model.basis == BasisKind::automatic)
     configuration.error_model.basis = BasisKind::fir;
+  InitialState& start = configuration.estimation.initial_state;
+  if (start == InitialState::automatic) start = InitialState::estimate;
   double& precision = configuration.estimation.initial_precision;
   if (precision == kAutomatic) precision = 0;
   NominalModelOptions& nominal = configuration.nominal_model;

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 #include "estimation/excerpt.h"
 #include "estimation/selection.h"
-#include "estimation/simulation_fit.h"
+#include "identification/mean_plant.h"
 #include "identification/steps.h"
 #include "identification/structure_fit.h"
-#include "model/fixed_plant.h"
 #include "model/sensitivity.h"
 #include "uncertainty_identification/errors.h"
 
@@ -18,6 +18,10 @@ namespace {
 /// Structures whose half BIC is higher than the least by more than this are out of question [nats].
 constexpr double kNearlyAsGood = 10;
 
+/// Gains of the density of all held-out experiments together that are no reason for a larger
+/// structure [nats].
+constexpr double kImmaterial = 2;
+
 /// The part of the data that is enough to compare structures.
 CheckedData enough(const CheckedData& data) {
   CheckedData part;
@@ -28,6 +32,15 @@ CheckedData enough(const CheckedData& data) {
 
 double scoreOf(const StructureFit& fit, const Problem& problem) {
   return fit.score(static_cast<double>(problem.data.validSamples()), problem.data.count());
+}
+
+/// Whether Go is not the plant in the middle of its distribution, and simulates worse than that
+/// one: a model that misleads whoever simulates it.
+bool isBesideItsPlants(const Problem& problem, const StructureFit& fit) {
+  if (fit.structure.configuration.error_model.constraint == Constraint::zero_mean) return false;
+  const StartingPoint go = fit.start();
+  return simulatesWorse(fitOf(problem, go.polynomials, go.offset),
+                        fitOf(problem, meanPlant(fit), go.offset));
 }
 
 /// Fits of the structures that can be fitted. Each starts from the best one before it.
@@ -43,7 +56,9 @@ std::vector<StructureFit> fitAll(const Problem& problem,
     auto fit = fitStructure(problem, structures[k], starts, k < kFromData, journal);
     journal->progress.report(Phase::structure,
                              static_cast<double>(k + 1) / static_cast<double>(structures.size()));
-    if (!fit) continue;
+    if (!fit || (problem.configuration.error_model.basis == BasisKind::automatic &&
+                 isBesideItsPlants(problem, *fit)))
+      continue;
     fits.push_back(std::move(*fit));
     const double score = scoreOf(fits.back(), problem);
     if (score <= highest) continue;
@@ -54,8 +69,26 @@ std::vector<StructureFit> fitAll(const Problem& problem,
   return fits;
 }
 
-/// The fit of least BIC or, among those nearly as good, of the highest density of held-out
-/// experiments. Adds all to the journal's candidates.
+/// The candidate with the fewest parameters among those whose density of held-out experiments is
+/// within a tolerance of the highest.
+template <typename Iterator>
+Iterator simplestOfDensest(Iterator first, Iterator last, double tolerance) {
+  const auto highest =
+      std::max_element(first, last, [](const Candidate& left, const Candidate& right) {
+        return left.held_out_density < right.held_out_density;
+      });
+  return std::min_element(first, last, [&](const Candidate& left, const Candidate& right) {
+    const auto rank = [&](const Candidate& each) {
+      const bool is_dense = each.held_out_density >= *highest->held_out_density - tolerance;
+      return std::make_tuple(!is_dense, each.parameters, -each.held_out_density.value_or(0));
+    };
+    return rank(left) < rank(right);
+  });
+}
+
+/// The fit of least BIC or, among those whose half BIC is nearly as low, the simplest one that
+/// predicts held-out experiments as well as the best. Adds all to
+/// the journal's candidates.
 StructureFit bestOf(const Problem& problem, const std::vector<StructureFit>& fits,
                     const std::string& choice, bool by_held_out, Journal* journal) {
   if (fits.empty()) {
@@ -85,10 +118,8 @@ StructureFit bestOf(const Problem& problem, const std::vector<StructureFit>& fit
     for (std::size_t k = 0; k < fits.size(); ++k)
       if (*candidates[k].bic < limit)
         candidates[k].held_out_density = heldOutDensity(problem, fits[k], journal);
-    best = std::max_element(candidates.begin(), candidates.end(),
-                            [](const Candidate& left, const Candidate& right) {
-                              return left.held_out_density < right.held_out_density;
-                            });
+    best =
+        simplestOfDensest(candidates.begin(), candidates.end(), kImmaterial / problem.data.count());
   }
   best->chosen = true;
   const auto chosen = static_cast<std::size_t>(best - candidates.begin());
@@ -115,36 +146,42 @@ StructureFit withNoiseOrders(const Problem& problem, const StructureFit& chosen,
   return bestOf(problem, fits, "noise orders", false, journal);
 }
 
-double fitOf(const Problem& problem, const NominalModel& nominal, const Eigen::VectorXd& theta,
-             double offset) {
-  return simulationFit(nominal, theta, offset, problem.configuration.estimation,
-                       problem.data.experiments)
-      .pooled;
-}
-
-/// Whether Go, fitted together with the rest, simulates the data as well as Go that was fitted to
-/// nothing else. It does not where the plant is not linear, and the likelihood accepts a worse
-/// simulation for a better prediction.
+/// Whether the mean plant, fitted together with the rest, simulates the data as well as Go that was
+/// fitted to nothing else. It does not where the plant is not linear, and the likelihood accepts a
+/// worse simulation for a better prediction. Where plants differ, the best simulation of these few
+/// leads to another Go than the mean of the plants; it is then better in some experiments only.
 bool simulatesAsWell(const Problem& problem, const StructureFit& fit) {
-  constexpr double kTolerance = 0.5;  // [% of fit]
-  const NominalModel& nominal = fit.model->nominal();
-  const double jointly = fitOf(
-      problem, nominal, fit.point.parameters.head(nominal.parameterCount()), fit.start().offset);
-  const FittedPlant& plant = *problem.plant;
-  const auto alone = fixPlant(plant.polynomials, 0, 0);
-  return jointly >= fitOf(problem, *alone, Eigen::VectorXd(0), plant.offset) - kTolerance;
+  return !simulatesWorse(fitOf(problem, meanPlant(fit), fit.start().offset),
+                         fitOf(problem, problem.plant->polynomials, problem.plant->offset));
 }
 
-StructureFit chooseStructure(const Problem& problem, bool free_orders,
-                             const std::vector<StartingPoint>& points, Journal* journal) {
+/// Raises the problem's orders until a model whose gain alone varies leaves nothing that depends on
+/// the input, and adds this model to the starting points. With lower orders, more error parameters
+/// would stand in for what the nominal model lacks.
+void raiseOrders(Problem* problem, std::vector<StartingPoint>* points, Journal* journal) {
+  ErrorStructure simplest{"gain", problem->configuration};
+  ErrorModelOptions& options = simplest.configuration.error_model;
+  options.basis = BasisKind::fir;
+  options.constraint = Constraint::zero_mean;
+  options.taps = 1;
+  auto fit = fitStructure(*problem, simplest, *points, true, journal);
+  if (!fit) return;
+  fit = withBetterOrders(*problem, std::move(*fit), false, journal);
+  problem->configuration.nominal_model = fit->structure.configuration.nominal_model;
+  points->insert(points->begin(), fit->start());
+}
+
+StructureFit chooseStructure(Problem problem, bool free_orders, std::vector<StartingPoint> points,
+                             Journal* journal) {
   const bool automatic = problem.configuration.error_model.basis == BasisKind::automatic;
+  if (automatic && free_orders && !problem.plant) raiseOrders(&problem, &points, journal);
   const std::vector<ErrorStructure> structures = errorStructures(
       problem, free_orders && !points.empty() ? &points.front().polynomials : nullptr);
   const std::vector<StructureFit> fits = fitAll(problem, structures, points, journal);
   StructureFit chosen =
       fits.size() == 1 ? fits.front() : bestOf(problem, fits, "error model", automatic, journal);
   if (!free_orders) return chosen;
-  if (!problem.plant) chosen = withBetterOrders(problem, std::move(chosen), journal);
+  if (!problem.plant) chosen = withBetterOrders(problem, std::move(chosen), true, journal);
   return withNoiseOrders(problem, chosen, journal);
 }
 

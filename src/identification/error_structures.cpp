@@ -30,11 +30,14 @@ std::string joined(const Names& names) {
   return text;
 }
 
-/// The continuous structure with the poles of a sampled plant. None where the sampled plant is
-/// faster than the hold, has poles without a continuous counterpart, or too many parameters.
+/// The continuous structure with the poles of a sampled plant, and with a dead time where the plant
+/// has a delay beyond the hold's, or the longer numerator of a fraction of a sample. None where the
+/// sampled plant is faster than the hold, has poles without a continuous counterpart, or too many
+/// parameters.
 std::optional<NominalModelOptions> continuousStructure(NominalModelOptions options,
                                                        const Polynomials& plant,
                                                        double sample_time) {
+  constexpr int kFurther = 3;  // [samples] by which single plants may be later
   if (plant.delay < 1 || plant.a.size() < 1 || plant.a.size() > 3) return {};
   for (const std::complex<double>& root : roots(plant.a)) {
     const bool positive = std::abs(root.imag()) > 1e-9 || root.real() > 0.02;
@@ -45,7 +48,10 @@ std::optional<NominalModelOptions> continuousStructure(NominalModelOptions optio
   options.time_constants = static_cast<int>(poles.time_constants.size());
   options.resonances = static_cast<int>(poles.pairs.size());
   options.zeros = options.time_constants + 2 * options.resonances - 1;
-  options.delay = plant.delay;
+  const int longer = static_cast<int>(plant.b.size() - plant.a.size());
+  options.dead_time = plant.delay > 1 || longer > 0;
+  options.delay = 1;
+  options.max_delay = plant.delay - 1 + std::max(longer, 0) + kFurther;
   options.fixed.clear();
   return options;
 }
@@ -59,6 +65,7 @@ Names physicalParameters(const NominalModelOptions& options) {
     names.push_back("omega" + std::to_string(k));
     names.push_back("zeta" + std::to_string(k));
   }
+  if (options.dead_time) names.push_back("dead_time");
   return names;
 }
 

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "estimation/linearisation.h"
 #include "identification/steps.h"
 #include "math/symmetric_eigen.h"
@@ -55,14 +57,17 @@ void optimise(const Problem& problem, OptimisationOptions options, int passes,
   fitted->optimum = std::move(next);
 }
 
-/// Alternates between optimising and linearising about the new posterior means until these no
-/// longer move. The estimate then maximises the likelihood linearised about its own posterior
+/// Alternates between optimising and linearising about the new posterior means until these, or the
+/// likelihood, no longer move: about a kink, as a dead time has at each sample, points may move to
+/// and fro. The estimate then maximises the likelihood linearised about its own posterior
 /// means.
 void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& options,
                           MatrixXd points, FittedModel* fitted, Journal* journal) {
-  constexpr int kMostRounds = 50;
+  constexpr int kMostRounds = 50, kStill = 3;
+  constexpr double kImmaterial = 0.01;  // [nats]
   optimise(problem, options, journal->passes, fitted);
-  for (int round = 0; fitted->model->isLocallyLinear(); ++round) {
+  for (int round = 0, still = 0; fitted->model->isLocallyLinear(); ++round) {
+    const double before = fitted->optimum.log_likelihood;
     Optimum& optimum = fitted->optimum;
     if (journal->progress.cancelled() || optimum.iterations >= options.max_iterations) return;
     Linearisation next =
@@ -78,6 +83,8 @@ void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& opt
     points = std::move(next.points);
     useModel(problem, std::move(next.model), fitted, journal);
     optimise(problem, options, journal->passes, fitted);
+    still = std::abs(fitted->optimum.log_likelihood - before) < kImmaterial ? still + 1 : 0;
+    if (still == kStill) return;
   }
 }
 

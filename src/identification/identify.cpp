@@ -14,7 +14,7 @@ namespace {
 Problem problemOf(const Request& request, const CheckedData& data, Journal* journal) {
   Problem problem{data, request.nominal_model, request.previous, {}, {}, {}};
   problem.configuration = limitErrorModel(request.configuration, data.count(), journal);
-  problem.configuration = chooseInitialPrecision(problem.configuration, data);
+  problem.configuration = chooseInitialState(problem.configuration, data, journal);
   problem.configuration = limitDeadTime(problem);
   return problem;
 }
@@ -39,11 +39,13 @@ Estimate identify(const Request& request, const std::vector<Experiment>& experim
   if (problem.plant) problem.plant = describePlant(problem, &journal);
   const FittedModel fitted = fitModel(problem, &journal);
   Estimate estimate = describe(problem, fitted, &journal);
+  const InitialState asked = request.configuration.estimation.initial_state;
+  estimate.configuration.estimation.initial_state = asked;  // other data may start elsewhere
   if (journal.progress.cancelled()) {
     estimate.termination = Termination::cancelled;
     estimate.message = "cancelled";
   } else {
-    estimate.validation = validate(problem, fitted, validation, &journal);
+    estimate.validation = validate(problem, fitted, asked, validation, &journal);
   }
   estimate.version = version();
   estimate.candidates = std::move(journal.candidates);

@@ -48,11 +48,18 @@ double noiseShare(const std::vector<Experiment>& experiments) {
 
 }  // namespace
 
-Configuration chooseInitialPrecision(Configuration configuration, const CheckedData& data) {
+Configuration chooseInitialState(Configuration configuration, const CheckedData& data,
+                                 Journal* journal) {
   constexpr double kDeviations = 10;  // of the outputs: wide, but proper
   constexpr double kMargin = 10;      // the noise may be smaller than what an ARX model leaves
   constexpr double kLeast = 1e-12, kMost = 1e-4;
   EstimationOptions& options = configuration.estimation;
+  if (options.initial_state == InitialState::automatic) {
+    const bool at_rest = startAtRest(data.experiments, options);
+    options.initial_state = at_rest ? InitialState::zero : InitialState::estimate;
+    journal->candidates.push_back(
+        {"initial state", at_rest ? "at rest" : "unknown", 0, {}, {}, {}, true, {}});
+  }
   Moments of_outputs;
   for (const Experiment& experiment : data.experiments) of_outputs.add(experiment);
   if (options.initial_variance == kAutomatic)

@@ -66,14 +66,16 @@ bool dependsOnInput(const Problem& problem, const StructureFit& fit) {
 
 }  // namespace
 
-StructureFit withBetterOrders(const Problem& problem, StructureFit fit, Journal* journal) {
+StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool only_if_dependent,
+                              Journal* journal) {
   constexpr int kRounds = 3;
   constexpr double kWorthIt = 2;  // [nats] beyond the penalty
   const auto samples = static_cast<double>(problem.data.validSamples());
   const int largest = problem.configuration.nominal_model.max_order;
   for (int round = 0; round < kRounds && !journal->progress.cancelled(); ++round) {
     const StartingPoint start = fit.start();
-    if (start.polynomials.a.size() >= largest || !dependsOnInput(problem, fit)) return fit;
+    if (start.polynomials.a.size() >= largest) return fit;
+    if (only_if_dependent && !dependsOnInput(problem, fit)) return fit;
     const ErrorStructure& structure = fit.structure;
     const bool continuous =
         structure.configuration.nominal_model.structure == Structure::continuous;

@@ -12,8 +12,15 @@ namespace uncertainty_identification {
 CheckedData checkData(const Configuration& configuration,
                       const std::vector<Experiment>& experiments, Journal* journal);
 
-/// The configuration with a prior of initial values that suits the scale of the data.
-Configuration chooseInitialPrecision(Configuration configuration, const CheckedData& data);
+/// The configuration with what the data say of the state before the first samples, where it is
+/// automatic, and a prior of initial values that suits their scale.
+Configuration chooseInitialState(Configuration configuration, const CheckedData& data,
+                                 Journal* journal);
+
+/// Whether the experiments start at rest: whether their first outputs are as near to a simulation
+/// that starts there as all others are to one that starts from the best state. False for fewer than
+/// three experiments, which may start near rest by chance.
+bool startAtRest(const std::vector<Experiment>& experiments, const EstimationOptions& options);
 
 /// The common offset of the output with which Go simulates the data: that of the fitted plant where
 /// there is one, because noise that wanders leaves the offset beside it undetermined.
@@ -103,7 +110,7 @@ std::string variationText(const Estimate& estimate, const LinearModel& model);
 Trust trustOf(const Problem& problem, const FittedModel& fitted, const Estimate& estimate);
 
 /// How well the model predicts experiments that it was not fitted to.
-Validation validate(const Problem& problem, const FittedModel& fitted,
+Validation validate(const Problem& problem, const FittedModel& fitted, InitialState asked,
                     const std::vector<Experiment>& experiments, Journal* journal);
 
 }  // namespace uncertainty_identification

@@ -36,8 +36,9 @@ std::optional<StructureFit> fitStructure(const Problem& problem, const ErrorStru
                                          Journal* journal);
 
 /// The fit, or that of a larger Go (by a coefficient, a pole, or a shorter or fractional delay) as
-/// long as its residuals depend on the input and BIC improves.
-StructureFit withBetterOrders(const Problem& problem, StructureFit fit, Journal* journal);
+/// long as BIC improves and, with `only_if_dependent`, the residuals depend on the input.
+StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool only_if_dependent,
+                              Journal* journal);
 
 /// Mean log density of experiments that the structure was not fitted to [nats], over folds of the
 /// problem's experiments; each fold starts from the fit to all of them.

@@ -6,18 +6,21 @@
 
 namespace uncertainty_identification {
 
-Validation validate(const Problem& problem, const FittedModel& fitted,
+Validation validate(const Problem& problem, const FittedModel& fitted, InitialState asked,
                     const std::vector<Experiment>& experiments, Journal* journal) {
   Validation validation;
   if (experiments.empty()) return validation;
   const Configuration& configuration = problem.configuration;
   const CheckReport checked =
       checkExperiments(experiments, configuration.limits, {}, problem.data.sampleTime());
-  for (const RejectedExperiment& rejected : checked.rejected)
+  std::string reasons;
+  for (const RejectedExperiment& rejected : checked.rejected) {
     journal->warnings.push_back("validation: " + rejected.reason);
+    reasons += "\n  " + rejected.reason;
+  }
   std::vector<Experiment> used;
   for (int r : checked.usable) used.push_back(experiments[static_cast<std::size_t>(r)]);
-  if (used.empty()) throw DataError("no usable experiment is left for validation");
+  if (used.empty()) throw DataError("no usable experiment is left for validation:" + reasons);
   for (const Experiment& experiment : used) validation.experiments.push_back(experiment.id);
   const ModelParameters& point = fitted.optimum.point;
   const NominalModel& nominal = fitted.model->nominal();
@@ -27,16 +30,19 @@ Validation validate(const Problem& problem, const FittedModel& fitted,
     return simulationFit(nominal, point.parameters.head(nominal.parameterCount()),
                          offsetOf(problem, *fitted.model, point), options, used);
   };
-  const bool at_rest = configuration.estimation.initial_state == InitialState::zero;
+  const bool at_rest = asked == InitialState::zero;
   const SimulationFit fit = fitFrom(at_rest ? InitialState::zero : InitialState::estimate);
   validation.simulation_fit_percent = fit.percent;
   validation.simulation_fit_percent_pooled = fit.pooled;
   validation.at_rest_fit_percent_pooled = fitFrom(InitialState::zero).pooled;
   const std::vector<Block> blocks = makeBlocks(used);
   const int count = static_cast<int>(used.size()), threads = threadsOf(configuration.estimation);
+  Problem own = problem;
+  own.configuration.estimation.initial_state = asked;
+  const std::unique_ptr<LinearModel> model = buildModel(own);
   const auto about =
-      linearisedAtPosteriorMeans(*fitted.model, blocks, count, threads, point, &journal->passes);
-  const Likelihood likelihood(about ? *about->model : *fitted.model, blocks, count, threads);
+      linearisedAtPosteriorMeans(*model, blocks, count, threads, point, &journal->passes);
+  const Likelihood likelihood(about ? *about->model : *model, blocks, count, threads);
   const Statistics statistics = likelihood.statistics(point.parameters, false);
   validation.log_density_per_experiment = likelihood.expect(statistics, point).total() / count;
   return validation;

@@ -42,6 +42,11 @@ std::shared_ptr<const NoiseWhitening> whiteningOf(const Polynomials& polynomials
                                           derivatives);
 }
 
+bool estimatesInitialState(const EstimationOptions& options) {
+  return options.initial_state == InitialState::estimate ||
+         options.initial_state == InitialState::automatic;
+}
+
 double samplesOfPrior(const EstimationOptions& options) {
   return options.initial_variance > 0 && options.initial_precision > 0 ? 1 : 0;
 }
@@ -83,7 +88,7 @@ void Evaluation::run(double offset, Response* response) {
   }
   const bool at_input = options_.offset_side == OffsetSide::input;
   addOutput(at_input ? Signals(block_.u + offset) : block_.u, at_input ? 0.0 : offset, response);
-  if (options_.initial_state == InitialState::estimate) addFreeResponse(response);
+  if (estimatesInitialState(options_)) addFreeResponse(response);
   if (options_.offsets == Offsets::per_experiment) addOwnOffset(response);
   if (options_.offsets == Offsets::estimate && derivatives_) addCommonOffset(response);
   const auto columns = static_cast<Eigen::Index>(response->value.columns.size());

@@ -34,6 +34,10 @@ std::shared_ptr<const NoiseWhitening> whiteningOf(const Polynomials& polynomials
                                                   const EstimationOptions& options,
                                                   const Block& block, bool derivatives);
 
+/// Whether the state of Go before the first sample is unknown: where nothing has resolved
+/// InitialState::automatic, too.
+bool estimatesInitialState(const EstimationOptions& options);
+
 /// Columns of precision p have a prior of variance sigma^2/p. Where the prior's variance V is fixed
 /// (EstimationOptions::initial_variance), 1/2 log(sigma^2/p) of each column becomes 1/2 log V: the
 /// column takes up one sample, and logOfPrior() leaves the log-Jacobian. The determinant keeps p,

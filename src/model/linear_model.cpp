@@ -169,7 +169,7 @@ std::unique_ptr<const FusedSweep> LinearModel::prepare(const std::vector<Block>&
   input.polynomials = nominal_->polynomials(theta);
   if (derivatives) input.jacobian = nominal_->jacobian(theta);
   input.common_offset = commonOffset(parameters);
-  if (options_.initial_state == InitialState::estimate) {
+  if (estimatesInitialState(options_)) {
     int longest = 0;
     for (const Block& block : blocks) longest = std::max(longest, block.samples);
     input.states = freeResponseDirections(input.polynomials, basis_, longest);

@@ -39,7 +39,7 @@ class StructureChoice : public testing::Test {
     nominal.nc = nominal.nd = 0;
     data_ = checkData(configuration, experiments, &journal_);
     Problem problem{data_, {}, nullptr, configuration, {}, {}};
-    problem.configuration = chooseInitialPrecision(configuration, data_);
+    problem.configuration = chooseInitialState(configuration, data_, &journal_);
     return problem;
   }
 
@@ -117,7 +117,7 @@ TEST_F(StructureChoice, RaisesOrdersThatTheResidualsAskFor) {
   const auto experiments = simulatedPlants(vectorOf({0.2, 0.1}), vectorOf({-1.3, 0.4}));
   const Problem problem = problemOf(experiments, 1, 1);
   const StructureFit small = plainFit(problem);
-  const StructureFit large = withBetterOrders(problem, small, &journal_);
+  const StructureFit large = withBetterOrders(problem, small, true, &journal_);
   EXPECT_EQ(large.structure.configuration.nominal_model.na, 2);
   EXPECT_EQ(large.structure.configuration.nominal_model.nb, 2);
   EXPECT_GT(large.log_likelihood, small.log_likelihood + 100);
@@ -127,7 +127,7 @@ TEST_F(StructureChoice, RaisesOrdersThatTheResidualsAskFor) {
 TEST_F(StructureChoice, LeavesOrdersThatSuffice) {
   const Problem problem = problemOf(simulatedPlants(vectorOf({0.2}), vectorOf({-0.8})), 1, 1);
   const StructureFit small = plainFit(problem);
-  const StructureFit same = withBetterOrders(problem, small, &journal_);
+  const StructureFit same = withBetterOrders(problem, small, true, &journal_);
   EXPECT_EQ(same.structure.configuration.nominal_model.na, 1);
   EXPECT_EQ(same.log_likelihood, small.log_likelihood);
 }
@@ -138,7 +138,7 @@ TEST_F(StructureChoice, TheHeldOutDensityIsThatOfNewExperiments) {
   const auto experiments = simulatedPlants(vectorOf({0.2, 0.1}), vectorOf({-1.3, 0.4}));
   const Problem problem = problemOf(experiments, 1, 1);
   const StructureFit small = plainFit(problem);
-  const StructureFit large = withBetterOrders(problem, small, &journal_);
+  const StructureFit large = withBetterOrders(problem, small, true, &journal_);
   const double expected = -100 * (1 + std::log(2 * 3.14159265358979 * 1e-3));
   EXPECT_NEAR(heldOutDensity(problem, large, &journal_), expected, 20);
   EXPECT_LT(heldOutDensity(problem, small, &journal_), expected - 100);
@@ -165,7 +165,7 @@ TEST_F(StructureChoice, ThePriorOfInitialValuesFollowsTheScaleOfTheData) {
   Configuration stated;
   stated.estimation.initial_precision = 0.5;
   stated.estimation.initial_variance = 2;
-  const EstimationOptions kept = chooseInitialPrecision(stated, data_).estimation;
+  const EstimationOptions kept = chooseInitialState(stated, data_, &journal_).estimation;
   EXPECT_EQ(kept.initial_precision, 0.5);
   EXPECT_EQ(kept.initial_variance, 2);
 }

@@ -28,7 +28,7 @@ class TrustOf : public testing::Test {
     configuration.error_model.taps = 0;
     data_ = checkData(configuration, simulate(truth, 1), &journal_);
     problem_.configuration = limitErrorModel(configuration, data_.count(), &journal_);
-    problem_.configuration = chooseInitialPrecision(problem_.configuration, data_);
+    problem_.configuration = chooseInitialState(problem_.configuration, data_, &journal_);
     fitted_ = fitModel(problem_, &journal_);
     estimate_ = describe(problem_, fitted_, &journal_);
     ASSERT_TRUE(trusted());

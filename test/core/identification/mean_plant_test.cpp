@@ -1,0 +1,61 @@
+// Which of two simulations is worse, and the plant in the middle of a distribution.
+#include "identification/mean_plant.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "identification/steps.h"
+#include "support/core_setup.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using test::vectorOf;
+
+SimulationFit fits(std::vector<double> percent, double pooled) {
+  SimulationFit fit;
+  fit.percent = std::move(percent);
+  fit.pooled = pooled;
+  return fit;
+}
+
+TEST(SimulatesWorse, WhereAllExperimentsSayIt) {
+  EXPECT_TRUE(simulatesWorse(fits({80, 79, 81, 80}, 80), fits({85, 84.5, 86, 85}, 85)));
+  EXPECT_FALSE(simulatesWorse(fits({85, 84.5, 86, 85}, 85), fits({80, 79, 81, 80}, 80)));
+}
+
+TEST(SimulatesWorse, NotWhereTheExperimentsDisagree) {
+  EXPECT_FALSE(simulatesWorse(fits({70, 79, 91, 80}, 80), fits({90, 84.5, 80, 85}, 85)));
+}
+
+TEST(SimulatesWorse, NotByHalfAPercent) {
+  EXPECT_FALSE(simulatesWorse(fits({80, 79, 81, 80}, 80), fits({80.4, 79.4, 81.4, 80.4}, 80.4)));
+}
+
+TEST(SimulatesWorse, AtOnceWhereThreeExperimentsCannotDisagree) {
+  EXPECT_TRUE(simulatesWorse(fits({70, 79, 91}, 80), fits({90, 84.5, 80}, 85)));
+  EXPECT_TRUE(simulatesWorse(fits({80, std::nan(""), 91, 80}, 80), fits({90, 84, 80, 81}, 85)));
+}
+
+TEST(MeanPlant, HasTheMeanOfTheErrorModelInItsNumerator) {
+  Configuration configuration = test::example1Configuration();
+  Journal journal{ProgressPhases({})};
+  const CheckedData data = checkData(configuration, test::example1Experiments(5), &journal);
+  Problem problem{data, {}, nullptr, configuration, {}, {}};
+  problem.configuration = chooseInitialState(configuration, data, &journal);
+  StructureFit fit =
+      *fitStructure(problem, {"fir, 2 taps", problem.configuration}, {}, true, &journal);
+  fit.point.mixture = {{1.0}, {vectorOf({0.5})}, {Eigen::MatrixXd::Identity(1, 1)}};
+  const Eigen::VectorXd eta = 0.5 * fit.model->basis().T().col(0), b = fit.start().polynomials.b;
+  ASSERT_EQ(eta.size(), 2);
+  ASSERT_EQ(b.size(), 1);
+  const Polynomials mean = meanPlant(fit);
+  ASSERT_EQ(mean.b.size(), 2);
+  EXPECT_DOUBLE_EQ(mean.b[0], b[0] * (1 + eta[0]));
+  EXPECT_DOUBLE_EQ(mean.b[1], b[0] * eta[1]);
+  EXPECT_EQ(mean.a, fit.start().polynomials.a);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
