@@ -58,8 +58,7 @@ int main(void) {
 
 std::string named(const std::string& text, const std::string& name) {
   std::string result;
-  for (const char character : text)
-    result += character == '@' ? name : std::string(1, character);
+  for (const char character : text) result += character == '@' ? name : std::string(1, character);
   return result;
 }
 
@@ -98,8 +97,8 @@ std::string cSource(const ExportedModel& model) {
       lists("plant", model.plant) + lists("noise", model.noise) + kCFunctions +
       "\n#ifdef SELF_CHECK\n#include <stdio.h>\n\n/* Computed by the library, from rest. */\n" +
       list("u", model.reference.u) + list("y", model.reference.y) +
-      list("residual", model.reference.residual) + list("w", model.reference.innovation) + kCSelfCheck +
-      "#endif\n\n#endif\n";
+      list("residual", model.reference.residual) + list("w", model.reference.innovation) +
+      kCSelfCheck + "#endif\n\n#endif\n";
   return named(text, model.name);
 }
 

@@ -23,8 +23,8 @@ constexpr int kReferenceSamples = 300;  ///< in addition to the dead time
 /// q^-delay num/den, one per row, filled up with zeros to equal length.
 ExportedSystems ofEqualLength(int delay, const MatrixXd& num, const MatrixXd& den) {
   const Index length = std::max(delay + num.cols(), den.cols());
-  ExportedSystems systems{MatrixXd::Zero(num.rows(), length), MatrixXd::Zero(num.rows(), length),
-                          {}};
+  ExportedSystems systems{
+      MatrixXd::Zero(num.rows(), length), MatrixXd::Zero(num.rows(), length), {}};
   systems.num.middleCols(delay, num.cols()) = num;
   systems.den.leftCols(den.cols()) = den;
   return systems;
@@ -65,19 +65,18 @@ const std::vector<Band>& pointwise(const UncertaintyBands& bands) {
 void takeBounds(const Bounds& bounds, ExportedModel* model) {
   const FrequencyBounds& frequency = bounds.frequency;
   const std::vector<Band>&magnitude = pointwise(frequency.magnitude_bands),
-              &phase = pointwise(frequency.phase_bands),
-              &error = pointwise(frequency.relative_error);
+        &phase = pointwise(frequency.phase_bands), &error = pointwise(frequency.relative_error);
   if (magnitude.empty()) {
     model->missing.push_back("bands: the result holds none");
   } else {
-    model->bands = {Eigen::Map<const VectorXd>(bounds.levels.data(),
-                                               static_cast<Index>(bounds.levels.size())),
-                    frequency.omega,
-                    stacked(magnitude, &Band::lower),
-                    stacked(magnitude, &Band::upper),
-                    stacked(phase, &Band::lower),
-                    stacked(phase, &Band::upper),
-                    stacked(error, &Band::upper)};
+    model->bands = {
+        Eigen::Map<const VectorXd>(bounds.levels.data(), static_cast<Index>(bounds.levels.size())),
+        frequency.omega,
+        stacked(magnitude, &Band::lower),
+        stacked(magnitude, &Band::upper),
+        stacked(phase, &Band::lower),
+        stacked(phase, &Band::upper),
+        stacked(error, &Band::upper)};
   }
   if (!bounds.weight) {
     model->missing.push_back("weight: the result holds none, as its plants do not differ");

@@ -20,7 +20,7 @@ struct ExportedSystems {
 
 /// Pointwise bands of the frequency response, levels x frequencies.
 struct ExportedBands {
-  Eigen::VectorXd levels, omega;               ///< omega in [rad/s]
+  Eigen::VectorXd levels, omega;                     ///< omega in [rad/s]
   Eigen::MatrixXd magnitude_lower, magnitude_upper;  ///< [unit of y / unit of u]
   Eigen::MatrixXd phase_lower, phase_upper;          ///< [rad]
   Eigen::MatrixXd relative_error_upper;              ///< of |G/Go - 1|
@@ -34,10 +34,10 @@ struct ReferenceSignals {
 
 /// The numbers of a result that every export draws from.
 struct ExportedModel {
-  std::string name;                ///< an identifier: what the file calls itself
-  std::vector<std::string> about;  ///< where the model comes from, in lines of plain text
-  double sample_time = 0;          ///< [s]
-  int delay = 0;                   ///< [samples]
+  std::string name;                   ///< an identifier: what the file calls itself
+  std::vector<std::string> about;     ///< where the model comes from, in lines of plain text
+  double sample_time = 0;             ///< [s]
+  int delay = 0;                      ///< [samples]
   double offset_u = 0, offset_y = 0;  ///< y = Go (u + offset_u) + offset_y
   double noise_variance = 0;
   Eigen::VectorXd omega;  ///< [rad/s] of all responses

@@ -16,7 +16,8 @@ using Kind = NamedArray::Kind;
 class ArrayList {
  public:
   void add(const std::string& name, double value, const std::string& meaning) {
-    arrays_.push_back({name, meaning, Kind::scalar, false, Eigen::MatrixXcd::Constant(1, 1, value)});
+    arrays_.push_back(
+        {name, meaning, Kind::scalar, false, Eigen::MatrixXcd::Constant(1, 1, value)});
   }
   void add(const std::string& name, const VectorXd& list, const std::string& meaning) {
     arrays_.push_back({name, meaning, Kind::list, false, list.transpose().cast<Complex>()});

@@ -90,7 +90,8 @@ cannot be read or written.)";
       ("model", po::value<std::string>()->required()->value_name("FILE"),
        "result.json of identify")  //
       ("to", po::value<std::string>()->required()->value_name("TARGET"),
-       "mat (MATLAB 5), python (module for numpy), octave (function, MATLAB too), rosparam (YAML), c "
+       "mat (MATLAB 5), python (module for numpy), octave (function, MATLAB too), rosparam (YAML), "
+       "c "
        "(C99)")  //
       ("output", po::value<std::string>()->required()->value_name("FILE"),
        "where it goes; the model is called by the file's name")  //

@@ -98,8 +98,8 @@ inline ProcessResult python(const std::vector<std::string>& arguments) {
 
 /// Runs commands of Octave in a folder. Octave 7 may complain of its own end on standard error.
 inline ProcessResult octave(const std::string& folder, const std::string& commands) {
-  return runProcess({"/usr/bin/octave-cli", "--quiet", "--norc", "--eval",
-                     "cd('" + folder + "'); " + commands});
+  return runProcess(
+      {"/usr/bin/octave-cli", "--quiet", "--norc", "--eval", "cd('" + folder + "'); " + commands});
 }
 
 /// `text` with the first number behind `name` made larger by 1e-7.

@@ -22,9 +22,9 @@ class CSource : public testing::Test {
   }
 
   ProcessResult compile(const std::vector<std::string>& more) const {
-    std::vector<std::string> command{"/usr/bin/cc", "-std=c99",   "-pedantic", "-Wall",
-                                     "-Wextra",     "-Wconversion", "-Werror",   "-I",
-                                     folder_.path()};
+    std::vector<std::string> command{"/usr/bin/cc", "-std=c99", "-pedantic",
+                                     "-Wall",       "-Wextra",  "-Wconversion",
+                                     "-Werror",     "-I",       folder_.path()};
     command.insert(command.end(), more.begin(), more.end());
     return runProcess(command);
   }
@@ -50,14 +50,14 @@ TEST_F(CSource, ChecksItself) {
 
 TEST_F(CSource, AWrongCoefficientIsFound) {
   const std::string good = cSource(exportedAs("motor", test::delayedResult()));
-  for (const char* name : {"motor_plant_num[] = ", "motor_plant_den[] = {1.0, ",
-                           "motor_noise_num[] = {1.0, ", "motor_noise_den[] = {1.0, ",
-                           "motor_OFFSET_U (", "motor_OFFSET_Y ("})
+  for (const char* name :
+       {"motor_plant_num[] = ", "motor_plant_den[] = {1.0, ", "motor_noise_num[] = {1.0, ",
+        "motor_noise_den[] = {1.0, ", "motor_OFFSET_U (", "motor_OFFSET_Y ("})
     EXPECT_EQ(selfCheck(test::tampered(good, name)).status, 1) << name;
 }
 
-/// A program of the user, which compares nothing with itself: the first outputs by hand, for a plant
-/// with a dead time of four samples.
+/// A program of the user, which compares nothing with itself: the first outputs by hand, for a
+/// plant with a dead time of four samples.
 TEST_F(CSource, IsIncludedByAProgram) {
   write("motor.c", cSource(exportedAs("motor", test::delayedResult())));
   write("user.c", R"(#include "motor.c"
@@ -79,8 +79,9 @@ int main(void) {
   const ProcessResult compiled = compile({folder_ / "user.c", "-o", folder_ / "user"});
   ASSERT_EQ(compiled.status, 0) << compiled.errors;
   // B/A = 0.5 + 0.9 q^-1 + 0.83 q^-2 + ..., D/C = 1 - q^-1 + 0.5 q^-2 - 0.15 q^-3 + ...
-  EXPECT_EQ(runProcess({folder_ / "user"}).output,
-            "3.5 1\n3.5 -1\n3.5 0.5\n3.5 -0.15\n4 0.045\n4.4 -0.0135\n4.33 0.00405\n3.5\n0.1 0.1\n");
+  EXPECT_EQ(
+      runProcess({folder_ / "user"}).output,
+      "3.5 1\n3.5 -1\n3.5 0.5\n3.5 -0.15\n4 0.045\n4.4 -0.0135\n4.33 0.00405\n3.5\n0.1 0.1\n");
 }
 
 TEST_F(CSource, NeitherAllocatesNorCallsAnything) {

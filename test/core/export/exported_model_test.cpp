@@ -119,8 +119,7 @@ TEST(ExportedModel, PlantsDrawnAreThoseOfTheSeed) {
   EXPECT_TRUE(first.samples_hold_estimation_errors);
   EXPECT_EQ(first.samples->num, exportedModel(result, "m", 7, 3).samples->num);
   EXPECT_NE(first.samples->num, exportedModel(result, "m", 7, 4).samples->num);
-  const PlantSamples drawn =
-      PlantDistribution(result.estimate).draw(7, Uncertainty::total, 3);
+  const PlantSamples drawn = PlantDistribution(result.estimate).draw(7, Uncertainty::total, 3);
   EXPECT_EQ(first.samples->num.rightCols(3), transferFunctions(drawn).num);
 }
 
@@ -142,7 +141,8 @@ TEST(ExportedModel, SaysWhatAResultDoesNotHold) {
 
   Result without_weight = test::delayedResult();
   without_weight.bounds->weight.reset();
-  EXPECT_TRUE(anyMentions(exportedAs("m", without_weight).missing, "weight: the result holds none"));
+  EXPECT_TRUE(
+      anyMentions(exportedAs("m", without_weight).missing, "weight: the result holds none"));
 
   Result empty;
   EXPECT_THROW(exportedAs("m", empty), DataError);

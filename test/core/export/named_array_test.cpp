@@ -84,7 +84,8 @@ TEST(NamedArray, AllThatAResultHolds) {
 TEST(NamedArray, WhatAResultLacksIsAbsent) {
   const auto arrays = arraysOf(test::bareResult());
   EXPECT_EQ(arrays.count("num"), 1u);
-  for (const char* name : {"weight_num", "weight_level", "samples_num", "samples_seed", "band_omega"})
+  for (const char* name :
+       {"weight_num", "weight_level", "samples_num", "samples_seed", "band_omega"})
     EXPECT_EQ(arrays.count(name), 0u) << name;
 }
 

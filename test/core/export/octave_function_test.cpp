@@ -29,8 +29,8 @@ TEST(OctaveFunction, ChecksItselfAndTheSystemsOfTheControlPackage) {
 
 TEST(OctaveFunction, AWrongCoefficientIsFound) {
   const std::string good = octaveFunction(exportedAs("motor", test::delayedResult()));
-  for (const char* name :
-       {"model.num = ", "model.noise_den = [1.0, ", "model.weight_num = ", "model.samples_den = [1.0, "}) {
+  for (const char* name : {"model.num = ", "model.noise_den = [1.0, ",
+                           "model.weight_num = ", "model.samples_den = [1.0, "}) {
     const WrittenFile file("motor.m", test::tampered(good, name));
     const ProcessResult run = octave(file.folder(), "motor('check');");
     EXPECT_EQ(run.status, 1) << name << run.output;
@@ -45,19 +45,19 @@ std::string replacedOnce(std::string text, const std::string& from, const std::s
 
 /// A system that lost its delay has the right magnitudes, but not the right phases.
 TEST(OctaveFunction, ASystemWithoutItsDelayIsFound) {
-  const WrittenFile file(
-      "motor.m", replacedOnce(octaveFunction(exportedAs("motor", test::delayedResult())),
-                              "tf(num(k, :), den(k, :), model",
-                              "tf(num(k, :), den(k, 1:find(den(k, :), 1, 'last')), model"));
+  const WrittenFile file("motor.m",
+                         replacedOnce(octaveFunction(exportedAs("motor", test::delayedResult())),
+                                      "tf(num(k, :), den(k, :), model",
+                                      "tf(num(k, :), den(k, 1:find(den(k, :), 1, 'last')), model"));
   const ProcessResult run = octave(file.folder(), "motor('check');");
   EXPECT_EQ(run.status, 1) << run.output;
   EXPECT_TRUE(mentions(run.errors, "plant: the responses differ")) << run.errors;
 }
 
 TEST(OctaveFunction, NeedsNoControlPackageForTheNumbers) {
-  const WrittenFile file(
-      "motor.m", replacedOnce(octaveFunction(exportedAs("motor", test::delayedResult())),
-                              "found = exist('tf') > 0;", "found = false;"));
+  const WrittenFile file("motor.m",
+                         replacedOnce(octaveFunction(exportedAs("motor", test::delayedResult())),
+                                      "found = exist('tf') > 0;", "found = false;"));
   const ProcessResult run = octave(file.folder(), "motor('check');");
   EXPECT_EQ(run.status, 0) << run.errors;
   EXPECT_TRUE(mentions(run.output, "tf is not installed: only the polynomials")) << run.output;
@@ -92,7 +92,8 @@ TEST(OctaveFunction, SaysWhatIsMissingAndHowToUseIt) {
   EXPECT_EQ(text.rfind("function [model, systems] = motor(request)\n% motor: ", 0), 0u);
   EXPECT_TRUE(mentions(text, "\n% Missing: bands and weight: the result holds no bounds\n"));
   const WrittenFile file("motor.m", text);
-  const ProcessResult run = octave(file.folder(), "model = motor(); disp(isfield(model, 'weight_num'))");
+  const ProcessResult run =
+      octave(file.folder(), "model = motor(); disp(isfield(model, 'weight_num'))");
   EXPECT_EQ(run.output, "0\n") << run.errors;
 }
 

@@ -68,8 +68,7 @@ TEST(RosParameters, RosparamReadsTheSpread) {
   const nlohmann::json read = loaded(exportedAs("motor", resultWithPhysicalNumbers()));
   const nlohmann::json& uncertainty = read["uncertainty"];
   EXPECT_EQ(uncertainty["trusted"], false);
-  EXPECT_EQ(uncertainty["reasons"],
-            nlohmann::json::parse(R"(["too ?few? experiments", "noise"])"));
+  EXPECT_EQ(uncertainty["reasons"], nlohmann::json::parse(R"(["too ?few? experiments", "noise"])"));
   EXPECT_EQ(uncertainty["physical"]["gain"],
             nlohmann::json::parse(
                 R"({"value": 2.5, "lower_95": 2.4, "upper_95": 2.6, "spread": 0.1, "unit": ""})"));

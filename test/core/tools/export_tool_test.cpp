@@ -18,9 +18,13 @@ class Export : public testing::Test {
 
   ProcessResult run(const std::string& target, const std::string& output,
                     const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> command{
-        std::string(TOOLS_FOLDER) + "/export", "--model", model_, "--to", target, "--output",
-        output};
+    std::vector<std::string> command{std::string(TOOLS_FOLDER) + "/export",
+                                     "--model",
+                                     model_,
+                                     "--to",
+                                     target,
+                                     "--output",
+                                     output};
     command.insert(command.end(), more.begin(), more.end());
     return runProcess(command);
   }
@@ -79,9 +83,9 @@ TEST_F(Export, RefusesWhatItCannotDo) {
   expectRefusal(run("mat", output, {"--seed", "9007199254740993"}), "--seed: found 900719925474");
   expectRefusal(run("octave", folder_ / "my-motor.m"), "begins with a letter, as in my_motor.m");
   expectRefusal(run("mat", folder_ / "nowhere/motor.mat"), "there is no folder");
-  expectRefusal(runProcess({std::string(TOOLS_FOLDER) + "/export", "--model", model_, "--output",
-                            output}),
-                "'--to' is required");
+  expectRefusal(
+      runProcess({std::string(TOOLS_FOLDER) + "/export", "--model", model_, "--output", output}),
+      "'--to' is required");
   EXPECT_FALSE(std::filesystem::exists(output));
 }
 
