@@ -62,6 +62,10 @@ const std::vector<Band>& pointwise(const UncertaintyBands& bands) {
   return bands.total.empty() ? bands.mixture.pointwise : bands.total.pointwise;
 }
 
+bool isTransferFunction(const VectorXd& num, const VectorXd& den) {
+  return num.size() > 0 && den.size() > 0 && den[0] == 1 && num.allFinite() && den.allFinite();
+}
+
 void takeBounds(const Bounds& bounds, ExportedModel* model) {
   const FrequencyBounds& frequency = bounds.frequency;
   const std::vector<Band>&magnitude = pointwise(frequency.magnitude_bands),
@@ -80,6 +84,10 @@ void takeBounds(const Bounds& bounds, ExportedModel* model) {
   }
   if (!bounds.weight) {
     model->missing.push_back("weight: the result holds none, as its plants do not differ");
+    return;
+  }
+  if (!isTransferFunction(bounds.weight->num, bounds.weight->den)) {
+    model->missing.push_back("weight: the result's is no transfer function");
     return;
   }
   model->weight =

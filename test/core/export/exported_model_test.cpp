@@ -144,6 +144,15 @@ TEST(ExportedModel, SaysWhatAResultDoesNotHold) {
   EXPECT_TRUE(
       anyMentions(exportedAs("m", without_weight).missing, "weight: the result holds none"));
 
+  for (const VectorXd& den :
+       {VectorXd(0), VectorXd(Eigen::Vector2d(2, 1)), VectorXd(Eigen::Vector2d(1, std::nan("")))}) {
+    Result damaged = test::delayedResult();
+    damaged.bounds->weight->den = den;
+    const ExportedModel of_damaged = exportedAs("m", damaged);
+    EXPECT_FALSE(of_damaged.weight);
+    EXPECT_TRUE(anyMentions(of_damaged.missing, "weight: the result's is no transfer function"));
+  }
+
   Result empty;
   EXPECT_THROW(exportedAs("m", empty), DataError);
 }
