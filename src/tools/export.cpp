@@ -82,8 +82,8 @@ int main(int argc, char** argv) {
   program.usage = "--model result.json --to mat|python|octave|rosparam|c --output FILE";
   program.purpose =
       R"(Writes an identified model for other programs: numbers for MATLAB, Octave and Python with plants drawn
-from the result, parameters for ROS, or C code of the simulator and the whitening filter. Each file
-checks itself against numbers that the library computed (docs/export.md).
+from the result, parameters for ROS, or C code of the simulator and the whitening filter (docs/export.md).
+The files for Python, Octave and C can compare themselves with numbers that the library computed.
 Exit status: 0 done; 1 the result holds no model, or an internal error; 2 wrong usage, or a file that
 cannot be read or written.)";
   program.options.add_options()  //

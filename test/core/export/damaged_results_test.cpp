@@ -38,10 +38,17 @@ std::string damaged(json tree, std::mt19937_64* random) {
                                  json::array({json::array({1})})};
   json* part = partOf(&tree["nominal_model"], random);
   switch ((*random)() % 4) {
-    case 0: part = partOf(&tree, random); break;
-    case 1: part = partOf(&tree["bounds"], random); break;
-    case 2: part = partOf(&tree["error_model"], random); break;
-    default: break;
+    case 0:
+      part = partOf(&tree, random);
+      break;
+    case 1:
+      part = partOf(&tree["bounds"], random);
+      break;
+    case 2:
+      part = partOf(&tree["error_model"], random);
+      break;
+    default:
+      break;
   }
   *part = others[(*random)() % others.size()];
   return tree.dump();
