@@ -225,6 +225,16 @@ ComplexResponses frequencyResponses(const PlantSamples& plants, const VectorXd& 
   return ResponseSweep(plants).at(omega);
 }
 
+Eigen::MatrixXcd delayedResponses(const PlantSamples& plants, const VectorXd& omega) {
+  const ComplexResponses responses = frequencyResponses(plants, omega);
+  Eigen::MatrixXcd all(plants.count(), omega.size());
+  all.real() = responses.real;
+  all.imag() = responses.imaginary;
+  for (Index k = 0; k < omega.size(); ++k)
+    all.col(k) *= std::polar(1.0, -omega[k] * plants.sample_time * plants.delay);
+  return all;
+}
+
 TransferFunctions transferFunctions(const PlantSamples& plants) {
   const Index count = plants.count(), taps = plants.eta.cols(), nb = plants.b.cols();
   ErrorModelOptions options = plants.basis;

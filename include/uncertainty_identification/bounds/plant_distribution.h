@@ -97,6 +97,9 @@ class ResponseSweep {
 /// The responses at all frequencies at once, likewise without the delay.
 ComplexResponses frequencyResponses(const PlantSamples& plants, const Eigen::VectorXd& omega);
 
+/// The same with the delay: G(e^(j omega Ts)), draws x frequencies.
+Eigen::MatrixXcd delayedResponses(const PlantSamples& plants, const Eigen::VectorXd& omega);
+
 /// G = q^-delay num/den of every draw. The rows hold the coefficients of q^0, q^-1, ...; the first
 /// coefficient of den is 1.
 struct TransferFunctions {

@@ -52,6 +52,7 @@ TEST_F(Outputs, AreNoneOfTheInputs) {
     expectRefusal(name, {"--config", config, data}, config);
   }
   expectRefusal("sample", {"--model", model, "--count", "1"}, model);
+  expectRefusal("export", {"--model", model, "--to", "c"}, model);
   expectRefusal("report", {model}, model);
   expectRefusal("simulate", {"--config", truth}, truth);
 }

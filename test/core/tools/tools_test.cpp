@@ -94,7 +94,7 @@ class Tools : public testing::Test {
 };
 
 TEST_F(Tools, HelpAndVersion) {
-  for (const std::string name : {"identify", "explain", "simulate", "report"}) {
+  for (const std::string name : {"identify", "explain", "simulate", "report", "export"}) {
     const ProcessResult help = tool(name, {"--help"});
     EXPECT_EQ(help.status, 0);
     EXPECT_EQ(help.errors, "");
