@@ -69,26 +69,30 @@ std::vector<StructureFit> fitAll(const Problem& problem,
   return fits;
 }
 
-/// The candidate with the fewest parameters among those whose density of held-out experiments is
-/// within a tolerance of the highest.
-template <typename Iterator>
-Iterator simplestOfDensest(Iterator first, Iterator last, double tolerance) {
-  const auto highest =
-      std::max_element(first, last, [](const Candidate& left, const Candidate& right) {
-        return left.held_out_density < right.held_out_density;
-      });
-  return std::min_element(first, last, [&](const Candidate& left, const Candidate& right) {
-    const auto rank = [&](const Candidate& each) {
-      const bool is_dense = each.held_out_density >= *highest->held_out_density - tolerance;
-      return std::make_tuple(!is_dense, each.parameters, -each.held_out_density.value_or(0));
-    };
-    return rank(left) < rank(right);
-  });
+/// Of candidates with a density of held-out experiments, the one with the fewest parameters that
+/// loses nothing material against the highest. "None" must be the highest itself: bands of a model
+/// without differences would be too narrow where there are some after all.
+std::size_t simplestOfDensest(const std::vector<Candidate>& candidates,
+                              const std::vector<StructureFit>& fits, int experiments) {
+  const auto density = [&](std::size_t k) {
+    return candidates[k].held_out_density.value_or(-std::numeric_limits<double>::infinity());
+  };
+  std::size_t highest = 0;
+  for (std::size_t k = 1; k < fits.size(); ++k)
+    if (density(k) > density(highest)) highest = k;
+  const auto rank = [&](std::size_t k) {
+    const bool loses = density(k) < density(highest) - kImmaterial / experiments;
+    const bool is_none = fits[k].mixture == 0 && k != highest;
+    return std::make_tuple(loses, is_none, candidates[k].parameters, -density(k));
+  };
+  std::size_t best = highest;
+  for (std::size_t k = 0; k < fits.size(); ++k)
+    if (rank(k) < rank(best)) best = k;
+  return best;
 }
 
 /// The fit of least BIC or, among those whose half BIC is nearly as low, the simplest one that
-/// predicts held-out experiments as well as the best. Adds all to
-/// the journal's candidates.
+/// predicts held-out experiments as well as the best. Adds all to the journal's candidates.
 StructureFit bestOf(const Problem& problem, const std::vector<StructureFit>& fits,
                     const std::string& choice, bool by_held_out, Journal* journal) {
   if (fits.empty()) {
@@ -118,8 +122,8 @@ StructureFit bestOf(const Problem& problem, const std::vector<StructureFit>& fit
     for (std::size_t k = 0; k < fits.size(); ++k)
       if (*candidates[k].bic < limit)
         candidates[k].held_out_density = heldOutDensity(problem, fits[k], journal);
-    best =
-        simplestOfDensest(candidates.begin(), candidates.end(), kImmaterial / problem.data.count());
+    best = candidates.begin() +
+           static_cast<long>(simplestOfDensest(candidates, fits, problem.data.count()));
   }
   best->chosen = true;
   const auto chosen = static_cast<std::size_t>(best - candidates.begin());
@@ -181,7 +185,10 @@ StructureFit chooseStructure(Problem problem, bool free_orders, std::vector<Star
   StructureFit chosen =
       fits.size() == 1 ? fits.front() : bestOf(problem, fits, "error model", automatic, journal);
   if (!free_orders) return chosen;
-  if (!problem.plant) chosen = withBetterOrders(problem, std::move(chosen), true, journal);
+  if (!problem.plant) {
+    chosen = withBetterOrders(problem, std::move(chosen), true, journal);
+    chosen = withWholeDelay(problem, std::move(chosen), journal);
+  }
   return withNoiseOrders(problem, chosen, journal);
 }
 

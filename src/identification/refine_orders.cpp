@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "identification/structure_fit.h"
 #include "math/polynomial.h"
@@ -92,6 +93,27 @@ StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool onl
     fit = std::move(*better);
   }
   return fit;
+}
+
+StructureFit withWholeDelay(const Problem& problem, StructureFit fit, Journal* journal) {
+  constexpr double kWhole = 0.1;  // [samples]
+  ErrorStructure whole = fit.structure;
+  NominalModelOptions& nominal = whole.configuration.nominal_model;
+  const std::vector<std::string>& varied = whole.configuration.error_model.parameters;
+  const std::vector<std::string> names = fit.model->names();
+  const auto k = std::find(names.begin(), names.end(), "dead_time") - names.begin();
+  if (!nominal.dead_time || k == static_cast<long>(names.size()) ||
+      std::find(varied.begin(), varied.end(), "dead_time") != varied.end())
+    return fit;
+  const double samples = fit.point.parameters[k] / problem.data.sampleTime();
+  if (std::abs(samples - std::round(samples)) > kWhole) return fit;
+  nominal.dead_time = false;
+  nominal.delay += static_cast<int>(std::round(samples));
+  const auto with = fitStructure(problem, whole, {fit.start()}, false, journal);
+  const auto score = [&](const StructureFit& of) {
+    return of.score(static_cast<double>(problem.data.validSamples()), problem.data.count());
+  };
+  return with && score(*with) > score(fit) ? *with : fit;
 }
 
 }  // namespace uncertainty_identification

@@ -12,10 +12,10 @@ namespace {
 
 struct Runs {
   int count = 10;
-  double spread = 0.1;  ///< of the gain
-  double noise = 0.05;  ///< standard deviation [unit of y]; that of the outputs is about 0.7
-  double offset = 0;    ///< [unit of y]
-  int before = 0;       ///< samples that are simulated and not recorded
+  double spread = 0.1;    ///< of the gain
+  double noise = 0.05;    ///< standard deviation [unit of y]; that of the outputs is about 0.7
+  double offset = 0;      ///< [unit of y]
+  int before = 0;         ///< samples that are simulated and not recorded
   bool is_heavy = false;  ///< noise with Student's t, 3 degrees of freedom
 };
 

@@ -170,5 +170,28 @@ TEST_F(StructureChoice, ThePriorOfInitialValuesFollowsTheScaleOfTheData) {
   EXPECT_EQ(kept.initial_variance, 2);
 }
 
+// A plant without dead time, whose estimate of one can only lie at its lower limit; and one that is
+// late by about half a sample.
+TEST_F(StructureChoice, TakesAWholeDelayForADeadTimeOfWholeSamples) {
+  const auto withDeadTime = [&](const std::vector<Experiment>& experiments) {
+    Problem problem = problemOf(experiments, 1, 1);
+    NominalModelOptions& nominal = problem.configuration.nominal_model;
+    nominal.structure = Structure::continuous;
+    nominal.time_constants = 1;
+    nominal.dead_time = true;
+    nominal.max_delay = 3;
+    return problem;
+  };
+  const Problem prompt = withDeadTime(simulatedPlants(vectorOf({0.2}), vectorOf({-0.8})));
+  const StructureFit dead = plainFit(prompt);
+  const StructureFit whole = withWholeDelay(prompt, dead, &journal_);
+  EXPECT_FALSE(whole.structure.configuration.nominal_model.dead_time);
+  EXPECT_EQ(whole.structure.configuration.nominal_model.delay, 1);
+  EXPECT_EQ(whole.parameters, dead.parameters - 1);
+  const Problem late = withDeadTime(simulatedPlants(vectorOf({0.1, 0.1}), vectorOf({-0.8})));
+  const StructureFit half = withWholeDelay(late, plainFit(late), &journal_);
+  EXPECT_TRUE(half.structure.configuration.nominal_model.dead_time);
+}
+
 }  // namespace
 }  // namespace uncertainty_identification
