@@ -35,25 +35,24 @@ MadeEffects actuatorOffset(const DataSummary& data) {
 
 /// u(t - delay), interpolated linearly between samples.
 MadeEffects actuatorDelay(const DataSummary& data) {
-  return {chainEffect(
-      linearDynamics({"act_delay",
-                      "",
-                      "dead time that the model lacks",
-                      "Compare the stamps of command and measurement, and look for transport or "
-                      "communication delays.",
-                      {"plant_pole", "sens_lag"},
-                      Stage::actuator,
-                      ScreeningKind::regression,
-                      {{"delay", "samples", 0.3, 0.0, data.samples / 4.0}},
-                      values({0.3, 0.7, 1, 1.5, 2, 3, 4, 5, 7, 10})}),
-      [](const VectorXd& psi, Chain* chain) {
-        const int whole = static_cast<int>(psi[0]);
-        const double rest = psi[0] - whole;
-        const Signals u = chain->u;
-        chain->u.setZero();
-        addShifted(1 - rest, whole, u, &chain->u);
-        addShifted(rest, whole + 1, u, &chain->u);
-      })};
+  return {chainEffect({"act_delay",
+                       "",
+                       "dead time that the model lacks",
+                       "Compare the stamps of command and measurement, and look for transport or "
+                       "communication delays.",
+                       {"plant_pole", "sens_lag"},
+                       Stage::actuator,
+                       ScreeningKind::regression,
+                       {{"delay", "samples", 0.3, 0.0, data.samples / 4.0}},
+                       values({0.3, 0.7, 1, 1.5, 2, 3, 4, 5, 7, 10})},
+                      [](const VectorXd& psi, Chain* chain) {
+                        const int whole = static_cast<int>(psi[0]);
+                        const double rest = psi[0] - whole;
+                        const Signals u = chain->u;
+                        chain->u.setZero();
+                        addShifted(1 - rest, whole, u, &chain->u);
+                        addShifted(rest, whole + 1, u, &chain->u);
+                      })};
 }
 
 /// step round(u/step). The likelihood is far from smooth in the step, so the starts are dense.

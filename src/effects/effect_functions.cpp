@@ -34,11 +34,6 @@ class LoopEffect : public Effect {
 
 }  // namespace
 
-EffectDescription linearDynamics(EffectDescription description) {
-  description.linear_dynamics = true;
-  return description;
-}
-
 std::shared_ptr<Effect> chainEffect(EffectDescription description, ChainFunction apply) {
   return std::make_shared<ChainEffect>(std::move(description), std::move(apply));
 }

@@ -14,9 +14,6 @@ using ChainFunction = std::function<void(const Eigen::VectorXd& psi, Chain* chai
 using FeedbackFunction =
     std::function<Lanes(const Eigen::VectorXd& psi, const Lanes& x, const Lanes& before)>;
 
-/// The description of an effect that only adds linear dynamics.
-EffectDescription linearDynamics(EffectDescription description);
-
 /// An effect that changes signals of the chain by one function and needs nothing else.
 std::shared_ptr<Effect> chainEffect(EffectDescription description, ChainFunction apply);
 

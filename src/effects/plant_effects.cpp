@@ -100,45 +100,45 @@ MadeEffects plantResonance(const DataSummary& data) {
     starts.push_back(
         Eigen::Vector4d(0.95, (0.1 + 2.9 * k / (kStarts - 1.0)) / data.sample_time, 0, 0));
   const double gain = 0.05 * data.output_deviation / data.input_deviation;
-  return {chainEffect(
-      linearDynamics({"plant_resonance",
-                      "",
-                      "resonance of the plant that the model lacks",
-                      "Excite the plant at the estimated frequency and see what vibrates.",
-                      {},
-                      Stage::plant,
-                      ScreeningKind::regression,
-                      {{"radius", "1", 0.05, 0.3, 0.9985},
-                       {"frequency", "rad/s", 0.1 / data.sample_time, 0.01 / data.sample_time,
-                        3.14 / data.sample_time},
-                       {"g1", "unit of y per unit of u", gain},
-                       {"g2", "unit of y per unit of u", gain}},
-                      starts}),
-      [sample_time = data.sample_time](const VectorXd& psi, Chain* chain) {
-        VectorXd numerator = VectorXd::Zero(3), denominator(2);
-        numerator.tail(2) = psi.tail(2);
-        denominator << -2 * psi[0] * std::cos(psi[1] * sample_time), psi[0] * psi[0];
-        Signals parallel;
-        filter(numerator, denominator, 0, chain->u, &parallel);
-        chain->x += parallel;
-      })};
+  return {chainEffect({"plant_resonance",
+                       "",
+                       "resonance of the plant that the model lacks",
+                       "Excite the plant at the estimated frequency and see what vibrates.",
+                       {},
+                       Stage::plant,
+                       ScreeningKind::regression,
+                       {{"radius", "1", 0.05, 0.3, 0.9985},
+                        {"frequency", "rad/s", 0.1 / data.sample_time, 0.01 / data.sample_time,
+                         3.14 / data.sample_time},
+                        {"g1", "unit of y per unit of u", gain},
+                        {"g2", "unit of y per unit of u", gain}},
+                       starts},
+                      [sample_time = data.sample_time](const VectorXd& psi, Chain* chain) {
+                        VectorXd numerator = VectorXd::Zero(3), denominator(2);
+                        numerator.tail(2) = psi.tail(2);
+                        denominator << -2 * psi[0] * std::cos(psi[1] * sample_time),
+                            psi[0] * psi[0];
+                        Signals parallel;
+                        filter(numerator, denominator, 0, chain->u, &parallel);
+                        chain->x += parallel;
+                      })};
 }
 
 /// An extra lag in series with the plant: (1 - pole)/(1 - pole q^-1).
 MadeEffects plantPole(const DataSummary& /*data*/) {
-  return {chainEffect(
-      linearDynamics({"plant_pole",
-                      "",
-                      "lag of the plant that the model lacks",
-                      "Raise the order of the model by one, or look for a slow actuator or filter.",
-                      {"sens_lag", "act_delay"},
-                      Stage::plant,
-                      ScreeningKind::regression,
-                      {{"pole", "1", 0.2, -0.9, 0.99}},
-                      values({0.15, 0.5, 0.8})}),
-      [](const VectorXd& psi, Chain* chain) {
-        chain->filterOutput(VectorXd::Constant(1, 1 - psi[0]), -psi);
-      })};
+  return {
+      chainEffect({"plant_pole",
+                   "",
+                   "lag of the plant that the model lacks",
+                   "Raise the order of the model by one, or look for a slow actuator or filter.",
+                   {"sens_lag", "act_delay"},
+                   Stage::plant,
+                   ScreeningKind::regression,
+                   {{"pole", "1", 0.2, -0.9, 0.99}},
+                   values({0.15, 0.5, 0.8})},
+                  [](const VectorXd& psi, Chain* chain) {
+                    chain->filterOutput(VectorXd::Constant(1, 1 - psi[0]), -psi);
+                  })};
 }
 
 /// The means of the error parameters move in proportion to the position of the experiment in the

@@ -22,8 +22,7 @@ bool passes(const Gain& gain, AcceptanceRule rule) {
 }
 
 bool simulatesAsWell(const Effect& effect, const Gain& gain) {
-  constexpr double kMost = 1.01, kMostByTheta = 1.1, kMostOfLinear = 0.999;
-  if (effect.description().linear_dynamics) return errorRatio(gain) <= kMostOfLinear;
+  constexpr double kMost = 1.01, kMostByTheta = 1.1;
   const bool structural = effect.description().screening == ScreeningKind::regression &&
                           !isOfNoise(effect) && !isOfMixture(effect);
   return errorRatio(gain) <= (structural ? kMost : kMostByTheta);

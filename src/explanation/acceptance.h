@@ -22,9 +22,9 @@ bool passes(const Gain& gain, AcceptanceRule rule);
 
 /// Whether held-out experiments are simulated as well with the effect as without it, because
 /// likelihood alone also rewards what makes residuals white and the simulation wrong. The squared
-/// error may grow by a hundredth, which is chance where the plants differ much. Linear dynamics
-/// must lower it, if only by a thousandth: nothing else shows them. Effects that move the
-/// simulation only by way of theta (all but ScreeningKind::regression) may let it grow by a tenth.
+/// error may grow by a hundredth, which is chance where the plants differ much. Effects that move
+/// the simulation only by way of theta (all but ScreeningKind::regression) may let it grow by a
+/// tenth.
 bool simulatesAsWell(const Effect& effect, const Gain& gain);
 
 /// Whether a cause, measured again in the final model, neither loses log density significantly nor

@@ -90,9 +90,6 @@ struct EffectDescription {
   /// about a point of its own in each experiment. The effect's first parameter must be the
   /// log-variance of that size.
   bool own_point = false;
-  /// Whether the effect only adds linear dynamics that are the same in every experiment, and leaves
-  /// the noise as it is. What the model then lacks is an order, and its simulation shows it.
-  bool linear_dynamics = false;
 };
 
 /// A physical effect that may be missing from a model. It changes the signals of the chain at its

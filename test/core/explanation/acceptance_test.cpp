@@ -11,14 +11,13 @@ namespace {
 /// An effect that does nothing.
 class Named : public Effect {
  public:
-  explicit Named(const std::string& name, bool linear = false) : Effect(described(name, linear)) {}
+  explicit Named(const std::string& name) : Effect(described(name)) {}
   void apply(const Eigen::VectorXd& /*psi*/, Chain* /*chain*/) const override {}
 
  private:
-  static EffectDescription described(const std::string& name, bool linear) {
+  static EffectDescription described(const std::string& name) {
     EffectDescription description;
     description.name = name;
-    description.linear_dynamics = linear;
     return description;
   }
 };
@@ -64,12 +63,6 @@ TEST(AcceptanceRules, RefuseWhatSimulatesWorse) {
   EXPECT_TRUE(simulatesAsWell(Named("noise_colour"), simulated(80, 79.1)));
   EXPECT_FALSE(simulatesAsWell(Named("noise_colour"), simulated(80, 78.9)));
   EXPECT_FALSE(simulatesAsWell(Named("act_deadzone"), simulated(80, std::nan(""))));
-}
-
-// A thousandth less in the square is 80.01 %.
-TEST(AcceptanceRules, RefuseLinearDynamicsThatNoSimulationShows) {
-  EXPECT_TRUE(simulatesAsWell(Named("plant_pole", true), simulated(80, 80.011)));
-  EXPECT_FALSE(simulatesAsWell(Named("plant_pole", true), simulated(80, 80.009)));
 }
 
 TEST(AcceptanceRules, ACauseHoldsWhileItNeitherLosesDensityNorFit) {
