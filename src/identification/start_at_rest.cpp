@@ -43,11 +43,26 @@ double meanSquare(const std::vector<Eigen::VectorXd>& errors,
   return squares / std::max(count, 1.0);
 }
 
+/// Mean square of the measured outputs about their common mean.
+double varianceOf(const std::vector<Experiment>& experiments) {
+  double count = 0, sum = 0, squares = 0;
+  for (const Experiment& experiment : experiments) {
+    for (int k = 0; k < experiment.samples(); ++k) {
+      if (!experiment.isValid(k)) continue;
+      ++count;
+      sum += experiment.y[k];
+      squares += experiment.y[k] * experiment.y[k];
+    }
+  }
+  return (squares - sum * sum / count) / count;
+}
+
 }  // namespace
 
 bool startAtRest(const std::vector<Experiment>& experiments, const EstimationOptions& options) {
   constexpr std::size_t kFewest = 3;
   constexpr int kFirst = 4, kAll = std::numeric_limits<int>::max();
+  constexpr double kMostUnexplained = 0.25;  // of the variance of the outputs
   constexpr double kLargest = 9;  // squares relative to the mean; noise may have heavy tails
   constexpr double kSlack = 0.25, kDeviations = 1.5;  // of a mean of one square per experiment
   if (experiments.size() < kFewest) return false;
@@ -60,10 +75,12 @@ bool startAtRest(const std::vector<Experiment>& experiments, const EstimationOpt
   };
   const double usual = meanSquare(errorsFrom(InitialState::estimate), experiments, kAll,
                                   std::numeric_limits<double>::infinity());
+  // Errors as large as the outputs, as where plants differ much, show nothing of the start.
+  if (!(usual < kMostUnexplained * varianceOf(experiments))) return false;
   const double at_rest =
       meanSquare(errorsFrom(InitialState::zero), experiments, kFirst, kLargest * usual);
   const double margin = kSlack + kDeviations / std::sqrt(static_cast<double>(experiments.size()));
-  return std::isfinite(usual) && at_rest < (1 + margin) * usual;
+  return at_rest < (1 + margin) * usual;
 }
 
 }  // namespace uncertainty_identification

@@ -19,7 +19,8 @@ Configuration chooseInitialState(Configuration configuration, const CheckedData&
 
 /// Whether the experiments start at rest: whether their first outputs are as near to a simulation
 /// that starts there as all others are to one that starts from the best state. False for fewer than
-/// three experiments, which may start near rest by chance.
+/// three experiments, which may start near rest by chance, and where the simulation leaves more
+/// than a quarter of the variance, so that it cannot tell.
 bool startAtRest(const std::vector<Experiment>& experiments, const EstimationOptions& options);
 
 /// The common offset of the output with which Go simulates the data: that of the fitted plant where

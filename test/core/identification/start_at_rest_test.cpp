@@ -81,6 +81,14 @@ TEST(StartAtRest, IsDeniedBySomeOfTheExperiments) {
   EXPECT_FALSE(startAtRest(all, EstimationOptions()));
 }
 
+TEST(StartAtRest, IsNotConcludedWherePlantsDifferMuch) {
+  Runs runs;
+  runs.count = 60;
+  runs.spread = 1;
+  runs.before = 40;
+  EXPECT_FALSE(atRest(runs));
+}
+
 TEST(StartAtRest, IsNotConcludedFromTwoExperiments) {
   Runs runs;
   runs.count = 2;

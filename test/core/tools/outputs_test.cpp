@@ -95,7 +95,7 @@ TEST_F(Outputs, ExperimentsOfTwoRatesAreUsedTogether) {
                                         write("config.yaml", "{nominal_model: {na: 1, nb: 1}}"),
                                         "--output", result, "--validation", slow, "--", fast});
   ASSERT_EQ(run.status, 0) << run.errors;
-  EXPECT_NE(run.output.find("resampled to the longest, 0.3 s"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("they were resampled to 0.3 s"), std::string::npos) << run.output;
   EXPECT_NEAR(loadResult(result).estimate.nominal_model.sample_time, 0.3, 1e-9);
 }
 
