@@ -7,6 +7,7 @@
 
 #include "identification/steps.h"
 #include "support/core_setup.h"
+#include "support/identify_example1.h"
 
 namespace uncertainty_identification {
 namespace {
