@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "estimation/excerpt.h"
 #include "estimation/stopwatch.h"
 #include "identification/steps.h"
 #include "uncertainty_identification/version.h"
@@ -17,6 +18,18 @@ Problem problemOf(const Request& request, const CheckedData& data, Journal* jour
   problem.configuration = chooseInitialState(problem.configuration, data, journal);
   problem.configuration = limitDeadTime(problem);
   return problem;
+}
+
+/// The data with the beginnings of long records in place of the whole: folds need Go alone, and one
+/// fit each.
+CheckedData beginnings(CheckedData data) {
+  constexpr int kAlways =
+      2000;  // samples of a record that are kept, however many records there are
+  const int longest = std::max(kAlways, kEnoughSamples / data.count());
+  for (Experiment& experiment : data.experiments)
+    if (experiment.samples() > longest) experiment = excerpt(experiment, 0, longest);
+  data.blocks = makeBlocks(data.experiments);
+  return data;
 }
 
 void adopt(const ModelChoice& choice, Problem* problem) {
@@ -58,7 +71,7 @@ Estimate identify(const Request& request, const std::vector<Experiment>& experim
 FoldModel identifyPlant(const Request& request, const std::vector<Experiment>& experiments) {
   constexpr int kEnough = 20;  // iterations from the estimate of all folds
   Journal journal{ProgressPhases(request.progress)};
-  const CheckedData data = checkData(request.configuration, experiments, &journal);
+  const CheckedData data = beginnings(checkData(request.configuration, experiments, &journal));
   Problem problem = problemOf(request, data, &journal);
   problem.plant = fitPlant(problem, &journal);
   if (!problem.plant) {
