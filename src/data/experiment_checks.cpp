@@ -141,6 +141,12 @@ class Checker {
 
 }  // namespace
 
+std::string reasonsOf(const std::vector<RejectedExperiment>& rejected) {
+  std::string reasons;
+  for (const RejectedExperiment& each : rejected) reasons += "\n  " + each.reason;
+  return reasons;
+}
+
 CheckReport checkExperiments(const std::vector<Experiment>& experiments, const LimitOptions& limits,
                              const std::vector<std::string>& required_covariates,
                              double sample_time) {

@@ -45,6 +45,9 @@ CheckReport checkExperiments(const std::vector<Experiment>& experiments, const L
                              const std::vector<std::string>& required_covariates,
                              double sample_time);
 
+/// The reasons of all rejections, each on an indented line of its own.
+std::string reasonsOf(const std::vector<RejectedExperiment>& rejected);
+
 /// A hash (64-bit FNV-1a, 16 hexadecimal digits) of all that determines a fit: sample times, u,
 /// valid, measured y, and covariates, but neither ids nor start times. It does not depend on the
 /// order of the experiments.

@@ -33,12 +33,10 @@ void leaveOut(const Configuration& configuration, double sample_time, const std:
     covariates.push_back(covariate.name);
   const CheckReport checked =
       checkExperiments(*experiments, configuration.limits, covariates, sample_time);
-  std::string reasons;
-  for (const RejectedExperiment& each : checked.rejected) reasons += "\n  " + each.reason;
   if (checked.usable.empty())
-    throw DataError(experiments->empty()
-                        ? "no experiments were given"
-                        : "no usable experiment is left " + purpose + ":" + reasons);
+    throw DataError(experiments->empty() ? "no experiments were given"
+                                         : "no usable experiment is left " + purpose + ":" +
+                                               reasonsOf(checked.rejected));
   std::vector<Experiment> usable;
   for (const int k : checked.usable)
     usable.push_back(std::move((*experiments)[static_cast<std::size_t>(k)]));

@@ -17,12 +17,10 @@ CheckedData checkData(const Configuration& configuration,
   data.rejected = checked.rejected;
   data.single_steps = checked.single_steps;
   for (int r : checked.usable) data.experiments.push_back(experiments[static_cast<std::size_t>(r)]);
-  if (data.experiments.empty()) {
-    std::string reasons;
-    for (const RejectedExperiment& rejected : checked.rejected) reasons += "\n  " + rejected.reason;
-    throw DataError(experiments.empty() ? "no experiments were given"
-                                        : "no usable experiment is left:" + reasons);
-  }
+  if (data.experiments.empty())
+    throw DataError(experiments.empty()
+                        ? "no experiments were given"
+                        : "no usable experiment is left:" + reasonsOf(checked.rejected));
   data.blocks = makeBlocks(data.experiments);
   return data;
 }

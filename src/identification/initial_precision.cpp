@@ -48,6 +48,12 @@ double noiseShare(const std::vector<Experiment>& experiments) {
 
 }  // namespace
 
+double outputVariance(const std::vector<Experiment>& experiments) {
+  Moments moments;
+  for (const Experiment& experiment : experiments) moments.add(experiment);
+  return moments.variance();
+}
+
 Configuration chooseInitialState(Configuration configuration, const CheckedData& data,
                                  Journal* journal) {
   constexpr double kDeviations = 10;  // of the outputs: wide, but proper
@@ -60,10 +66,8 @@ Configuration chooseInitialState(Configuration configuration, const CheckedData&
     journal->candidates.push_back(
         {"initial state", at_rest ? "at rest" : "unknown", 0, {}, {}, {}, true, {}});
   }
-  Moments of_outputs;
-  for (const Experiment& experiment : data.experiments) of_outputs.add(experiment);
   if (options.initial_variance == kAutomatic)
-    options.initial_variance = kDeviations * kDeviations * of_outputs.variance();
+    options.initial_variance = kDeviations * kDeviations * outputVariance(data.experiments);
   if (options.initial_precision == kAutomatic)
     options.initial_precision = std::clamp(
         noiseShare(data.experiments) / (kMargin * kDeviations * kDeviations), kLeast, kMost);

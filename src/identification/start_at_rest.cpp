@@ -43,20 +43,6 @@ double meanSquare(const std::vector<Eigen::VectorXd>& errors,
   return squares / std::max(count, 1.0);
 }
 
-/// Mean square of the measured outputs about their common mean.
-double varianceOf(const std::vector<Experiment>& experiments) {
-  double count = 0, sum = 0, squares = 0;
-  for (const Experiment& experiment : experiments) {
-    for (int k = 0; k < experiment.samples(); ++k) {
-      if (!experiment.isValid(k)) continue;
-      ++count;
-      sum += experiment.y[k];
-      squares += experiment.y[k] * experiment.y[k];
-    }
-  }
-  return (squares - sum * sum / count) / count;
-}
-
 }  // namespace
 
 bool startAtRest(const std::vector<Experiment>& experiments, const EstimationOptions& options) {
@@ -76,7 +62,7 @@ bool startAtRest(const std::vector<Experiment>& experiments, const EstimationOpt
   const double usual = meanSquare(errorsFrom(InitialState::estimate), experiments, kAll,
                                   std::numeric_limits<double>::infinity());
   // Errors as large as the outputs, as where plants differ much, show nothing of the start.
-  if (!(usual < kMostUnexplained * varianceOf(experiments))) return false;
+  if (!(usual < kMostUnexplained * outputVariance(experiments))) return false;
   const double at_rest =
       meanSquare(errorsFrom(InitialState::zero), experiments, kFirst, kLargest * usual);
   const double margin = kSlack + kDeviations / std::sqrt(static_cast<double>(experiments.size()));

@@ -17,6 +17,9 @@ CheckedData checkData(const Configuration& configuration,
 Configuration chooseInitialState(Configuration configuration, const CheckedData& data,
                                  Journal* journal);
 
+/// Variance of all measured outputs about their common mean.
+double outputVariance(const std::vector<Experiment>& experiments);
+
 /// Whether the experiments start at rest: whether their first outputs are as near to a simulation
 /// that starts there as all others are to one that starts from the best state. False for fewer than
 /// three experiments, which may start near rest by chance, and where the simulation leaves more

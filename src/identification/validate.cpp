@@ -13,14 +13,12 @@ Validation validate(const Problem& problem, const FittedModel& fitted, InitialSt
   const Configuration& configuration = problem.configuration;
   const CheckReport checked =
       checkExperiments(experiments, configuration.limits, {}, problem.data.sampleTime());
-  std::string reasons;
-  for (const RejectedExperiment& rejected : checked.rejected) {
+  for (const RejectedExperiment& rejected : checked.rejected)
     journal->warnings.push_back("validation: " + rejected.reason);
-    reasons += "\n  " + rejected.reason;
-  }
   std::vector<Experiment> used;
   for (int r : checked.usable) used.push_back(experiments[static_cast<std::size_t>(r)]);
-  if (used.empty()) throw DataError("no usable experiment is left for validation:" + reasons);
+  if (used.empty())
+    throw DataError("no usable experiment is left for validation:" + reasonsOf(checked.rejected));
   for (const Experiment& experiment : used) validation.experiments.push_back(experiment.id);
   const ModelParameters& point = fitted.optimum.point;
   const NominalModel& nominal = fitted.model->nominal();

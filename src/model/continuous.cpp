@@ -228,7 +228,7 @@ class Continuous : public NominalModel {
                  tail.size(), first_lag, first_lag + static_cast<double>(tail.size()) - 1)) /
              sum;
     };
-    const double first = p.delay - delay_ + leadingZeros(p.b);
+    const double first = std::max(0.0, p.delay - delay_ + leadingZeros(p.b));
     double whole = mean_lag(p.b, p.delay, p.b.sum()) - (delay_ - 1) - 0.5;
     if (p.a.size() > 0) whole -= mean_lag(p.a, 1, 1 + p.a.sum());
     ContinuousPoles poles = continuousPoles(p.a, sample_time_);
