@@ -57,6 +57,22 @@ class RowAccumulator {
   MatrixXd buffer_;
 };
 
+/// Takes the part that filtering by 1/A from rest leaves of an unknown start, the span of the free
+/// responses of 1/A, out of all columns of one record's regression.
+void removeFreeResponse(const VectorXd& prefilter, const std::vector<Index>& times,
+                        MatrixXd* regression) {
+  const Index na = prefilter.size(), rows = regression->rows();
+  if (na == 0 || rows <= 2 * na) return;
+  VectorXd impulse = VectorXd::Zero(times.back() + na);
+  impulse[0] = 1;
+  const VectorXd response = overPolynomial(impulse, prefilter);
+  MatrixXd free(rows, na);
+  for (Index i = 0; i < rows; ++i) {
+    for (Index k = 0; k < na; ++k) free(i, k) = response[times[static_cast<std::size_t>(i)] - times.front() + k];
+  }
+  *regression -= free * free.colPivHouseholderQr().solve(*regression);
+}
+
 /// Minimises |A w - b| with columns scaled to unit length. Directions that rounding makes
 /// indeterminate get the value zero.
 VectorXd leastSquares(const MatrixXd& A, const VectorXd& b, double* residual) {
@@ -99,14 +115,20 @@ MatrixXd LeastSquaresStart::triangularFactor(const VectorXd& prefilter, int na, 
     const VectorXd one = overPolynomial(VectorXd::Ones(u.size()), prefilter);
     const Index first = std::min<Index>(
         std::max(na, u_lags), u.size() / 2);  // earlier samples, which the lags need, are not known
-    for (Index t = first; t < u.size(); ++t) {
-      if (record.valid[static_cast<std::size_t>(t)] == 0) continue;
-      auto row = rows.next();
+    std::vector<Index> times;
+    for (Index t = first; t < u.size(); ++t)
+      if (record.valid[static_cast<std::size_t>(t)] != 0) times.push_back(t);
+    MatrixXd regression(static_cast<Index>(times.size()), columns);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      auto row = regression.row(static_cast<Index>(i));
+      const Index t = times[i];
       for (Index k = 0; k <= u_lags; ++k) row[k] = lagged(u, t - k);
       if (with_constant_) row[constant] = one[t];
       for (Index k = 1; k <= na; ++k) row[columns - 1 - na + k - 1] = -lagged(y, t - k);
       row[columns - 1] = y[t];
     }
+    removeFreeResponse(prefilter, times, &regression);
+    for (Index i = 0; i < regression.rows(); ++i) rows.next() = regression.row(i);
   }
   return rows.factor();
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "estimation/first_samples.h"
 #include "estimation/initial_guess.h"
 #include "estimation/linearisation.h"
 #include "estimation/scoring.h"
@@ -48,16 +49,17 @@ LinearisedPoint improved(std::shared_ptr<const LinearModel> model, ModelParamete
   return now;
 }
 
-/// Total log density of experiments at a point of a model.
+/// Log density of experiments at a point of a model, all but their first samples.
 double logDensity(const LinearModel& model, const ModelParameters& point, const CheckedData& data,
-                  int threads, int* passes) {
+                  const EstimationOptions& options, int threads, int* passes) {
   const auto about =
       linearisedAtPosteriorMeans(model, data.blocks, data.count(), threads, point, passes);
-  const Likelihood likelihood(about ? *about->model : model, data.blocks, data.count(), threads);
+  const LinearModel& linear = about ? *about->model : model;
+  const Likelihood likelihood(linear, data.blocks, data.count(), threads);
   const double total =
       likelihood.expect(likelihood.statistics(point.parameters, false), point).total();
   *passes += likelihood.passes();
-  return total;
+  return total - firstSamplesDensity(linear, point, data.experiments, options, threads, passes);
 }
 
 CheckedData subset(const CheckedData& data, int fold, int folds, bool inside) {
@@ -128,6 +130,9 @@ std::optional<StructureFit> fitStructure(const Problem& problem, const ErrorStru
   if (ranked.empty() || !model->admissible(ranked.front().point.parameters)) return {};
   LinearisedPoint best = improved(model, ranked.front().point, problem.data, kSteps, options,
                                   threadsOf(configuration.estimation), &journal->passes);
+  best.log_likelihood -=
+      firstSamplesDensity(*best.model, best.point, own.data.experiments, configuration.estimation,
+                          threadsOf(configuration.estimation), &journal->passes);
   if (!std::isfinite(best.log_likelihood)) return {};
   const int fixed = problem.plant ? static_cast<int>(problem.plant->point.parameters.size()) : 0;
   return StructureFit{
@@ -154,7 +159,8 @@ double heldOutDensity(const Problem& problem, const StructureFit& fit, Journal* 
     const CheckedData held_out = subset(problem.data, fold, folds, true);
     const LinearisedPoint trained =
         improved(model, fit.point, others, kSteps, options, threads, &journal->passes);
-    sum += logDensity(*model, trained.point, held_out, threads, &journal->passes);
+    sum += logDensity(*model, trained.point, held_out, own.configuration.estimation, threads,
+                      &journal->passes);
   }
   return std::isfinite(sum) ? sum / problem.data.count() : -std::numeric_limits<double>::infinity();
 }

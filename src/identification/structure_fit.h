@@ -19,7 +19,7 @@ struct StructureFit {
   ErrorStructure structure;
   std::shared_ptr<const LinearModel> model;  ///< linearised about the posterior means where need be
   ModelParameters point;
-  double log_likelihood = 0;
+  double log_likelihood = 0;  ///< of all but the first samples, see firstSamplesDensity()
   int parameters = 0;  ///< of theta, offset and sigma^2
   int mixture = 0;     ///< of the error model
 
