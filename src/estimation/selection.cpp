@@ -108,7 +108,7 @@ class Selection {
     const bool offset = fitted.parameters.size() > theta.size();
     const double fit =
         simulationFit(*nominal, theta, offset ? fitted.parameters[theta.size()] : 0.0,
-                      configuration_.estimation, split_.held_out)
+                      configuration_.estimation, split_.held_out, InitialValuesFrom::all_samples)
             .pooled;
     return std::isfinite(fit) ? fit : kWorst;
   }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <memory>
 
+#include "model/evaluation.h"
+
 namespace uncertainty_identification {
 namespace {
 
@@ -28,8 +30,9 @@ class NoiseFree : public NominalModel {
 
 double fitPercent(double error, double spread) { return 100 * (1 - std::sqrt(error / spread)); }
 
-/// The simulation error in a lane. The initial state is estimated from the first samples.
-Eigen::VectorXd errorOf(const Response& response, const Block& block, int lane) {
+/// The simulation error in a lane, with the initial values estimated.
+Eigen::VectorXd errorOf(const Response& response, const Block& block, int lane,
+                        InitialValuesFrom from) {
   const auto columns = static_cast<Eigen::Index>(response.value.columns.size());
   const int samples = block.lengths[static_cast<std::size_t>(lane)];
   Eigen::VectorXd error = response.value.residual.row(lane).head(samples).transpose();
@@ -39,7 +42,9 @@ Eigen::VectorXd errorOf(const Response& response, const Block& block, int lane) 
     Z.col(k) =
         response.value.columns[static_cast<std::size_t>(k)]->row(lane).head(samples).transpose();
   }
-  error -= Z * initialCoefficients(Z, error);
+  const bool all = from == InitialValuesFrom::all_samples;
+  error -= Z * (all ? Eigen::VectorXd(Z.colPivHouseholderQr().solve(error))
+                    : initialCoefficients(Z, error));
   return error;
 }
 
@@ -72,10 +77,14 @@ Eigen::VectorXd initialCoefficients(const Eigen::MatrixXd& Z, const Eigen::Vecto
 
 std::vector<Eigen::VectorXd> simulationErrors(const NominalModel& nominal,
                                               const Eigen::VectorXd& theta, double offset,
-                                              const EstimationOptions& options,
-                                              const std::vector<Experiment>& experiments) {
+                                              const EstimationOptions& asked,
+                                              const std::vector<Experiment>& experiments,
+                                              InitialValuesFrom from) {
   ErrorModelOptions none;
   none.taps = 0;
+  EstimationOptions options = asked;
+  if (from == InitialValuesFrom::all_samples && estimatesInitialState(asked))
+    options.offsets = Offsets::per_experiment;
   const LinearModel model(std::make_shared<NoiseFree>(nominal), ErrorBasis(none), options);
   Eigen::VectorXd parameters(model.parameterCount());
   parameters.head(theta.size()) = theta;
@@ -87,7 +96,7 @@ std::vector<Eigen::VectorXd> simulationErrors(const NominalModel& nominal,
     model.evaluate(block, parameters, false, &response);
     for (int lane = 0; lane < block.lanes; ++lane) {
       errors[static_cast<std::size_t>(block.index[static_cast<std::size_t>(lane)])] =
-          errorOf(response, block, lane);
+          errorOf(response, block, lane, from);
     }
   }
   return errors;
@@ -95,9 +104,9 @@ std::vector<Eigen::VectorXd> simulationErrors(const NominalModel& nominal,
 
 SimulationFit simulationFit(const NominalModel& nominal, const Eigen::VectorXd& theta,
                             double offset, const EstimationOptions& options,
-                            const std::vector<Experiment>& experiments) {
+                            const std::vector<Experiment>& experiments, InitialValuesFrom from) {
   const std::vector<Eigen::VectorXd> errors =
-      simulationErrors(nominal, theta, offset, options, experiments);
+      simulationErrors(nominal, theta, offset, options, experiments, from);
   SimulationFit fit;
   Moments all;
   double error = 0;

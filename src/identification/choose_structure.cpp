@@ -159,29 +159,44 @@ bool simulatesAsWell(const Problem& problem, const StructureFit& fit) {
                          fitOf(problem, problem.plant->polynomials, problem.plant->offset));
 }
 
-/// Raises the problem's orders until a model whose gain alone varies leaves nothing that depends on
-/// the input, and adds this model to the starting points. With lower orders, more error parameters
-/// would stand in for what the nominal model lacks.
-void raiseOrders(Problem* problem, std::vector<StartingPoint>* points, Journal* journal) {
-  ErrorStructure simplest{"gain", problem->configuration};
-  ErrorModelOptions& options = simplest.configuration.error_model;
-  options.basis = BasisKind::fir;
-  options.constraint = Constraint::zero_mean;
-  options.taps = 1;
-  auto fit = fitStructure(*problem, simplest, *points, true, journal);
-  if (!fit) return;
-  fit = withBetterOrders(*problem, std::move(*fit), false, journal);
-  problem->configuration.nominal_model = fit->structure.configuration.nominal_model;
-  points->insert(points->begin(), fit->start());
+/// Fits of models with fewer poles than the problem's, as long as one pole less is better: more of
+/// a plant's parameters that vary look like another pole. `smaller` is by decreasing order.
+std::vector<StructureFit> fitSmaller(Problem problem, const std::vector<StructureFit>& smaller,
+                                     double highest, Journal* journal) {
+  std::vector<StructureFit> fits;
+  for (const StructureFit& each : smaller) {
+    const StartingPoint start = each.start();
+    problem.configuration.nominal_model = each.structure.configuration.nominal_model;
+    std::vector<ErrorStructure> structures = variedStructures(problem, &start.polynomials);
+    for (ErrorStructure& structure : structures)
+      structure.description += " (na=" + std::to_string(start.polynomials.a.size()) + ")";
+    const double before = highest;
+    for (StructureFit& fit : fitAll(problem, structures, {start}, journal)) {
+      highest = std::max(highest, scoreOf(fit, problem));
+      fits.push_back(std::move(fit));
+    }
+    if (highest == before) break;
+  }
+  return fits;
 }
 
 StructureFit chooseStructure(Problem problem, bool free_orders, std::vector<StartingPoint> points,
                              Journal* journal) {
   const bool automatic = problem.configuration.error_model.basis == BasisKind::automatic;
-  if (automatic && free_orders && !problem.plant) raiseOrders(&problem, &points, journal);
+  std::vector<StructureFit> orders;  // the best first
+  if (automatic && free_orders && !problem.plant) orders = jointOrders(problem, points, journal);
+  if (!orders.empty()) {
+    problem.configuration.nominal_model = orders.front().structure.configuration.nominal_model;
+    points.insert(points.begin(), orders.front().start());
+    orders.erase(orders.begin());
+  }
   const std::vector<ErrorStructure> structures = errorStructures(
       problem, free_orders && !points.empty() ? &points.front().polynomials : nullptr);
-  const std::vector<StructureFit> fits = fitAll(problem, structures, points, journal);
+  std::vector<StructureFit> fits = fitAll(problem, structures, points, journal);
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const StructureFit& fit : fits) highest = std::max(highest, scoreOf(fit, problem));
+  for (StructureFit& fit : fitSmaller(problem, orders, highest, journal))
+    fits.push_back(std::move(fit));
   StructureFit chosen =
       fits.size() == 1 ? fits.front() : bestOf(problem, fits, "error model", automatic, journal);
   if (!free_orders) return chosen;

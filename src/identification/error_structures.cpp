@@ -30,12 +30,14 @@ std::string joined(const Names& names) {
   return text;
 }
 
-/// The continuous structure with the poles of a sampled plant, and with a dead time where the plant
-/// has a delay beyond the hold's, or the longer numerator of a fraction of a sample. None where the
-/// sampled plant is faster than the hold, has poles without a continuous counterpart, or too many
-/// parameters.
+/// Whether a numerator is longer than zero-order hold with a whole delay explains.
+bool hasFractionOfDelay(const Polynomials& plant) { return plant.b.size() > plant.a.size(); }
+
+/// The continuous structure with the poles of a sampled plant, with its whole delay or with a dead
+/// time. None where the sampled plant is faster than the hold, has poles without a continuous
+/// counterpart, or too many parameters.
 std::optional<NominalModelOptions> continuousStructure(NominalModelOptions options,
-                                                       const Polynomials& plant,
+                                                       const Polynomials& plant, bool dead_time,
                                                        double sample_time) {
   constexpr int kFurther = 3;  // [samples] by which single plants may be later
   if (plant.delay < 1 || plant.a.size() < 1 || plant.a.size() > 3) return {};
@@ -48,10 +50,10 @@ std::optional<NominalModelOptions> continuousStructure(NominalModelOptions optio
   options.time_constants = static_cast<int>(poles.time_constants.size());
   options.resonances = static_cast<int>(poles.pairs.size());
   options.zeros = options.time_constants + 2 * options.resonances - 1;
-  const int longer = static_cast<int>(plant.b.size() - plant.a.size());
-  options.dead_time = plant.delay > 1 || longer > 0;
-  options.delay = 1;
-  options.max_delay = plant.delay - 1 + std::max(longer, 0) + kFurther;
+  const auto longer = static_cast<int>(plant.b.size() - plant.a.size());
+  options.dead_time = dead_time;
+  options.delay = dead_time ? 1 : plant.delay;
+  if (dead_time) options.max_delay = plant.delay - 1 + std::max(longer, 0) + kFurther;
   options.fixed.clear();
   return options;
 }
@@ -118,7 +120,36 @@ void addVaried(const Configuration& configuration, const Names& names,
   options.parameters = names;
 }
 
+/// Physical parameters that vary. A dead time is a parameter where it is a fraction of a sample, or
+/// where it varies itself: near a whole number of samples it has no derivative.
+std::vector<ErrorStructure> physicalStructures(const Problem& problem, const Polynomials& plant) {
+  std::vector<ErrorStructure> structures;
+  const bool fraction = hasFractionOfDelay(plant);
+  for (const bool dead_time : {false, true}) {
+    if (dead_time ? plant.delay == 1 && !fraction : fraction) continue;
+    Configuration varied = problem.configuration;
+    const auto physical = continuousStructure(varied.nominal_model, plant, dead_time,
+                                              problem.data.sampleTime());
+    if (!physical) continue;
+    varied.nominal_model = *physical;
+    for (const Names& some : combinations(physicalParameters(*physical))) {
+      const bool of_dead_time = std::find(some.begin(), some.end(), "dead_time") != some.end();
+      if (!dead_time || fraction || of_dead_time) addVaried(varied, some, &structures);
+    }
+  }
+  return structures;
+}
+
 }  // namespace
+
+std::vector<ErrorStructure> variedStructures(const Problem& problem, const Polynomials* plant) {
+  std::vector<ErrorStructure> structures;
+  if (plant != nullptr) structures = physicalStructures(problem, *plant);
+  if (!structures.empty()) return structures;
+  for (const Names& some : combinations(ownParameters(problem)))
+    addVaried(problem.configuration, some, &structures);
+  return structures;
+}
 
 std::vector<ErrorStructure> errorStructures(const Problem& problem, const Polynomials* plant) {
   const Configuration& configuration = problem.configuration;
@@ -135,13 +166,8 @@ std::vector<ErrorStructure> errorStructures(const Problem& problem, const Polyno
       withBasis(options, BasisKind::fir, Constraint::free, 0);
   structures.back().configuration.error_model.components = 1;
   if (problem.plant) return structures;
-  Configuration varied = configuration;
-  const auto physical = plant == nullptr ? std::nullopt
-                                         : continuousStructure(configuration.nominal_model, *plant,
-                                                               problem.data.sampleTime());
-  if (physical) varied.nominal_model = *physical;
-  const Names names = physical ? physicalParameters(varied.nominal_model) : ownParameters(problem);
-  for (const Names& some : combinations(names)) addVaried(varied, some, &structures);
+  const std::vector<ErrorStructure> varied = variedStructures(problem, plant);
+  structures.insert(structures.end(), varied.begin(), varied.end());
   return structures;
 }
 

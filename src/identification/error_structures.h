@@ -15,11 +15,14 @@ struct ErrorStructure {
 };
 
 /// The structures that are compared when the error model is chosen from the data: none; FIR filters
-/// in series with Go, with the constraints zero_mean and zero_static_gain; and parameters of Go
-/// that vary, unless the problem's plant is fixed. These are the physical ones (gain, time
-/// constants, resonances) where a continuous model can replace `plant`, otherwise those of the
-/// configured nominal model. `plant` is null where the user chose the form of the nominal model.
-/// Only the number of taps differs where the configuration states the basis.
+/// in series with Go, with the constraints zero_mean and zero_static_gain; and variedStructures(),
+/// unless the problem's plant is fixed. Only the number of taps differs where the configuration
+/// states the basis.
 std::vector<ErrorStructure> errorStructures(const Problem& problem, const Polynomials* plant);
+
+/// Structures of parameters of Go that vary. These are the physical ones (gain, time constants,
+/// resonances, dead time) where a continuous model can replace `plant`, otherwise those of the
+/// configured nominal model. `plant` is null where the user chose the form of the nominal model.
+std::vector<ErrorStructure> variedStructures(const Problem& problem, const Polynomials* plant);
 
 }  // namespace uncertainty_identification

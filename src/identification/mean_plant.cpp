@@ -22,7 +22,8 @@ Polynomials meanPlant(const StructureFit& fit) {
 
 SimulationFit fitOf(const Problem& problem, const Polynomials& plant, double offset) {
   return simulationFit(*fixPlant(plant, 0, 0), Eigen::VectorXd(0), offset,
-                       problem.configuration.estimation, problem.data.experiments);
+                       problem.configuration.estimation, problem.data.experiments,
+                       InitialValuesFrom::all_samples);
 }
 
 bool simulatesWorse(const SimulationFit& one, const SimulationFit& other) {

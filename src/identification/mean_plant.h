@@ -10,7 +10,10 @@ namespace uncertainty_identification {
 /// mean is free.
 Polynomials meanPlant(const StructureFit& fit);
 
-/// How well a plant with an offset [unit of y] simulates the problem's data.
+/// How well a plant with an offset [unit of y] simulates the problem's data, to be compared with
+/// another's. Initial values are fitted to all samples, with an offset of each experiment's own:
+/// otherwise a slow pole too many would look better, because its free response takes the place of
+/// this offset.
 SimulationFit fitOf(const Problem& problem, const Polynomials& plant, double offset);
 
 /// Whether the squared errors of one simulation are noticeably larger than those of another, and by

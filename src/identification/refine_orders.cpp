@@ -1,13 +1,16 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "estimation/excerpt.h"
+#include "estimation/least_squares_start.h"
 #include "identification/structure_fit.h"
 #include "math/polynomial.h"
 #include "residual_tests/residual_tests.h"
 
 /// Orders that the simulation of the nominal model alone cannot show, because the differences
-/// between the plants are larger than what is missing: a fraction of a sample of delay, a fast
-/// pole.
+/// between the plants are larger than what is missing, as a fraction of a sample of delay or a fast
+/// pole, or look like what is too much.
 namespace uncertainty_identification {
 namespace {
 
@@ -59,6 +62,21 @@ std::vector<Neighbour> largerRational(const ErrorStructure& structure, const Sta
   return all;
 }
 
+/// The delay with which a model of nb = na = `order` explains the data best by least squares.
+int scannedDelay(const Problem& problem, int order) {
+  std::vector<const Experiment*> all;
+  int shortest = problem.data.experiments.front().samples();
+  for (const Experiment& experiment : problem.data.experiments) {
+    all.push_back(&experiment);
+    shortest = std::min(shortest, experiment.samples());
+  }
+  const Configuration& configuration = problem.configuration;
+  const LeastSquaresStart scan(all, configuration.estimation.offsets != Offsets::none,
+                               kEnoughSamples);
+  const int longest = std::min(configuration.nominal_model.max_delay, shortest / 4);
+  return scan.steiglitzMcBride(order, order, 0, longest).polynomials.delay;
+}
+
 bool dependsOnInput(const Problem& problem, const StructureFit& fit) {
   constexpr double kImprobable = 0.01;
   const ResidualTests tests = residualTests(*fit.model, problem.data.blocks, fit.point.parameters);
@@ -93,6 +111,66 @@ StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool onl
     fit = std::move(*better);
   }
   return fit;
+}
+
+namespace {
+
+/// The fit or, where BIC is lower, that with a longer or a shorter delay.
+StructureFit withBetterDelay(const Problem& problem, StructureFit fit, Journal* journal) {
+  const auto score = [&](const StructureFit& of) {
+    return of.score(static_cast<double>(problem.data.validSamples()), problem.data.count());
+  };
+  for (const int step : {1, -1}) {
+    for (bool better = true; better && !journal->progress.cancelled();) {
+      ErrorStructure structure = fit.structure;
+      StartingPoint start = fit.start();
+      start.polynomials.delay += step;
+      int& delay = structure.configuration.nominal_model.delay;
+      delay += step;
+      if (delay < 0 || delay > problem.configuration.nominal_model.max_delay) break;
+      auto other = fitStructure(problem, structure, {start}, false, journal);
+      better = other && score(*other) > score(fit);
+      if (better) fit = std::move(*other);
+    }
+  }
+  return fit;
+}
+
+}  // namespace
+
+std::vector<StructureFit> jointOrders(const Problem& problem,
+                                      const std::vector<StartingPoint>& points, Journal* journal) {
+  constexpr int kWorse = 2;  // orders in turn without a lower BIC
+  ErrorStructure gain{"gain", problem.configuration};
+  gain.configuration.error_model.basis = BasisKind::fir;
+  gain.configuration.error_model.constraint = Constraint::zero_mean;
+  gain.configuration.error_model.taps = 1;
+  const auto score = [&](const StructureFit& fit) {
+    return fit.score(static_cast<double>(problem.data.validSamples()), problem.data.count());
+  };
+  std::vector<StructureFit> fits;  // by increasing order
+  std::size_t best = 0;
+  const int largest = problem.configuration.nominal_model.na;
+  for (int order = 1; order <= largest; ++order) {
+    const bool given = order == largest;
+    NominalModelOptions& nominal = gain.configuration.nominal_model;
+    nominal = problem.configuration.nominal_model;
+    if (!given) {
+      if (fits.size() > best + kWorse) continue;
+      nominal.nb = nominal.na = order;
+      nominal.delay = scannedDelay(problem, order);
+    }
+    auto fit = fitStructure(problem, gain, given ? points : std::vector<StartingPoint>(), true,
+                            journal);
+    if (!fit) continue;
+    fits.push_back(withBetterDelay(problem, std::move(*fit), journal));
+    if (score(fits.back()) > score(fits[best])) best = fits.size() - 1;
+  }
+  if (fits.empty()) return fits;
+  fits.resize(best + 1, fits.front());
+  std::reverse(fits.begin(), fits.end());
+  fits.front() = withBetterOrders(problem, fits.front(), false, journal);
+  return fits;
 }
 
 StructureFit withWholeDelay(const Problem& problem, StructureFit fit, Journal* journal) {

@@ -40,6 +40,13 @@ std::optional<StructureFit> fitStructure(const Problem& problem, const ErrorStru
 StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool only_if_dependent,
                               Journal* journal);
 
+/// Models whose gain varies and whose noise is coloured: that of least BIC among all orders and
+/// delays, followed by the best ones with fewer and fewer poles. The simulation alone, by which the
+/// problem's orders were chosen, is a poor judge where plants differ: the free response of a slow
+/// pole too many follows what another gain leaves. Empty where none can be fitted.
+std::vector<StructureFit> jointOrders(const Problem& problem,
+                                      const std::vector<StartingPoint>& points, Journal* journal);
+
 /// The fit or, where its dead time is a whole number of samples within a tenth and BIC improves,
 /// that of the structure with this delay in place of the dead time: at its lower limit a dead time
 /// has no standard error.
