@@ -24,7 +24,7 @@ enum class Algorithm { em, maximum_likelihood };
 /// least three experiments show that they start at rest, estimate elsewhere.
 enum class InitialState { zero, discard, estimate, automatic };
 enum class NoiseStart { zero, stationary };
-enum class Offsets { none, estimate, per_experiment };
+enum class Offsets { automatic, none, estimate, per_experiment };
 enum class OffsetSide { output, input };
 
 /// Value of an integer option that is chosen from the data; `auto` in YAML.
@@ -116,8 +116,9 @@ struct EstimationOptions {
   /// ten standard deviations of the outputs, squared.
   double initial_variance = kAutomatic;
   NoiseStart noise_start = NoiseStart::stationary;
-  Offsets offsets = Offsets::estimate;  ///< estimate: one offset common to all experiments;
-                                        ///< per_experiment: one each
+  /// estimate: one offset common to all experiments; per_experiment: one each; automatic: one each
+  /// where the data speak for it.
+  Offsets offsets = Offsets::automatic;
   OffsetSide offset_side =
       OffsetSide::output;  ///< where the offset enters (both together are collinear)
 

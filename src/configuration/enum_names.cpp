@@ -62,7 +62,8 @@ const EnumNames<NoiseStart>& enumNames(NoiseStart) {
 }
 
 const EnumNames<Offsets>& enumNames(Offsets) {
-  static const EnumNames<Offsets> kNames{{Offsets::none, "none"},
+  static const EnumNames<Offsets> kNames{{Offsets::automatic, "auto"},
+                                         {Offsets::none, "none"},
                                          {Offsets::estimate, "estimate"},
                                          {Offsets::per_experiment, "per_experiment"}};
   return kNames;

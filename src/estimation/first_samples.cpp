@@ -9,11 +9,9 @@
 namespace uncertainty_identification {
 
 double firstSamplesDensity(const LinearModel& model, const ModelParameters& point,
-                           const std::vector<Experiment>& experiments,
-                           const EstimationOptions& options, int threads, int* passes) {
+                           const std::vector<Experiment>& experiments, int threads, int* passes) {
   constexpr int kEnough = 30;       // samples, for a few initial values amid noise
   constexpr int kSmallestPart = 5;  // of the shortest experiment
-  if (!estimatesInitialState(options)) return 0;
   int first = kEnough;
   for (const Experiment& experiment : experiments)
     first = std::min(first, experiment.samples() / kSmallestPart);
@@ -27,6 +25,10 @@ double firstSamplesDensity(const LinearModel& model, const ModelParameters& poin
   const Statistics statistics = likelihood.statistics(point.parameters, false);
   *passes += likelihood.passes();
   return likelihood.expect(statistics, point).total();
+}
+
+bool hasUnknownsOfExperiments(const EstimationOptions& options) {
+  return estimatesInitialState(options) || options.offsets == Offsets::per_experiment;
 }
 
 }  // namespace uncertainty_identification

@@ -1,6 +1,7 @@
 #include "estimation/likelihood.h"
 
 #include "math/pseudo_inverse.h"
+#include "model/column_coefficients.h"
 #include "model/filter.h"
 
 namespace uncertainty_identification {
@@ -24,50 +25,11 @@ Lanes lanesOf(const MatrixXd& values, Index row, const Block& block) {
   return lanes;
 }
 
-/// Gram matrix of each lane. A signal without samples stands for zero.
-std::vector<MatrixXd> gramOf(std::vector<const Signals*> signals, int lanes) {
-  for (const Signals*& signal : signals) {
-    if (signal->cols() == 0) signal = nullptr;
-  }
-  const auto size = static_cast<Index>(signals.size());
-  const std::vector<Lanes> sums = innerProducts(signals, signals);
-  std::vector<MatrixXd> grams(static_cast<std::size_t>(lanes), MatrixXd(size, size));
-  for (int lane = 0; lane < lanes; ++lane) {
-    for (Index i = 0; i < size * size; ++i) {
-      grams[static_cast<std::size_t>(lane)](i / size, i % size) =
-          sums[static_cast<std::size_t>(i)][lane];
-    }
-  }
-  return grams;
-}
-
-/// Most likely coefficients of the random-effect columns, given the means of xi: zeta = (Z'Z +
-/// precision)^-1 Z'(e - Phi m).
-MatrixXd columnCoefficients(const Response& response, const Signals& unexplained, int lanes) {
-  const Index columns = response.column_precision.size();
-  std::vector<const Signals*> list;
-  for (const auto& column : response.value.columns) list.push_back(column.get());
-  list.push_back(&unexplained);
-  const std::vector<MatrixXd> grams = gramOf(list, lanes);
-  MatrixXd zeta = MatrixXd::Zero(columns, kLanes);
-  for (int lane = 0; lane < lanes; ++lane) {
-    MatrixXd inner = grams[static_cast<std::size_t>(lane)].topLeftCorner(columns, columns);
-    inner.diagonal() += response.column_precision;
-    zeta.col(lane) = PseudoInverse(inner).inverse *
-                     grams[static_cast<std::size_t>(lane)].topRightCorner(columns, 1);
-  }
-  return zeta;
-}
-
 /// Derivatives d_j of the residual e - Phi m - Z zeta with respect to the parameters.
 std::vector<Signals> sensitivities(const Response& response, const Block& block,
                                    const LatentMoments& moments) {
-  Signals unexplained = response.value.residual;
-  for (std::size_t i = 0; i < response.value.regressors.size(); ++i) {
-    subtractScaled(response.value.regressors[i],
-                   lanesOf(moments.means, static_cast<Index>(i), block), &unexplained);
-  }
-  const MatrixXd zeta = columnCoefficients(response, unexplained, block.lanes);
+  const MatrixXd zeta = columnCoefficients(
+      response, unexplainedBy(response, block, moments.means), block.lanes);
   std::vector<Signals> all;
   for (const WhitenedSignals& tangent : response.derivatives) {
     Signals d = tangent.residual;

@@ -27,7 +27,10 @@ double largestMove(const LinearModel& model, const ModelParameters& at, const Ma
   const VectorXd deviation = at.mixture.covariance().diagonal().cwiseMax(0).cwiseSqrt();
   const VectorXd unit =
       model.pointDeviations(at.parameters, at.noise_variance, deviation).cwiseMax(1e-300);
-  return (unit.cwiseInverse().asDiagonal() * (to - from)).cwiseAbs().maxCoeff();
+  const Index n = unit.size();  // initial values below the points have no deviation
+  return (unit.cwiseInverse().asDiagonal() * (to.topRows(n) - from.topRows(n)))
+      .cwiseAbs()
+      .maxCoeff();
 }
 
 }  // namespace
@@ -48,6 +51,16 @@ Linearisation nextLinearisation(const LinearModel& model, const Likelihood& like
   return next;
 }
 
+std::unique_ptr<LinearModel> linearisedAtStart(const LinearModel& model,
+                                               const std::vector<Block>& blocks, int experiments,
+                                               const VectorXd& parameters) {
+  if (!model.isLocallyLinear()) return nullptr;
+  const MatrixXd points = model.firstPoints(blocks, parameters, experiments);
+  const MatrixXd without_start = model.points(parameters, MatrixXd::Zero(model.regressors(), 1));
+  if (points.rows() == without_start.rows()) return nullptr;
+  return model.linearisedAbout(points);
+}
+
 std::optional<Linearisation> linearisedAtPosteriorMeans(const LinearModel& model,
                                                         const std::vector<Block>& blocks,
                                                         int experiments, int threads,
@@ -55,7 +68,7 @@ std::optional<Linearisation> linearisedAtPosteriorMeans(const LinearModel& model
   constexpr int kMostSteps = 50;
   if (!model.isLocallyLinear()) return {};
   Linearisation now;
-  now.points = model.points(point.parameters, MatrixXd::Zero(model.regressors(), experiments));
+  now.points = model.firstPoints(blocks, point.parameters, experiments);
   now.model = model.linearisedAbout(now.points);
   now.move = 1;
   for (int k = 0; k < kMostSteps && now.move >= kFixedPointTolerance; ++k) {

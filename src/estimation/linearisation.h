@@ -29,6 +29,13 @@ constexpr double kFixedPointTolerance = 1e-3;
 Linearisation nextLinearisation(const LinearModel& model, const Likelihood& likelihood,
                                 const ModelParameters& point, const Eigen::MatrixXd& points);
 
+/// The model linearised about zero error parameters at `parameters`, with what the data say of each
+/// experiment's start. Absent where this is `model` itself: it is linear everywhere, or knows the
+/// start.
+std::unique_ptr<LinearModel> linearisedAtStart(const LinearModel& model,
+                                               const std::vector<Block>& blocks, int experiments,
+                                               const Eigen::VectorXd& parameters);
+
 /// Iterates to the fixed point: the model linearised about each experiment's posterior mean at
 /// given parameters, starting from zero. Absent if the model is linear everywhere. Adds the number
 /// of sweeps to `passes`.

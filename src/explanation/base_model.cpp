@@ -32,6 +32,8 @@ Configuration ofBaseModel(Configuration configuration) {
     configuration.error_model.basis = BasisKind::fir;
   InitialState& start = configuration.estimation.initial_state;
   if (start == InitialState::automatic) start = InitialState::estimate;
+  Offsets& offsets = configuration.estimation.offsets;
+  if (offsets == Offsets::automatic) offsets = Offsets::estimate;
   double& precision = configuration.estimation.initial_precision;
   if (precision == kAutomatic) precision = 0;
   NominalModelOptions& nominal = configuration.nominal_model;

@@ -150,13 +150,22 @@ StructureFit withNoiseOrders(const Problem& problem, const StructureFit& chosen,
   return bestOf(problem, fits, "noise orders", false, journal);
 }
 
-/// Whether the mean plant, fitted together with the rest, simulates the data as well as Go that was
-/// fitted to nothing else. It does not where the plant is not linear, and the likelihood accepts a
-/// worse simulation for a better prediction. Where plants differ, the best simulation of these few
-/// leads to another Go than the mean of the plants; it is then better in some experiments only.
-bool simulatesAsWell(const Problem& problem, const StructureFit& fit) {
-  return !simulatesWorse(fitOf(problem, meanPlant(fit), fit.start().offset),
-                         fitOf(problem, problem.plant->polynomials, problem.plant->offset));
+/// Whether the mean plant, fitted together with the rest, simulates the data as well as Go of the
+/// same orders that was fitted to nothing else. It does not where the plant is not linear, and the
+/// likelihood accepts a worse simulation for a better prediction. Where plants differ, the best
+/// simulation of these few leads to another Go than the mean of the plants; it is then better in
+/// some experiments only.
+bool simulatesAsWell(Problem problem, const StructureFit& fit, Journal* journal) {
+  const StartingPoint joint{meanPlant(fit), fit.start().offset};
+  problem.configuration.estimation = fit.structure.configuration.estimation;
+  NominalModelOptions& alone = problem.configuration.nominal_model;
+  alone.nb = static_cast<int>(fit.start().polynomials.b.size());
+  alone.na = static_cast<int>(fit.start().polynomials.a.size());
+  alone.delay = fit.start().polynomials.delay;
+  alone.fit = PlantFit::simulation;
+  const std::optional<FittedPlant> plant = fitPlant(problem, journal);
+  return !simulatesWorse(fitOf(problem, joint.polynomials, joint.offset),
+                         fitOf(problem, plant->polynomials, plant->offset));
 }
 
 /// Fits of models with fewer poles than the problem's, as long as one pole less is better: more of
@@ -232,7 +241,7 @@ ModelChoice chooseModel(const Problem& problem, const NominalModelOptions& asked
     part.configuration.nominal_model.fit = PlantFit::likelihood;
     const StructureFit fit = chooseStructure(part, free_orders, points, journal);
     part.plant = problem.plant;
-    if (!problem.plant || simulatesAsWell(part, fit))
+    if (!problem.plant || simulatesAsWell(part, fit, journal))
       return {fit.structure.configuration, false, fit.point.parameters};
     journal->candidates.resize(before);
     journal->warnings.push_back(

@@ -126,6 +126,10 @@ FittedModel fitModel(const Problem& problem, Journal* journal) {
   FittedModel fitted;
   useModel(problem, buildModel(problem), &fitted, journal);
   requireEnoughSamples(problem, *fitted.model);
+  if (problem.start.size() == fitted.model->parameterCount() && !hasGivenParameters(problem)) {
+    if (auto at_start = linearisedAtStart(*fitted.model, problem.data.blocks, problem.data.count(), problem.start))
+      useModel(problem, std::move(at_start), &fitted, journal);
+  }
   const ModelParameters start = findStart(problem, *fitted.model, *fitted.likelihood, journal);
   fitted.components = givenMixture(problem).components() > 0 ? configuration.error_model.components
                                                              : start.mixture.components();

@@ -16,6 +16,7 @@ Problem problemOf(const Request& request, const CheckedData& data, Journal* jour
   Problem problem{data, request.nominal_model, request.previous, {}, {}, {}};
   problem.configuration = limitErrorModel(request.configuration, data.count(), journal);
   problem.configuration = chooseInitialState(problem.configuration, data, journal);
+  problem.configuration = chooseOffsets(problem, journal);
   problem.configuration = limitDeadTime(problem);
   return problem;
 }

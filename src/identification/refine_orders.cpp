@@ -62,21 +62,6 @@ std::vector<Neighbour> largerRational(const ErrorStructure& structure, const Sta
   return all;
 }
 
-/// The delay with which a model of nb = na = `order` explains the data best by least squares.
-int scannedDelay(const Problem& problem, int order) {
-  std::vector<const Experiment*> all;
-  int shortest = problem.data.experiments.front().samples();
-  for (const Experiment& experiment : problem.data.experiments) {
-    all.push_back(&experiment);
-    shortest = std::min(shortest, experiment.samples());
-  }
-  const Configuration& configuration = problem.configuration;
-  const LeastSquaresStart scan(all, configuration.estimation.offsets != Offsets::none,
-                               kEnoughSamples);
-  const int longest = std::min(configuration.nominal_model.max_delay, shortest / 4);
-  return scan.steiglitzMcBride(order, order, 0, longest).polynomials.delay;
-}
-
 bool dependsOnInput(const Problem& problem, const StructureFit& fit) {
   constexpr double kImprobable = 0.01;
   const ResidualTests tests = residualTests(*fit.model, problem.data.blocks, fit.point.parameters);
@@ -113,6 +98,20 @@ StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool onl
   return fit;
 }
 
+int scannedDelay(const Problem& problem, int order) {
+  std::vector<const Experiment*> all;
+  int shortest = problem.data.experiments.front().samples();
+  for (const Experiment& experiment : problem.data.experiments) {
+    all.push_back(&experiment);
+    shortest = std::min(shortest, experiment.samples());
+  }
+  const Configuration& configuration = problem.configuration;
+  const LeastSquaresStart scan(all, configuration.estimation.offsets != Offsets::none,
+                               kEnoughSamples);
+  const int longest = std::min(configuration.nominal_model.max_delay, shortest / 4);
+  return scan.steiglitzMcBride(order, order, 0, longest).polynomials.delay;
+}
+
 namespace {
 
 /// The fit or, where BIC is lower, that with a longer or a shorter delay.
@@ -134,6 +133,20 @@ StructureFit withBetterDelay(const Problem& problem, StructureFit fit, Journal* 
     }
   }
   return fit;
+}
+
+void record(const StructureFit& fit, double score, Journal* journal) {
+  const NominalModelOptions& nominal = fit.structure.configuration.nominal_model;
+  journal->candidates.push_back({"orders, gain varies",
+                                 "nb=" + std::to_string(nominal.nb) +
+                                     " na=" + std::to_string(nominal.na) +
+                                     " delay=" + std::to_string(nominal.delay),
+                                 fit.parameters + fit.mixture,
+                                 fit.log_likelihood,
+                                 -2 * score,
+                                 {},
+                                 false,
+                                 {}});
 }
 
 }  // namespace
@@ -164,12 +177,15 @@ std::vector<StructureFit> jointOrders(const Problem& problem,
                             journal);
     if (!fit) continue;
     fits.push_back(withBetterDelay(problem, std::move(*fit), journal));
+    record(fits.back(), score(fits.back()), journal);
     if (score(fits.back()) > score(fits[best])) best = fits.size() - 1;
   }
   if (fits.empty()) return fits;
   fits.resize(best + 1, fits.front());
   std::reverse(fits.begin(), fits.end());
   fits.front() = withBetterOrders(problem, fits.front(), false, journal);
+  record(fits.front(), score(fits.front()), journal);
+  journal->candidates.back().chosen = true;
   return fits;
 }
 

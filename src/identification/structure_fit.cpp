@@ -11,6 +11,7 @@
 #include "estimation/selection.h"
 #include "identification/steps.h"
 #include "math/information_criterion.h"
+#include "model/evaluation.h"
 #include "model/sensitivity.h"
 
 namespace uncertainty_identification {
@@ -59,7 +60,8 @@ double logDensity(const LinearModel& model, const ModelParameters& point, const 
   const double total =
       likelihood.expect(likelihood.statistics(point.parameters, false), point).total();
   *passes += likelihood.passes();
-  return total - firstSamplesDensity(linear, point, data.experiments, options, threads, passes);
+  if (!hasUnknownsOfExperiments(options)) return total;
+  return total - firstSamplesDensity(linear, point, data.experiments, threads, passes);
 }
 
 CheckedData subset(const CheckedData& data, int fold, int folds, bool inside) {
@@ -99,6 +101,26 @@ std::vector<VectorXd> startsOf(const Problem& problem, const LinearModel& model,
   return starts;
 }
 
+/// The optimum near some starts, about the first of which a model that is only locally linear is
+/// linearised together with what the data say of each experiment's start.
+LinearisedPoint fitFrom(const Problem& problem, std::shared_ptr<const LinearModel> model,
+                        const std::vector<VectorXd>& starts, const OptimisationOptions& options,
+                        Journal* journal) {
+  constexpr std::size_t kFinalists = 2;
+  constexpr int kSteps = 20;
+  const CheckedData& data = problem.data;
+  if (auto at_start = linearisedAtStart(*model, data.blocks, data.count(), starts.front()))
+    model = std::move(at_start);
+  const std::unique_ptr<Likelihood> likelihood = likelihoodOf(problem, *model);
+  const std::vector<SingleComponent> ranked =
+      rankedSingleComponents(*likelihood, starts, kFinalists, options);
+  journal->passes += likelihood->passes();
+  if (ranked.empty() || !model->admissible(ranked.front().point.parameters))
+    return {nullptr, {}, -std::numeric_limits<double>::infinity()};
+  return improved(model, ranked.front().point, data, kSteps, options,
+                  threadsOf(problem.configuration.estimation), &journal->passes);
+}
+
 }  // namespace
 
 double StructureFit::score(double samples, int experiments) const {
@@ -114,26 +136,31 @@ StartingPoint StructureFit::start() const {
 std::optional<StructureFit> fitStructure(const Problem& problem, const ErrorStructure& structure,
                                          const std::vector<StartingPoint>& points, bool from_data,
                                          Journal* journal) {
-  constexpr std::size_t kFinalists = 2;
-  constexpr int kSteps = 20;
+  constexpr std::size_t kMostStarts = 3;
   Problem own = problem;
   own.configuration = structure.configuration;
   completeErrorModel(*remainingNominalModel(own), &own.configuration.error_model);
   const Configuration& configuration = own.configuration;
   const std::shared_ptr<const LinearModel> model = buildModel(own);
-  const std::unique_ptr<Likelihood> likelihood = likelihoodOf(own, *model);
   const OptimisationOptions options =
       optimisationOptions(configuration, Phase::structure, &journal->progress);
-  const std::vector<SingleComponent> ranked = rankedSingleComponents(
-      *likelihood, startsOf(own, *model, points, from_data), kFinalists, options);
-  journal->passes += likelihood->passes();
-  if (ranked.empty() || !model->admissible(ranked.front().point.parameters)) return {};
-  LinearisedPoint best = improved(model, ranked.front().point, problem.data, kSteps, options,
-                                  threadsOf(configuration.estimation), &journal->passes);
-  best.log_likelihood -=
-      firstSamplesDensity(*best.model, best.point, own.data.experiments, configuration.estimation,
-                          threadsOf(configuration.estimation), &journal->passes);
+  std::vector<VectorXd> starts = startsOf(own, *model, points, from_data);
+  if (starts.empty()) return {};
+  LinearisedPoint best{nullptr, {}, -std::numeric_limits<double>::infinity()};
+  if (!model->isLocallyLinear() || !estimatesInitialState(configuration.estimation)) {
+    best = fitFrom(own, model, starts, options, journal);
+  } else {
+    starts.resize(std::min(starts.size(), kMostStarts));
+    for (const VectorXd& start : starts) {
+      LinearisedPoint reached = fitFrom(own, model, {start}, options, journal);
+      if (reached.log_likelihood > best.log_likelihood) best = std::move(reached);
+    }
+  }
   if (!std::isfinite(best.log_likelihood)) return {};
+  if (hasUnknownsOfExperiments(configuration.estimation))
+    best.log_likelihood -=
+        firstSamplesDensity(*best.model, best.point, own.data.experiments,
+                            threadsOf(configuration.estimation), &journal->passes);
   const int fixed = problem.plant ? static_cast<int>(problem.plant->point.parameters.size()) : 0;
   return StructureFit{
       {structure.description, configuration},

@@ -47,6 +47,9 @@ StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool onl
 std::vector<StructureFit> jointOrders(const Problem& problem,
                                       const std::vector<StartingPoint>& points, Journal* journal);
 
+/// The delay with which a model of nb = na = `order` explains the data best by least squares.
+int scannedDelay(const Problem& problem, int order);
+
 /// The fit or, where its dead time is a whole number of samples within a tenth and BIC improves,
 /// that of the structure with this delay in place of the dead time: at its lower limit a dead time
 /// has no standard error.

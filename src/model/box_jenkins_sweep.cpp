@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/evaluation.h"
+
 namespace uncertainty_identification {
 
 using Eigen::Index;
@@ -40,7 +42,7 @@ BoxJenkinsSweep::BoxJenkinsSweep(const FusedInput& input, const MatrixXd& T,
       residual_signs_(signsOf(model_.p, PiecewiseSweep::kResidualSigns)),
       regressor_signs_(signsOf(model_.p, PiecewiseSweep::kRegressorSigns)) {
   for (int k = 0; k < columns_.count(); ++k) column_.push_back(columns_.column(k));
-  if (options.offsets != Offsets::estimate || jacobian_.size() == 0) return;
+  if (!estimatesCommonOffset(options) || jacobian_.size() == 0) return;
   const std::vector<int> lengths = lengthsOf(blocks);
   const int longest = *std::max_element(lengths.begin(), lengths.end());
   const int lag = static_cast<int>(std::max(model_.p.c.size(), model_.p.d.size()));

@@ -47,6 +47,10 @@ bool estimatesInitialState(const EstimationOptions& options) {
          options.initial_state == InitialState::automatic;
 }
 
+bool estimatesCommonOffset(const EstimationOptions& options) {
+  return options.offsets == Offsets::estimate || options.offsets == Offsets::automatic;
+}
+
 double samplesOfPrior(const EstimationOptions& options) {
   return options.initial_variance > 0 && options.initial_precision > 0 ? 1 : 0;
 }
@@ -90,7 +94,7 @@ void Evaluation::run(double offset, Response* response) {
   addOutput(at_input ? Signals(block_.u + offset) : block_.u, at_input ? 0.0 : offset, response);
   if (estimatesInitialState(options_)) addFreeResponse(response);
   if (options_.offsets == Offsets::per_experiment) addOwnOffset(response);
-  if (options_.offsets == Offsets::estimate && derivatives_) addCommonOffset(response);
+  if (estimatesCommonOffset(options_) && derivatives_) addCommonOffset(response);
   const auto columns = static_cast<Eigen::Index>(response->value.columns.size());
   response->column_precision =
       Eigen::VectorXd::Constant(columns, std::max(0.0, options_.initial_precision));

@@ -38,6 +38,10 @@ std::shared_ptr<const NoiseWhitening> whiteningOf(const Polynomials& polynomials
 /// InitialState::automatic, too.
 bool estimatesInitialState(const EstimationOptions& options);
 
+/// Whether one offset common to all experiments is estimated: where nothing has resolved
+/// Offsets::automatic, too.
+bool estimatesCommonOffset(const EstimationOptions& options);
+
 /// Columns of precision p have a prior of variance sigma^2/p. Where the prior's variance V is fixed
 /// (EstimationOptions::initial_variance), 1/2 log(sigma^2/p) of each column becomes 1/2 log V: the
 /// column takes up one sample, and logOfPrior() leaves the log-Jacobian. The determinant keeps p,

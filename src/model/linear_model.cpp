@@ -142,6 +142,8 @@ std::vector<ParameterRole> LinearModel::roles() const {
   return all;
 }
 
+bool LinearModel::hasCommonOffset() const { return estimatesCommonOffset(options_); }
+
 VectorXd LinearModel::theta(const VectorXd& parameters) const {
   return parameters.head(parameters.size() - (hasCommonOffset() ? 1 : 0));
 }

@@ -86,6 +86,12 @@ class LinearModel : public Model {
     return {};
   }
 
+  /// The points about which to linearise first: those of xi = 0.
+  virtual Eigen::MatrixXd firstPoints(const std::vector<Block>& /*blocks*/,
+                                      const Eigen::VectorXd& parameters, int experiments) const {
+    return points(parameters, Eigen::MatrixXd::Zero(regressors(), experiments));
+  }
+
   /// The same for experiments in which the data determine the point better than xi does.
   virtual Eigen::MatrixXd pointsOf(const std::vector<Block>& /*blocks*/,
                                    const Eigen::VectorXd& parameters,
@@ -117,7 +123,7 @@ class LinearModel : public Model {
   const std::shared_ptr<const NominalModel>& sharedNominal() const { return nominal_; }
 
  private:
-  bool hasCommonOffset() const { return options_.offsets == Offsets::estimate; }
+  bool hasCommonOffset() const;
 
   std::shared_ptr<const NominalModel> nominal_;
   ErrorBasis basis_;

@@ -72,8 +72,9 @@ const MatrixXd& PlantCoefficients::jacobianDerivative(const DerivativeIndex& dir
   return jacobians_.emplace(directions, std::move(result)).first->second;
 }
 
-PlantDerivatives::PlantDerivatives(std::vector<PlantCoefficients>* lanes, const Signals& input)
-    : lanes_(lanes), input_(input) {}
+PlantDerivatives::PlantDerivatives(std::vector<PlantCoefficients>* lanes, const Signals& input,
+                                   MatrixXd start)
+    : lanes_(lanes), input_(input), start_(std::move(start)) {}
 
 const std::vector<Lanes>& PlantDerivatives::coefficients(const DerivativeIndex& index) {
   const auto known = coefficients_.find(index);
@@ -121,6 +122,10 @@ const Signals& PlantDerivatives::signal(const DerivativeIndex& index) {
   for (Index k = 0; k < nb; ++k) {
     const Lanes& factor = all[static_cast<std::size_t>(k)];
     if (!isZero(factor)) addShifted(factor, lanes_->front().delay() + k, input_, &x);
+  }
+  if (index.empty() && start_.size() > 0) {
+    const Index first = std::min(start_.rows(), x.cols());
+    x.topLeftCorner(start_.cols(), first) += start_.topRows(first).transpose().array();
   }
   const unsigned whole = 1u << index.size();
   for (unsigned mask = 1; mask < whole; ++mask) {

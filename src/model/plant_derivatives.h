@@ -43,12 +43,14 @@ class PlantCoefficients {
 /// Derivatives of x = Go u with respect to theta; each lane may have its own theta. For every list
 /// S of parameters, A x = B u implies
 ///   A x_S = B_S u - sum over T not empty of A_T x_(S without T),
-/// where T runs over all ways to split S into T and the rest.
+/// where T runs over all ways to split S into T and the rest. A known start adds its coefficients
+/// zeta to the first samples of A x, and nothing to those of A x_S.
 class PlantDerivatives {
  public:
   /// Takes one PlantCoefficients per lane, or one for all lanes. They and `input` must outlive this
-  /// object.
-  PlantDerivatives(std::vector<PlantCoefficients>* lanes, const Signals& input);
+  /// object. `start` holds zeta of each lane as columns, and may be empty.
+  PlantDerivatives(std::vector<PlantCoefficients>* lanes, const Signals& input,
+                   Eigen::MatrixXd start = {});
 
   /// The derivative x_S.
   const Signals& signal(const DerivativeIndex& index);
@@ -64,6 +66,7 @@ class PlantDerivatives {
 
   std::vector<PlantCoefficients>* lanes_;
   const Signals& input_;
+  Eigen::MatrixXd start_;
   std::map<DerivativeIndex, std::vector<Lanes>> coefficients_;
   std::map<DerivativeIndex, Signals> signals_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/column_coefficients.h"
 #include "model/evaluation.h"
 #include "model/filter.h"
 #include "model/plant_derivatives.h"
@@ -17,6 +18,7 @@ using Eigen::VectorXd;
 struct LanePlants {
   VectorXd theta;                        ///< the common parameters
   MatrixXd points;                       ///< t_r of each lane (n x lanes); empty: all at theta
+  MatrixXd start;                        ///< zeta_r of each lane; empty: zero
   std::vector<PlantCoefficients> lanes;  ///< coefficients at theta or t_r
 
   bool areApart() const { return points.cols() > 0; }
@@ -40,7 +42,7 @@ struct LanePlants {
 class SensitivityResponse : public PlantResponse {
  public:
   SensitivityResponse(const SensitivityTerms& terms, LanePlants* at, const Signals& input)
-      : terms_(terms), at_(*at), plant_(&at->lanes, input) {}
+      : terms_(terms), at_(*at), plant_(&at->lanes, input, at->start) {}
 
   Signals output() override { return expanded({}); }
   Signals outputDerivative(int l) override {
@@ -91,6 +93,11 @@ class SensitivityResponse : public PlantResponse {
   PlantDerivatives plant_;
 };
 
+int freeDirections(const PlantCoefficients& go, int power) {
+  const int na = static_cast<int>(go.na()), nb = static_cast<int>(go.nb());
+  return std::max(power * na, go.delay() + nb - 1 + (power - 1) * na);
+}
+
 /// Evaluation with [theta; c; d] as coordinates; theta acts here through Go only.
 class SensitivityEvaluation : public Evaluation {
  public:
@@ -112,9 +119,7 @@ class SensitivityEvaluation : public Evaluation {
   /// of the terms.
   void addFreeResponse(Response* response) const override {
     const PlantCoefficients& go = at_->lanes.front();
-    const int na = static_cast<int>(go.na()), nb = static_cast<int>(go.nb());
-    const int directions =
-        std::min(std::max(power_ * na, go.delay() + nb - 1 + (power_ - 1) * na), block().samples);
+    const int directions = std::min(freeDirections(go, power_), block().samples);
     Signals free = Signals::Zero(kLanes, block().samples), shifted;
     free.col(0).setOnes();
     PlantDerivatives plant(&at_->lanes, free);
@@ -171,13 +176,17 @@ VectorXd SensitivityModel::at(const VectorXd& point, const VectorXd& theta) cons
 
 void SensitivityModel::evaluate(const Block& block, const VectorXd& parameters, bool derivatives,
                                 Response* response) const {
-  LanePlants plants{theta(parameters), {}, {}};
+  LanePlants plants{theta(parameters), {}, {}, {}};
   if (points_.cols() == 0) {
     plants.lanes.emplace_back(nominal(), plants.theta);
   } else {
-    plants.points.resize(points_.rows(), block.lanes);
+    const Index n = terms_.count();
+    plants.points.resize(n, block.lanes);
+    plants.start.resize(points_.rows() - n, block.lanes);
     for (int lane = 0; lane < block.lanes; ++lane) {
-      plants.points.col(lane) = points_.col(block.index[static_cast<std::size_t>(lane)]);
+      const auto own = points_.col(block.index[static_cast<std::size_t>(lane)]);
+      plants.points.col(lane) = own.head(n);
+      plants.start.col(lane) = own.tail(points_.rows() - n);
       plants.lanes.emplace_back(nominal(), at(plants.points.col(lane), plants.theta));
     }
   }
@@ -216,6 +225,40 @@ MatrixXd SensitivityModel::points(const VectorXd& parameters, const MatrixXd& xi
   for (int i = 0; i < terms_.count(); ++i)
     all.row(i) *= common[terms_.indices[static_cast<std::size_t>(i)].front()];
   return all;
+}
+
+bool SensitivityModel::knowsStart() const {
+  const bool at_input =
+      options().offsets != Offsets::none && options().offset_side == OffsetSide::input;
+  return isLocallyLinear() && estimatesInitialState(options()) && !at_input;
+}
+
+MatrixXd SensitivityModel::pointsOf(const std::vector<Block>& blocks, const VectorXd& parameters,
+                                    const MatrixXd& xi) const {
+  const MatrixXd of_xi = points(parameters, xi);
+  if (!knowsStart()) return of_xi;
+  const Index n = of_xi.rows();
+  PlantCoefficients go(nominal(), theta(parameters));
+  const int directions = freeDirections(go, 1);
+  MatrixXd all = MatrixXd::Zero(n + directions, of_xi.cols());
+  all.topRows(n) = of_xi;
+  if (points_.rows() > n) all.bottomRows(directions) = points_.bottomRows(directions);
+  for (const Block& block : blocks) {
+    Response response;
+    evaluate(block, parameters, false, &response);
+    const MatrixXd zeta =
+        columnCoefficients(response, unexplainedBy(response, block, xi), block.lanes);
+    const Index known = std::min<Index>(directions, block.samples);
+    for (int lane = 0; lane < block.lanes; ++lane)
+      all.col(block.index[static_cast<std::size_t>(lane)]).segment(n, known) +=
+          zeta.col(lane).head(known);
+  }
+  return all;
+}
+
+MatrixXd SensitivityModel::firstPoints(const std::vector<Block>& blocks,
+                                       const VectorXd& parameters, int experiments) const {
+  return pointsOf(blocks, parameters, MatrixXd::Zero(regressors(), experiments));
 }
 
 std::unique_ptr<LinearModel> SensitivityModel::linearisedAbout(const MatrixXd& points) const {

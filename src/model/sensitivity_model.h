@@ -16,12 +16,16 @@ namespace uncertainty_identification {
 ///                      each experiment: for theta (1 + xi_r) near t_r,
 ///                      y = Go(t_r) u + sum_j (theta_j (1 + xi_rj) - t_rj) dGo(t_r)/dtheta_j u +
 ///                      ...
+/// Where the initial state is unknown, the response that dGo/dtheta_j acts on includes the free
+/// response with the most likely coefficients zeta_r of its columns: another t_r makes it decay
+/// otherwise. What is estimated of the columns is then their distance from zeta_r.
 /// H uses theta in both cases, even for parameters that it shares with Go. The points t_r are
 /// constants: they do not change when theta is optimised. (Notation: docs/notation.md.)
 class SensitivityModel : public LinearModel {
  public:
   /// `error_model` must have been completed by completeErrorModel(). `points` holds t_r as columns
-  /// in the order of the data set (n x M), for parameter_spread only; if empty, theta is used, as
+  /// in the order of the data set (n x M), for parameter_spread only, and zeta_r below them where
+  /// these are known; if empty, theta is used, as
   /// at the start of the fixed-point iteration. Throws ConfigurationError for names that the model
   /// lacks.
   SensitivityModel(std::shared_ptr<const NominalModel> nominal,
@@ -42,9 +46,16 @@ class SensitivityModel : public LinearModel {
   bool isLocallyLinear() const override;
   Eigen::MatrixXd points(const Eigen::VectorXd& parameters,
                          const Eigen::MatrixXd& xi) const override;
+  /// Below t_r, each column holds zeta_r.
+  Eigen::MatrixXd pointsOf(const std::vector<Block>& blocks, const Eigen::VectorXd& parameters,
+                           const Eigen::MatrixXd& xi) const override;
+  Eigen::MatrixXd firstPoints(const std::vector<Block>& blocks, const Eigen::VectorXd& parameters,
+                              int experiments) const override;
   std::unique_ptr<LinearModel> linearisedAbout(const Eigen::MatrixXd& points) const override;
 
  private:
+  /// Whether the free response of each experiment is a part of what is linearised.
+  bool knowsStart() const;
   Eigen::VectorXd at(const Eigen::VectorXd& point, const Eigen::VectorXd& theta) const;
 
   ErrorModelOptions error_model_;
