@@ -68,7 +68,8 @@ void removeFreeResponse(const VectorXd& prefilter, const std::vector<Index>& tim
   const VectorXd response = overPolynomial(impulse, prefilter);
   MatrixXd free(rows, na);
   for (Index i = 0; i < rows; ++i) {
-    for (Index k = 0; k < na; ++k) free(i, k) = response[times[static_cast<std::size_t>(i)] - times.front() + k];
+    for (Index k = 0; k < na; ++k)
+      free(i, k) = response[times[static_cast<std::size_t>(i)] - times.front() + k];
   }
   *regression -= free * free.colPivHouseholderQr().solve(*regression);
 }

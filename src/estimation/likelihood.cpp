@@ -28,8 +28,8 @@ Lanes lanesOf(const MatrixXd& values, Index row, const Block& block) {
 /// Derivatives d_j of the residual e - Phi m - Z zeta with respect to the parameters.
 std::vector<Signals> sensitivities(const Response& response, const Block& block,
                                    const LatentMoments& moments) {
-  const MatrixXd zeta = columnCoefficients(
-      response, unexplainedBy(response, block, moments.means), block.lanes);
+  const MatrixXd zeta =
+      columnCoefficients(response, unexplainedBy(response, block, moments.means), block.lanes);
   std::vector<Signals> all;
   for (const WhitenedSignals& tangent : response.derivatives) {
     Signals d = tangent.residual;

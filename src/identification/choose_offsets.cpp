@@ -2,13 +2,14 @@
 #include <limits>
 
 #include "estimation/excerpt.h"
-#include "estimation/first_samples.h"
 #include "identification/steps.h"
 #include "identification/structure_fit.h"
 
 /// Whether each experiment has an operating point of its own.
 namespace uncertainty_identification {
 namespace {
+
+constexpr int kFewest = 3;  // experiments that show whether their offsets differ
 
 /// A model whose gain varies and whose noise is coloured.
 Configuration simpleModel(Configuration simple) {
@@ -27,8 +28,9 @@ Configuration simpleModel(Configuration simple) {
   return simple;
 }
 
-/// Half BIC of the better of two orders, by what follows the first samples, which determine an
-/// offset. One order alone would not do: a pole too many integrates, and its state is an offset.
+/// Half BIC of the best of two orders with gains that vary, and one with time constants that do,
+/// too; by what follows the first samples, which determine an offset. One order alone would not do:
+/// a pole too many integrates, and its state is an offset.
 double densityWith(Offsets offsets, Problem problem, Journal* journal) {
   problem.configuration.estimation.offsets = offsets;
   NominalModelOptions& nominal = problem.configuration.nominal_model;
@@ -36,13 +38,18 @@ double densityWith(Offsets offsets, Problem problem, Journal* journal) {
   for (const int order : {1, 2}) {
     nominal.nb = nominal.na = order;
     nominal.delay = scannedDelay(problem, order);
-    const auto fit = fitStructure(problem, {"gain", problem.configuration}, {}, true, journal);
+    auto fit = fitStructure(problem, {"gain", problem.configuration}, {}, true, journal);
     if (!fit) continue;
-    double score = fit->score(static_cast<double>(problem.data.validSamples()), problem.data.count());
-    if (!hasUnknownsOfExperiments(problem.configuration.estimation))
-      score -= firstSamplesDensity(*fit->model, fit->point, problem.data.experiments,
-                                   threadsOf(problem.configuration.estimation), &journal->passes);
-    highest = std::max(highest, score);
+    fit = withBetterDelay(problem, std::move(*fit), journal);
+    highest = std::max(highest, scoreAfterFirstSamples(problem, *fit, journal));
+    if (order > 1) continue;
+    const StartingPoint start = fit->start();
+    nominal.delay = start.polynomials.delay;
+    for (const ErrorStructure& structure : variedStructures(problem, &start.polynomials)) {
+      if (structure.configuration.error_model.parameters.size() != 2) continue;
+      const auto varied = fitStructure(problem, structure, {start}, false, journal);
+      if (varied) highest = std::max(highest, scoreAfterFirstSamples(problem, *varied, journal));
+    }
   }
   return highest;
 }
@@ -50,7 +57,6 @@ double densityWith(Offsets offsets, Problem problem, Journal* journal) {
 }  // namespace
 
 Configuration chooseOffsets(const Problem& problem, Journal* journal) {
-  constexpr int kFewest = 3;
   constexpr double kWorthIt = 3;  // [nats]
   Configuration chosen = problem.configuration;
   Offsets& offsets = chosen.estimation.offsets;
@@ -69,6 +75,25 @@ Configuration chooseOffsets(const Problem& problem, Journal* journal) {
   journal->candidates.push_back({"offsets", "common", 0, {}, -2 * common, {}, !differ, {}});
   journal->candidates.push_back({"offsets", "of each experiment", 0, {}, -2 * own, {}, differ, {}});
   return chosen;
+}
+
+StructureFit withBetterOffsets(const Problem& problem, StructureFit fit, Journal* journal) {
+  constexpr double kWorthIt = 1;  // [nats]
+  Configuration own = fit.structure.configuration;
+  if (own.estimation.offsets != Offsets::estimate || problem.data.count() < kFewest) return fit;
+  own.estimation.offsets = Offsets::per_experiment;
+  double highest = scoreAfterFirstSamples(problem, fit, journal) + kWorthIt;
+  const StartingPoint start = fit.start();
+  for (const bool white : {false, true}) {
+    if (white) own.nominal_model.nc = own.nominal_model.nd = 0;
+    auto other = fitStructure(problem, {fit.structure.description, own}, {start}, false, journal);
+    if (!other) continue;
+    const double score = scoreAfterFirstSamples(problem, *other, journal);
+    if (score <= highest) continue;
+    highest = score;
+    fit = std::move(*other);
+  }
+  return fit;
 }
 
 }  // namespace uncertainty_identification

@@ -43,6 +43,18 @@ bool isBesideItsPlants(const Problem& problem, const StructureFit& fit) {
                         fitOf(problem, meanPlant(fit), go.offset));
 }
 
+/// Whether what the structure depends on is better than no difference between the plants.
+bool isWorthFitting(const Problem& problem, const ErrorStructure& structure,
+                    const std::vector<StructureFit>& before) {
+  if (structure.if_better.empty()) return true;
+  double without = -std::numeric_limits<double>::infinity(), with = without;
+  for (const StructureFit& fit : before) {
+    if (fit.structure.description == structure.if_better) with = scoreOf(fit, problem);
+    if (fit.mixture == 0) without = scoreOf(fit, problem);
+  }
+  return with > without;
+}
+
 /// Fits of the structures that can be fitted. Each starts from the best one before it.
 std::vector<StructureFit> fitAll(const Problem& problem,
                                  const std::vector<ErrorStructure>& structures,
@@ -53,6 +65,7 @@ std::vector<StructureFit> fitAll(const Problem& problem,
   double highest = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < structures.size(); ++k) {
     if (k > 0 && journal->progress.cancelled()) break;
+    if (!isWorthFitting(problem, structures[k], fits)) continue;
     auto fit = fitStructure(problem, structures[k], starts, k < kFromData, journal);
     journal->progress.report(Phase::structure,
                              static_cast<double>(k + 1) / static_cast<double>(structures.size()));
@@ -169,11 +182,16 @@ bool simulatesAsWell(Problem problem, const StructureFit& fit, Journal* journal)
 }
 
 /// Fits of models with fewer poles than the problem's, as long as one pole less is better: more of
-/// a plant's parameters that vary look like another pole. `smaller` is by decreasing order.
-std::vector<StructureFit> fitSmaller(Problem problem, const std::vector<StructureFit>& smaller,
+/// a plant's parameters that vary look like another pole. `orders` holds the models whose gain
+/// varies, by decreasing order; a model that lacks more than all differences between the plants of
+/// the first are worth is not tried.
+std::vector<StructureFit> fitSmaller(Problem problem, const std::vector<StructureFit>& orders,
                                      double highest, Journal* journal) {
   std::vector<StructureFit> fits;
-  for (const StructureFit& each : smaller) {
+  for (std::size_t k = 1; k < orders.size(); ++k) {
+    const StructureFit& each = orders[k];
+    const double of_first = scoreOf(orders.front(), problem);
+    if (of_first - scoreOf(each, problem) > highest - of_first) break;
     const StartingPoint start = each.start();
     problem.configuration.nominal_model = each.structure.configuration.nominal_model;
     std::vector<ErrorStructure> structures = variedStructures(problem, &start.polynomials);
@@ -189,15 +207,14 @@ std::vector<StructureFit> fitSmaller(Problem problem, const std::vector<Structur
   return fits;
 }
 
-StructureFit chooseStructure(Problem problem, bool free_orders, std::vector<StartingPoint> points,
-                             Journal* journal) {
+StructureFit chooseStructure(Problem problem, bool free_orders, bool free_offsets,
+                             std::vector<StartingPoint> points, Journal* journal) {
   const bool automatic = problem.configuration.error_model.basis == BasisKind::automatic;
   std::vector<StructureFit> orders;  // the best first
   if (automatic && free_orders && !problem.plant) orders = jointOrders(problem, points, journal);
   if (!orders.empty()) {
     problem.configuration.nominal_model = orders.front().structure.configuration.nominal_model;
     points.insert(points.begin(), orders.front().start());
-    orders.erase(orders.begin());
   }
   const std::vector<ErrorStructure> structures = errorStructures(
       problem, free_orders && !points.empty() ? &points.front().polynomials : nullptr);
@@ -213,14 +230,15 @@ StructureFit chooseStructure(Problem problem, bool free_orders, std::vector<Star
     chosen = withBetterOrders(problem, std::move(chosen), true, journal);
     chosen = withWholeDelay(problem, std::move(chosen), journal);
   }
-  return withNoiseOrders(problem, chosen, journal);
+  chosen = withNoiseOrders(problem, chosen, journal);
+  return free_offsets ? withBetterOffsets(problem, std::move(chosen), journal) : chosen;
 }
 
 }  // namespace
 
-ModelChoice chooseModel(const Problem& problem, const NominalModelOptions& asked,
-                        Journal* journal) {
-  const bool free_orders = asked.orders_auto;
+ModelChoice chooseModel(const Problem& problem, const Configuration& asked, Journal* journal) {
+  const bool free_orders = asked.nominal_model.orders_auto;
+  const bool free_offsets = asked.estimation.offsets == Offsets::automatic;
   const ErrorModelOptions& given = problem.configuration.error_model;
   const bool free_error_model = given.basis == BasisKind::automatic || given.taps == kAutomatic;
   if (!free_orders && !free_error_model) {
@@ -237,9 +255,9 @@ ModelChoice chooseModel(const Problem& problem, const NominalModelOptions& asked
   const std::size_t before = journal->candidates.size();
   std::vector<StartingPoint> points;
   if (problem.plant) points.push_back({problem.plant->polynomials, problem.plant->offset});
-  if (!problem.plant || (free_orders && asked.fit == PlantFit::likelihood)) {
+  if (!problem.plant || (free_orders && asked.nominal_model.fit == PlantFit::likelihood)) {
     part.configuration.nominal_model.fit = PlantFit::likelihood;
-    const StructureFit fit = chooseStructure(part, free_orders, points, journal);
+    const StructureFit fit = chooseStructure(part, free_orders, free_offsets, points, journal);
     part.plant = problem.plant;
     if (!problem.plant || simulatesAsWell(part, fit, journal))
       return {fit.structure.configuration, false, fit.point.parameters};
@@ -250,7 +268,7 @@ ModelChoice chooseModel(const Problem& problem, const NominalModelOptions& asked
   }
   part.plant = problem.plant;
   part.configuration.nominal_model.fit = PlantFit::simulation;
-  const StructureFit fit = chooseStructure(part, free_orders, points, journal);
+  const StructureFit fit = chooseStructure(part, free_orders, false, points, journal);
   return {fit.structure.configuration, true, fit.point.parameters};
 }
 

@@ -12,6 +12,7 @@ namespace uncertainty_identification {
 namespace {
 
 constexpr std::size_t kMostVaried = 4;  // parameters that vary together
+constexpr const char* kVaryingDeadTime = "parameter_spread of dead_time";
 
 using Names = std::vector<std::string>;
 
@@ -128,13 +129,15 @@ std::vector<ErrorStructure> physicalStructures(const Problem& problem, const Pol
   for (const bool dead_time : {false, true}) {
     if (dead_time ? plant.delay == 1 && !fraction : fraction) continue;
     Configuration varied = problem.configuration;
-    const auto physical = continuousStructure(varied.nominal_model, plant, dead_time,
-                                              problem.data.sampleTime());
+    const auto physical =
+        continuousStructure(varied.nominal_model, plant, dead_time, problem.data.sampleTime());
     if (!physical) continue;
     varied.nominal_model = *physical;
     for (const Names& some : combinations(physicalParameters(*physical))) {
       const bool of_dead_time = std::find(some.begin(), some.end(), "dead_time") != some.end();
-      if (!dead_time || fraction || of_dead_time) addVaried(varied, some, &structures);
+      if (dead_time && !fraction && !of_dead_time) continue;
+      addVaried(varied, some, &structures);
+      if (of_dead_time && some.size() > 1) structures.back().if_better = kVaryingDeadTime;
     }
   }
   return structures;

@@ -12,6 +12,9 @@ namespace uncertainty_identification {
 struct ErrorStructure {
   std::string description;  ///< e.g. "parameter_spread of gain and tau1"
   Configuration configuration;
+  /// Fitted only if the structure of this description, fitted before, is better than none; empty:
+  /// always.
+  std::string if_better{};
 };
 
 /// The structures that are compared when the error model is chosen from the data: none; FIR filters

@@ -127,7 +127,8 @@ FittedModel fitModel(const Problem& problem, Journal* journal) {
   useModel(problem, buildModel(problem), &fitted, journal);
   requireEnoughSamples(problem, *fitted.model);
   if (problem.start.size() == fitted.model->parameterCount() && !hasGivenParameters(problem)) {
-    if (auto at_start = linearisedAtStart(*fitted.model, problem.data.blocks, problem.data.count(), problem.start))
+    if (auto at_start = linearisedAtStart(*fitted.model, problem.data.blocks, problem.data.count(),
+                                          problem.start))
       useModel(problem, std::move(at_start), &fitted, journal);
   }
   const ModelParameters start = findStart(problem, *fitted.model, *fitted.likelihood, journal);

@@ -49,7 +49,7 @@ Estimate identify(const Request& request, const std::vector<Experiment>& experim
   Problem problem = problemOf(request, data, &journal);
   problem.configuration = chooseOrders(problem, &journal);
   problem.plant = fitPlant(problem, &journal);
-  adopt(chooseModel(problem, request.configuration.nominal_model, &journal), &problem);
+  adopt(chooseModel(problem, request.configuration, &journal), &problem);
   if (problem.plant) problem.plant = describePlant(problem, &journal);
   const FittedModel fitted = fitModel(problem, &journal);
   Estimate estimate = describe(problem, fitted, &journal);
@@ -76,7 +76,7 @@ FoldModel identifyPlant(const Request& request, const std::vector<Experiment>& e
   Problem problem = problemOf(request, data, &journal);
   problem.plant = fitPlant(problem, &journal);
   if (!problem.plant) {
-    adopt(chooseModel(problem, problem.configuration.nominal_model, &journal), &problem);
+    adopt(chooseModel(problem, problem.configuration, &journal), &problem);
     int& iterations = problem.configuration.estimation.max_iterations;
     iterations = std::min(iterations, kEnough);
     const FittedModel fitted = fitModel(problem, &journal);

@@ -112,9 +112,6 @@ int scannedDelay(const Problem& problem, int order) {
   return scan.steiglitzMcBride(order, order, 0, longest).polynomials.delay;
 }
 
-namespace {
-
-/// The fit or, where BIC is lower, that with a longer or a shorter delay.
 StructureFit withBetterDelay(const Problem& problem, StructureFit fit, Journal* journal) {
   const auto score = [&](const StructureFit& of) {
     return of.score(static_cast<double>(problem.data.validSamples()), problem.data.count());
@@ -134,6 +131,8 @@ StructureFit withBetterDelay(const Problem& problem, StructureFit fit, Journal* 
   }
   return fit;
 }
+
+namespace {
 
 void record(const StructureFit& fit, double score, Journal* journal) {
   const NominalModelOptions& nominal = fit.structure.configuration.nominal_model;
@@ -173,8 +172,8 @@ std::vector<StructureFit> jointOrders(const Problem& problem,
       nominal.nb = nominal.na = order;
       nominal.delay = scannedDelay(problem, order);
     }
-    auto fit = fitStructure(problem, gain, given ? points : std::vector<StartingPoint>(), true,
-                            journal);
+    auto fit =
+        fitStructure(problem, gain, given ? points : std::vector<StartingPoint>(), true, journal);
     if (!fit) continue;
     fits.push_back(withBetterDelay(problem, std::move(*fit), journal));
     record(fits.back(), score(fits.back()), journal);

@@ -66,7 +66,7 @@ struct ModelChoice {
 /// to (a part of) the data and compared by BIC, those nearly as good by held-out experiments. Fills
 /// in the names of the parameters that vary where the error model varies some. Throws DataError
 /// where none can be fitted.
-ModelChoice chooseModel(const Problem& problem, const NominalModelOptions& asked, Journal* journal);
+ModelChoice chooseModel(const Problem& problem, const Configuration& asked, Journal* journal);
 
 /// Whether the request or its configuration gives a start of the parameters, or of the mixture.
 bool hasGivenParameters(const Problem& problem);

@@ -127,6 +127,15 @@ double StructureFit::score(double samples, int experiments) const {
   return log_likelihood - bicPenalty(parameters, samples) - bicPenalty(mixture, experiments);
 }
 
+double scoreAfterFirstSamples(const Problem& problem, const StructureFit& fit, Journal* journal) {
+  const double score =
+      fit.score(static_cast<double>(problem.data.validSamples()), problem.data.count());
+  const EstimationOptions& options = fit.structure.configuration.estimation;
+  if (hasUnknownsOfExperiments(options)) return score;
+  return score - firstSamplesDensity(*fit.model, fit.point, problem.data.experiments,
+                                     threadsOf(options), &journal->passes);
+}
+
 StartingPoint StructureFit::start() const {
   const NominalModel& nominal = model->nominal();
   return {nominal.polynomials(point.parameters.head(nominal.parameterCount())),
@@ -136,7 +145,7 @@ StartingPoint StructureFit::start() const {
 std::optional<StructureFit> fitStructure(const Problem& problem, const ErrorStructure& structure,
                                          const std::vector<StartingPoint>& points, bool from_data,
                                          Journal* journal) {
-  constexpr std::size_t kMostStarts = 3;
+  constexpr std::size_t kMostStarts = 2;
   Problem own = problem;
   own.configuration = structure.configuration;
   completeErrorModel(*remainingNominalModel(own), &own.configuration.error_model);

@@ -20,8 +20,8 @@ struct StructureFit {
   std::shared_ptr<const LinearModel> model;  ///< linearised about the posterior means where need be
   ModelParameters point;
   double log_likelihood = 0;  ///< of all but the first samples, see firstSamplesDensity()
-  int parameters = 0;  ///< of theta, offset and sigma^2
-  int mixture = 0;     ///< of the error model
+  int parameters = 0;         ///< of theta, offset and sigma^2
+  int mixture = 0;            ///< of the error model
 
   StartingPoint start() const;  ///< Go, H and the offset at `point`
 
@@ -40,12 +40,23 @@ std::optional<StructureFit> fitStructure(const Problem& problem, const ErrorStru
 StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool only_if_dependent,
                               Journal* journal);
 
+/// The fit or, where BIC is lower, that with a longer or a shorter delay.
+StructureFit withBetterDelay(const Problem& problem, StructureFit fit, Journal* journal);
+
 /// Models whose gain varies and whose noise is coloured: that of least BIC among all orders and
 /// delays, followed by the best ones with fewer and fewer poles. The simulation alone, by which the
 /// problem's orders were chosen, is a poor judge where plants differ: the free response of a slow
 /// pole too many follows what another gain leaves. Empty where none can be fitted.
 std::vector<StructureFit> jointOrders(const Problem& problem,
                                       const std::vector<StartingPoint>& points, Journal* journal);
+
+/// Half BIC of a fit by what follows the first samples of each experiment, wherever it starts
+/// [nats]: comparable between fits with and without unknown values of each experiment's own.
+double scoreAfterFirstSamples(const Problem& problem, const StructureFit& fit, Journal* journal);
+
+/// The fit or, where BIC is lower, that with an offset of each experiment's own in place of the
+/// common one, with the same noise model or white noise: noise that wanders may stand for offsets.
+StructureFit withBetterOffsets(const Problem& problem, StructureFit fit, Journal* journal);
 
 /// The delay with which a model of nb = na = `order` explains the data best by least squares.
 int scannedDelay(const Problem& problem, int order);

@@ -93,20 +93,23 @@ std::vector<Lanes> innerProducts(const std::vector<const Signals*>& left,
     samples = right[j]->cols();
   }
   const std::size_t count = rights.size();
+  const bool symmetric = left == right && count == right.size();  // half of the products will do
   std::vector<Lanes> dense(left.size() * count, Lanes::Zero());
   for (Eigen::Index first = 0; first < samples; first += kPiece) {
     const auto last = static_cast<int>(std::min<Eigen::Index>(first + kPiece, samples));
     for (std::size_t i = 0; i < left.size(); ++i) {
       if (left[i] == nullptr) continue;
-      accumulateProducts(left[i]->data(), rights.data(), static_cast<int>(count),
+      const std::size_t from = symmetric ? i : 0;
+      accumulateProducts(left[i]->data(), rights.data() + from, static_cast<int>(count - from),
                          static_cast<int>(first), last,
-                         reinterpret_cast<Pack*>(dense.data() + i * count));
+                         reinterpret_cast<Pack*>(dense.data() + i * count + from));
     }
   }
   std::vector<Lanes> sums(left.size() * right.size(), Lanes::Zero());
   for (std::size_t i = 0; i < left.size(); ++i) {
     for (std::size_t j = 0; j < count; ++j)
-      sums[i * right.size() + place[j]] = dense[i * count + j];
+      sums[i * right.size() + place[j]] =
+          symmetric && j < i ? dense[j * count + i] : dense[i * count + j];
   }
   return sums;
 }

@@ -256,8 +256,8 @@ MatrixXd SensitivityModel::pointsOf(const std::vector<Block>& blocks, const Vect
   return all;
 }
 
-MatrixXd SensitivityModel::firstPoints(const std::vector<Block>& blocks,
-                                       const VectorXd& parameters, int experiments) const {
+MatrixXd SensitivityModel::firstPoints(const std::vector<Block>& blocks, const VectorXd& parameters,
+                                       int experiments) const {
   return pointsOf(blocks, parameters, MatrixXd::Zero(regressors(), experiments));
 }
 
