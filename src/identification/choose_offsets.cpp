@@ -36,13 +36,14 @@ double densityWith(Offsets offsets, Problem problem, Journal* journal) {
   NominalModelOptions& nominal = problem.configuration.nominal_model;
   double highest = -std::numeric_limits<double>::infinity();
   for (const int order : {1, 2}) {
+    if (journal->progress.cancelled()) break;
     nominal.nb = nominal.na = order;
     nominal.delay = scannedDelay(problem, order);
     auto fit = fitStructure(problem, {"gain", problem.configuration}, {}, true, journal);
     if (!fit) continue;
     fit = withBetterDelay(problem, std::move(*fit), journal);
     highest = std::max(highest, scoreAfterFirstSamples(problem, *fit, journal));
-    if (order > 1) continue;
+    if (order > 1 || journal->progress.cancelled()) continue;
     const StartingPoint start = fit->start();
     nominal.delay = start.polynomials.delay;
     for (const ErrorStructure& structure : variedStructures(problem, &start.polynomials)) {
@@ -62,14 +63,22 @@ Configuration chooseOffsets(const Problem& problem, Journal* journal) {
   Offsets& offsets = chosen.estimation.offsets;
   if (offsets != Offsets::automatic) return chosen;
   offsets = Offsets::estimate;
+  if (problem.previous != nullptr &&
+      problem.previous->configuration.estimation.offsets == Offsets::per_experiment)
+    offsets = Offsets::per_experiment;
   const bool at_input = chosen.estimation.offset_side == OffsetSide::input;
   if (problem.data.count() < kFewest || at_input || hasGivenParameters(problem)) return chosen;
   CheckedData data;
   data.experiments = thinned(problem.data.experiments, kEnoughSamples);
   data.blocks = makeBlocks(data.experiments);
   const Problem simple{data, {}, nullptr, simpleModel(problem.configuration), {}, {}};
-  const double common = densityWith(Offsets::estimate, simple, journal);
-  const double own = densityWith(Offsets::per_experiment, simple, journal);
+  // These fits precede the choice of orders, and count as the beginning of its phase.
+  Journal beginning{ProgressPhases(
+      [journal](const Progress&) { return journal->progress.report(Phase::orders, 0); })};
+  const double common = densityWith(Offsets::estimate, simple, &beginning);
+  if (beginning.progress.cancelled()) return chosen;
+  const double own = densityWith(Offsets::per_experiment, simple, &beginning);
+  journal->passes += beginning.passes;
   const bool differ = own > common + kWorthIt;
   if (differ) offsets = Offsets::per_experiment;
   journal->candidates.push_back({"offsets", "common", 0, {}, -2 * common, {}, !differ, {}});

@@ -259,7 +259,7 @@ ModelChoice chooseModel(const Problem& problem, const Configuration& asked, Jour
     part.configuration.nominal_model.fit = PlantFit::likelihood;
     const StructureFit fit = chooseStructure(part, free_orders, free_offsets, points, journal);
     part.plant = problem.plant;
-    if (!problem.plant || simulatesAsWell(part, fit, journal))
+    if (!problem.plant || journal->progress.cancelled() || simulatesAsWell(part, fit, journal))
       return {fit.structure.configuration, false, fit.point.parameters};
     journal->candidates.resize(before);
     journal->warnings.push_back(

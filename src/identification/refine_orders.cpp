@@ -164,6 +164,7 @@ std::vector<StructureFit> jointOrders(const Problem& problem,
   std::size_t best = 0;
   const int largest = problem.configuration.nominal_model.na;
   for (int order = 1; order <= largest; ++order) {
+    if (!fits.empty() && journal->progress.cancelled()) break;
     const bool given = order == largest;
     NominalModelOptions& nominal = gain.configuration.nominal_model;
     nominal = problem.configuration.nominal_model;

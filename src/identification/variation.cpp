@@ -83,11 +83,14 @@ std::string ofFilters(const Estimate& estimate, const ErrorBasis& basis) {
 
 std::string variationText(const Estimate& estimate, const LinearModel& model) {
   if (estimate.experiment_count < 2) return "";
-  if (model.regressors() == 0) return "The experiments show no difference between their plants.";
+  const bool own = estimate.configuration.estimation.offsets == Offsets::per_experiment;
+  const std::string offsets = own ? " Each experiment has an offset of its own." : "";
+  if (model.regressors() == 0)
+    return "The experiments show no difference between their plants." + offsets;
   const bool varies = variesParameters(estimate.error_model.options.basis);
   return "From experiment to experiment " +
          (varies ? ofParameters(estimate) : ofFilters(estimate, model.basis())) +
-         " (standard deviation).";
+         " (standard deviation)." + offsets;
 }
 
 }  // namespace uncertainty_identification
