@@ -108,7 +108,8 @@ LeastSquaresStart::LeastSquaresStart(const std::vector<const Experiment*>& exper
   }
 }
 
-MatrixXd LeastSquaresStart::triangularFactor(const VectorXd& prefilter, int na, int u_lags) const {
+MatrixXd LeastSquaresStart::triangularFactor(const VectorXd& prefilter, int na, int u_lags,
+                                             Start start) const {
   const Index constant = u_lags + 1, columns = u_lags + 1 + (with_constant_ ? 1 : 0) + na + 1;
   RowAccumulator rows(columns);
   for (const Record& record : records_) {
@@ -128,7 +129,7 @@ MatrixXd LeastSquaresStart::triangularFactor(const VectorXd& prefilter, int na, 
       for (Index k = 1; k <= na; ++k) row[columns - 1 - na + k - 1] = -lagged(y, t - k);
       row[columns - 1] = y[t];
     }
-    removeFreeResponse(prefilter, times, &regression);
+    if (start == Start::unknown) removeFreeResponse(prefilter, times, &regression);
     for (Index i = 0; i < regression.rows(); ++i) rows.next() = regression.row(i);
   }
   return rows.factor();
@@ -164,18 +165,18 @@ LeastSquaresModel LeastSquaresStart::leastDelayed(const MatrixXd& factor, int nb
 
 LeastSquaresModel LeastSquaresStart::arx(int nb, int na, int delay) const {
   const int u_lags = delay + nb - 1;
-  return solve(triangularFactor(VectorXd(), na, u_lags), nb, na, delay, u_lags);
+  return solve(triangularFactor(VectorXd(), na, u_lags, Start::rest), nb, na, delay, u_lags);
 }
 
 LeastSquaresModel LeastSquaresStart::steiglitzMcBride(int nb, int na, int first_delay,
-                                                      int last_delay) const {
+                                                      int last_delay, Start start) const {
   constexpr int kIterations = 8;
   const int u_lags = last_delay + nb - 1;
   VectorXd prefilter;
   LeastSquaresModel best;
   best.residual_squares = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration <= kIterations; ++iteration) {
-    const MatrixXd factor = triangularFactor(prefilter, na, u_lags);
+    const MatrixXd factor = triangularFactor(prefilter, na, u_lags, start);
     LeastSquaresModel least = leastDelayed(factor, nb, na, first_delay, last_delay);
     if (!least.polynomials.a.allFinite() || !least.polynomials.b.allFinite()) break;
     least.polynomials.a = stabilised(least.polynomials.a, 0.9995);
@@ -187,6 +188,12 @@ LeastSquaresModel LeastSquaresStart::steiglitzMcBride(int nb, int na, int first_
     prefilter = least.polynomials.a;
   }
   return best;
+}
+
+std::vector<int> LeastSquaresStart::likelyDelays(int nb, int na, int last_delay) const {
+  const int rest = steiglitzMcBride(nb, na, 0, last_delay, Start::rest).polynomials.delay;
+  const int unknown = steiglitzMcBride(nb, na, 0, last_delay, Start::unknown).polynomials.delay;
+  return rest == unknown ? std::vector<int>{rest} : std::vector<int>{rest, unknown};
 }
 
 void hannanRissanen(const std::vector<VectorXd>& residuals, int nc, int nd, VectorXd* c,

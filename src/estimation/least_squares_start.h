@@ -29,8 +29,14 @@ class LeastSquaresStart {
 
   /// Steiglitz-McBride iteration for each delay in [first_delay, last_delay]. Returns the fit with
   /// the least residual variance; a longer delay is preferred only if it reduces the variance by 1
-  /// %.
-  LeastSquaresModel steiglitzMcBride(int nb, int na, int first_delay, int last_delay) const;
+  /// %. Where experiments do not start at rest, `start` must be unknown; where they do, that leaves
+  /// little of a step at the first sample, whose response resembles a free one.
+  enum class Start { rest, unknown };
+  LeastSquaresModel steiglitzMcBride(int nb, int na, int first_delay, int last_delay,
+                                     Start start = Start::rest) const;
+
+  /// The delays that it finds either way: one or two.
+  std::vector<int> likelyDelays(int nb, int na, int last_delay) const;
 
  private:
   struct Record {
@@ -40,7 +46,8 @@ class LeastSquaresStart {
 
   /// Triangular factor of the regression of y on [u lags 0..u_lags, constant, y lags 1..na], data
   /// filtered by 1/A.
-  Eigen::MatrixXd triangularFactor(const Eigen::VectorXd& prefilter, int na, int u_lags) const;
+  Eigen::MatrixXd triangularFactor(const Eigen::VectorXd& prefilter, int na, int u_lags,
+                                   Start start) const;
   LeastSquaresModel leastDelayed(const Eigen::MatrixXd& factor, int nb, int na, int first_delay,
                                  int last_delay) const;
   LeastSquaresModel solve(const Eigen::MatrixXd& factor, int nb, int na, int delay,

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <memory>
 
-#include "model/evaluation.h"
-
 namespace uncertainty_identification {
 namespace {
 
@@ -30,9 +28,8 @@ class NoiseFree : public NominalModel {
 
 double fitPercent(double error, double spread) { return 100 * (1 - std::sqrt(error / spread)); }
 
-/// The simulation error in a lane, with the initial values estimated.
-Eigen::VectorXd errorOf(const Response& response, const Block& block, int lane,
-                        InitialValuesFrom from) {
+/// The simulation error in a lane. The initial state is estimated from the first samples.
+Eigen::VectorXd errorOf(const Response& response, const Block& block, int lane) {
   const auto columns = static_cast<Eigen::Index>(response.value.columns.size());
   const int samples = block.lengths[static_cast<std::size_t>(lane)];
   Eigen::VectorXd error = response.value.residual.row(lane).head(samples).transpose();
@@ -42,9 +39,7 @@ Eigen::VectorXd errorOf(const Response& response, const Block& block, int lane,
     Z.col(k) =
         response.value.columns[static_cast<std::size_t>(k)]->row(lane).head(samples).transpose();
   }
-  const bool all = from == InitialValuesFrom::all_samples;
-  error -= Z * (all ? Eigen::VectorXd(Z.colPivHouseholderQr().solve(error))
-                    : initialCoefficients(Z, error));
+  error -= Z * initialCoefficients(Z, error);
   return error;
 }
 
@@ -77,14 +72,10 @@ Eigen::VectorXd initialCoefficients(const Eigen::MatrixXd& Z, const Eigen::Vecto
 
 std::vector<Eigen::VectorXd> simulationErrors(const NominalModel& nominal,
                                               const Eigen::VectorXd& theta, double offset,
-                                              const EstimationOptions& asked,
-                                              const std::vector<Experiment>& experiments,
-                                              InitialValuesFrom from) {
+                                              const EstimationOptions& options,
+                                              const std::vector<Experiment>& experiments) {
   ErrorModelOptions none;
   none.taps = 0;
-  EstimationOptions options = asked;
-  if (from == InitialValuesFrom::all_samples && estimatesInitialState(asked))
-    options.offsets = Offsets::per_experiment;
   const LinearModel model(std::make_shared<NoiseFree>(nominal), ErrorBasis(none), options);
   Eigen::VectorXd parameters(model.parameterCount());
   parameters.head(theta.size()) = theta;
@@ -96,7 +87,7 @@ std::vector<Eigen::VectorXd> simulationErrors(const NominalModel& nominal,
     model.evaluate(block, parameters, false, &response);
     for (int lane = 0; lane < block.lanes; ++lane) {
       errors[static_cast<std::size_t>(block.index[static_cast<std::size_t>(lane)])] =
-          errorOf(response, block, lane, from);
+          errorOf(response, block, lane);
     }
   }
   return errors;
@@ -104,9 +95,9 @@ std::vector<Eigen::VectorXd> simulationErrors(const NominalModel& nominal,
 
 SimulationFit simulationFit(const NominalModel& nominal, const Eigen::VectorXd& theta,
                             double offset, const EstimationOptions& options,
-                            const std::vector<Experiment>& experiments, InitialValuesFrom from) {
+                            const std::vector<Experiment>& experiments) {
   const std::vector<Eigen::VectorXd> errors =
-      simulationErrors(nominal, theta, offset, options, experiments, from);
+      simulationErrors(nominal, theta, offset, options, experiments);
   SimulationFit fit;
   Moments all;
   double error = 0;

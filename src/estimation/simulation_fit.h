@@ -19,25 +19,18 @@ struct SimulationFit {
 /// a slow pole could follow a drift, and the simulation would look better than it is.
 Eigen::VectorXd initialCoefficients(const Eigen::MatrixXd& Z, const Eigen::VectorXd& error);
 
-/// Which samples determine the initial values of a simulation.
-enum class InitialValuesFrom {
-  first_samples,  ///< as a prediction must do
-  all_samples     ///< with an offset of each experiment's own; to compare models with each other
-};
-
 /// The simulation error y - ysim of each experiment, 0 where y was not measured. ysim is Go u plus
 /// the common offset. It starts from rest if initial_state is zero; otherwise from the initial
 /// state (with Offsets::per_experiment also the offset) that fits the first samples best
-/// (initialCoefficients()), or all samples.
-std::vector<Eigen::VectorXd> simulationErrors(
-    const NominalModel& nominal, const Eigen::VectorXd& theta, double offset,
-    const EstimationOptions& options, const std::vector<Experiment>& experiments,
-    InitialValuesFrom from = InitialValuesFrom::first_samples);
+/// (initialCoefficients()).
+std::vector<Eigen::VectorXd> simulationErrors(const NominalModel& nominal,
+                                              const Eigen::VectorXd& theta, double offset,
+                                              const EstimationOptions& options,
+                                              const std::vector<Experiment>& experiments);
 
 /// The size of these errors relative to the variation of the outputs.
 SimulationFit simulationFit(const NominalModel& nominal, const Eigen::VectorXd& theta,
                             double offset, const EstimationOptions& options,
-                            const std::vector<Experiment>& experiments,
-                            InitialValuesFrom from = InitialValuesFrom::first_samples);
+                            const std::vector<Experiment>& experiments);
 
 }  // namespace uncertainty_identification

@@ -1,7 +1,8 @@
-#include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "estimation/excerpt.h"
+#include "identification/mean_plant.h"
 #include "identification/steps.h"
 #include "identification/structure_fit.h"
 
@@ -28,37 +29,64 @@ Configuration simpleModel(Configuration simple) {
   return simple;
 }
 
-/// Half BIC of the best of two orders with gains that vary, and one with time constants that do,
-/// too; by what follows the first samples, which determine an offset. One order alone would not do:
-/// a pole too many integrates, and its state is an offset.
-double densityWith(Offsets offsets, Problem problem, Journal* journal) {
+/// A fit and half its BIC by what follows the first samples, which determine an offset.
+struct Scored {
+  std::optional<StructureFit> fit{};
+  double score = -std::numeric_limits<double>::infinity();
+
+  void adopt(std::optional<StructureFit> other, const Problem& problem, Journal* journal) {
+    const double its = other ? scoreAfterFirstSamples(problem, *other, journal) : score;
+    if (!(its > score)) return;
+    fit = std::move(other);
+    score = its;
+  }
+};
+
+/// The best of first- and second-order models with gains that vary, and of first-order ones with
+/// two parameters that do. One order alone would not do: a pole too many integrates, and its state
+/// is an offset.
+Scored bestWith(Offsets offsets, Problem problem, Journal* journal) {
   problem.configuration.estimation.offsets = offsets;
   NominalModelOptions& nominal = problem.configuration.nominal_model;
-  double highest = -std::numeric_limits<double>::infinity();
+  Scored best;
   for (const int order : {1, 2}) {
     if (journal->progress.cancelled()) break;
     nominal.nb = nominal.na = order;
-    nominal.delay = scannedDelay(problem, order);
-    auto fit = fitStructure(problem, {"gain", problem.configuration}, {}, true, journal);
+    std::optional<StructureFit> fit;
+    for (const int delay : likelyDelays(problem, order)) {
+      nominal.delay = delay;
+      auto other = fitStructure(problem, {"gain", problem.configuration}, {}, true, journal);
+      if (other && (!fit || other->log_likelihood > fit->log_likelihood)) fit = std::move(other);
+    }
     if (!fit) continue;
     fit = withBetterDelay(problem, std::move(*fit), journal);
-    highest = std::max(highest, scoreAfterFirstSamples(problem, *fit, journal));
-    if (order > 1 || journal->progress.cancelled()) continue;
     const StartingPoint start = fit->start();
+    best.adopt(std::move(fit), problem, journal);
+    if (order > 1 || journal->progress.cancelled()) continue;
     nominal.delay = start.polynomials.delay;
     for (const ErrorStructure& structure : variedStructures(problem, &start.polynomials)) {
-      if (structure.configuration.error_model.parameters.size() != 2) continue;
-      const auto varied = fitStructure(problem, structure, {start}, false, journal);
-      if (varied) highest = std::max(highest, scoreAfterFirstSamples(problem, *varied, journal));
+      if (structure.configuration.error_model.parameters.size() == 2)
+        best.adopt(fitStructure(problem, structure, {start}, false, journal), problem, journal);
     }
   }
-  return highest;
+  return best;
+}
+
+/// Whether own offsets, as the first samples show them, simulate the data as well as a common one.
+/// They do not where the plant is not linear, and the offsets take up what the model lacks.
+bool simulatesAsWell(Problem problem, const StructureFit& own, const StructureFit& common) {
+  const auto simulated = [&problem](const StructureFit& fit) {
+    problem.configuration.estimation = fit.structure.configuration.estimation;
+    return fitOf(problem, meanPlant(fit), fit.start().offset);
+  };
+  return !simulatesWorse(simulated(own), simulated(common));
 }
 
 }  // namespace
 
 Configuration chooseOffsets(const Problem& problem, Journal* journal) {
-  constexpr double kWorthIt = 3;  // [nats]
+  constexpr double kWorthIt = 3;           // [nats]
+  constexpr int kEnoughForOffsets = 6000;  // samples
   Configuration chosen = problem.configuration;
   Offsets& offsets = chosen.estimation.offsets;
   if (offsets != Offsets::automatic) return chosen;
@@ -67,42 +95,43 @@ Configuration chooseOffsets(const Problem& problem, Journal* journal) {
       problem.previous->configuration.estimation.offsets == Offsets::per_experiment)
     offsets = Offsets::per_experiment;
   const bool at_input = chosen.estimation.offset_side == OffsetSide::input;
-  if (problem.data.count() < kFewest || at_input || hasGivenParameters(problem)) return chosen;
+  const bool cannot_tell = problem.data.count() < kFewest || problem.data.single_steps;
+  if (cannot_tell || at_input || hasGivenParameters(problem)) return chosen;
   CheckedData data;
-  data.experiments = thinned(problem.data.experiments, kEnoughSamples);
+  data.experiments = thinned(problem.data.experiments, kEnoughForOffsets);
   data.blocks = makeBlocks(data.experiments);
   const Problem simple{data, {}, nullptr, simpleModel(problem.configuration), {}, {}};
   // These fits precede the choice of orders, and count as the beginning of its phase.
   Journal beginning{ProgressPhases(
       [journal](const Progress&) { return journal->progress.report(Phase::orders, 0); })};
-  const double common = densityWith(Offsets::estimate, simple, &beginning);
-  if (beginning.progress.cancelled()) return chosen;
-  const double own = densityWith(Offsets::per_experiment, simple, &beginning);
+  const Scored common = bestWith(Offsets::estimate, simple, &beginning);
+  const Scored own = bestWith(Offsets::per_experiment, simple, &beginning);
   journal->passes += beginning.passes;
-  const bool differ = own > common + kWorthIt;
+  if (!common.fit || !own.fit || beginning.progress.cancelled()) return chosen;
+  const bool differ =
+      own.score > common.score + kWorthIt && simulatesAsWell(simple, *own.fit, *common.fit);
   if (differ) offsets = Offsets::per_experiment;
-  journal->candidates.push_back({"offsets", "common", 0, {}, -2 * common, {}, !differ, {}});
-  journal->candidates.push_back({"offsets", "of each experiment", 0, {}, -2 * own, {}, differ, {}});
+  journal->candidates.push_back({"offsets", "common", 0, {}, -2 * common.score, {}, !differ, {}});
+  journal->candidates.push_back(
+      {"offsets", "of each experiment", 0, {}, -2 * own.score, {}, differ, {}});
   return chosen;
 }
 
 StructureFit withBetterOffsets(const Problem& problem, StructureFit fit, Journal* journal) {
   constexpr double kWorthIt = 1;  // [nats]
   Configuration own = fit.structure.configuration;
-  if (own.estimation.offsets != Offsets::estimate || problem.data.count() < kFewest) return fit;
+  const bool cannot_tell = problem.data.count() < kFewest || problem.data.single_steps;
+  if (own.estimation.offsets != Offsets::estimate || cannot_tell) return fit;
   own.estimation.offsets = Offsets::per_experiment;
-  double highest = scoreAfterFirstSamples(problem, fit, journal) + kWorthIt;
-  const StartingPoint start = fit.start();
+  Scored best;
+  best.score = scoreAfterFirstSamples(problem, fit, journal) + kWorthIt;
   for (const bool white : {false, true}) {
     if (white) own.nominal_model.nc = own.nominal_model.nd = 0;
-    auto other = fitStructure(problem, {fit.structure.description, own}, {start}, false, journal);
-    if (!other) continue;
-    const double score = scoreAfterFirstSamples(problem, *other, journal);
-    if (score <= highest) continue;
-    highest = score;
-    fit = std::move(*other);
+    best.adopt(
+        fitStructure(problem, {fit.structure.description, own}, {fit.start()}, false, journal),
+        problem, journal);
   }
-  return fit;
+  return best.fit && simulatesAsWell(problem, *best.fit, fit) ? *best.fit : fit;
 }
 
 }  // namespace uncertainty_identification

@@ -25,7 +25,7 @@ constexpr double kImmaterial = 2;
 /// The part of the data that is enough to compare structures.
 CheckedData enough(const CheckedData& data) {
   CheckedData part;
-  part.experiments = thinned(data.experiments, 2 * kEnoughSamples);
+  part.experiments = thinned(data.experiments, kEnoughSamples);
   part.blocks = makeBlocks(part.experiments);
   return part;
 }
@@ -163,24 +163,6 @@ StructureFit withNoiseOrders(const Problem& problem, const StructureFit& chosen,
   return bestOf(problem, fits, "noise orders", false, journal);
 }
 
-/// Whether the mean plant, fitted together with the rest, simulates the data as well as Go of the
-/// same orders that was fitted to nothing else. It does not where the plant is not linear, and the
-/// likelihood accepts a worse simulation for a better prediction. Where plants differ, the best
-/// simulation of these few leads to another Go than the mean of the plants; it is then better in
-/// some experiments only.
-bool simulatesAsWell(Problem problem, const StructureFit& fit, Journal* journal) {
-  const StartingPoint joint{meanPlant(fit), fit.start().offset};
-  problem.configuration.estimation = fit.structure.configuration.estimation;
-  NominalModelOptions& alone = problem.configuration.nominal_model;
-  alone.nb = static_cast<int>(fit.start().polynomials.b.size());
-  alone.na = static_cast<int>(fit.start().polynomials.a.size());
-  alone.delay = fit.start().polynomials.delay;
-  alone.fit = PlantFit::simulation;
-  const std::optional<FittedPlant> plant = fitPlant(problem, journal);
-  return !simulatesWorse(fitOf(problem, joint.polynomials, joint.offset),
-                         fitOf(problem, plant->polynomials, plant->offset));
-}
-
 /// Fits of models with fewer poles than the problem's, as long as one pole less is better: more of
 /// a plant's parameters that vary look like another pole. `orders` holds the models whose gain
 /// varies, by decreasing order; a model that lacks more than all differences between the plants of
@@ -236,6 +218,37 @@ StructureFit chooseStructure(Problem problem, bool free_orders, bool free_offset
 
 }  // namespace
 
+namespace {
+
+/// The problem of comparing structures, which part of the data is enough for.
+Problem partOf(const Problem& problem, const CheckedData& part, bool free_orders, PlantFit fit) {
+  Problem own{part, problem.nominal_model, problem.previous, problem.configuration, {}, {}};
+  NominalModelOptions& nominal = own.configuration.nominal_model;
+  if (free_orders) {
+    nominal.structure = Structure::box_jenkins;
+    nominal.nc = nominal.nd = 1;
+  }
+  nominal.fit = fit;
+  return own;
+}
+
+std::vector<StartingPoint> startsOf(const Problem& problem) {
+  if (!problem.plant) return {};
+  return {{problem.plant->polynomials, problem.plant->offset}};
+}
+
+}  // namespace
+
+ModelChoice chooseAroundPlant(const Problem& problem, const Configuration& asked,
+                              Journal* journal) {
+  const CheckedData data = enough(problem.data);
+  const bool free_orders = asked.nominal_model.orders_auto;
+  Problem part = partOf(problem, data, free_orders, PlantFit::simulation);
+  part.plant = problem.plant;
+  const StructureFit fit = chooseStructure(part, free_orders, false, startsOf(problem), journal);
+  return {fit.structure.configuration, true, fit.point.parameters};
+}
+
 ModelChoice chooseModel(const Problem& problem, const Configuration& asked, Journal* journal) {
   const bool free_orders = asked.nominal_model.orders_auto;
   const bool free_offsets = asked.estimation.offsets == Offsets::automatic;
@@ -246,30 +259,13 @@ ModelChoice chooseModel(const Problem& problem, const Configuration& asked, Jour
     completeErrorModel(*remainingNominalModel(problem), &choice.configuration.error_model);
     return choice;
   }
+  const bool joint = free_orders && asked.nominal_model.fit == PlantFit::likelihood;
+  if (problem.plant && !joint) return chooseAroundPlant(problem, asked, journal);
   const CheckedData data = enough(problem.data);
-  Problem part{data, problem.nominal_model, problem.previous, problem.configuration, {}, {}};
-  if (free_orders) {
-    part.configuration.nominal_model.structure = Structure::box_jenkins;
-    part.configuration.nominal_model.nc = part.configuration.nominal_model.nd = 1;
-  }
-  const std::size_t before = journal->candidates.size();
-  std::vector<StartingPoint> points;
-  if (problem.plant) points.push_back({problem.plant->polynomials, problem.plant->offset});
-  if (!problem.plant || (free_orders && asked.nominal_model.fit == PlantFit::likelihood)) {
-    part.configuration.nominal_model.fit = PlantFit::likelihood;
-    const StructureFit fit = chooseStructure(part, free_orders, free_offsets, points, journal);
-    part.plant = problem.plant;
-    if (!problem.plant || journal->progress.cancelled() || simulatesAsWell(part, fit, journal))
-      return {fit.structure.configuration, false, fit.point.parameters};
-    journal->candidates.resize(before);
-    journal->warnings.push_back(
-        "Go was fitted to its simulation alone: fitted together with the noise and the differences "
-        "between the experiments it simulates worse, so the plant is probably not linear");
-  }
-  part.plant = problem.plant;
-  part.configuration.nominal_model.fit = PlantFit::simulation;
-  const StructureFit fit = chooseStructure(part, free_orders, false, points, journal);
-  return {fit.structure.configuration, true, fit.point.parameters};
+  const Problem part = partOf(problem, data, free_orders, PlantFit::likelihood);
+  const StructureFit fit =
+      chooseStructure(part, free_orders, free_offsets, startsOf(problem), journal);
+  return {fit.structure.configuration, false, fit.point.parameters};
 }
 
 }  // namespace uncertainty_identification

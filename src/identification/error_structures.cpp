@@ -146,7 +146,9 @@ std::vector<ErrorStructure> physicalStructures(const Problem& problem, const Pol
 }  // namespace
 
 std::vector<ErrorStructure> variedStructures(const Problem& problem, const Polynomials* plant) {
+  constexpr int kFewest = 3;  // experiments that show how parameters vary
   std::vector<ErrorStructure> structures;
+  if (problem.data.count() < kFewest) return structures;
   if (plant != nullptr) structures = physicalStructures(problem, *plant);
   if (!structures.empty()) return structures;
   for (const Names& some : combinations(ownParameters(problem)))

@@ -4,6 +4,7 @@
 
 #include "estimation/excerpt.h"
 #include "estimation/stopwatch.h"
+#include "identification/mean_plant.h"
 #include "identification/steps.h"
 #include "uncertainty_identification/version.h"
 
@@ -39,6 +40,30 @@ void adopt(const ModelChoice& choice, Problem* problem) {
   if (!choice.plant_is_fixed) problem->plant.reset();
 }
 
+/// The model of the chosen structure. Where Go was fitted jointly, but alone simulates the data
+/// better, the model around the plant that was fitted alone.
+FittedModel fitChosen(const Configuration& asked, Problem* problem, Journal* journal) {
+  const Problem around = *problem;
+  const std::size_t before = journal->candidates.size();
+  adopt(chooseModel(*problem, asked, journal), problem);
+  if (problem->plant) problem->plant = describePlant(*problem, journal);
+  FittedModel fitted = fitModel(*problem, journal);
+  const bool could_be_alone = around.plant && !problem->plant && !journal->progress.cancelled();
+  if (!could_be_alone ||
+      simulatesAsWellAsAlone(*problem, *fitted.model, fitted.optimum.point, journal))
+    return fitted;
+  journal->candidates.resize(before);
+  journal->warnings.push_back(
+      "Go was fitted to its simulation alone: fitted together with the noise and the differences "
+      "between the experiments it simulates worse, so the plant is probably not linear");
+  problem->configuration = around.configuration;
+  problem->plant = around.plant;
+  problem->start = around.start;
+  adopt(chooseAroundPlant(around, asked, journal), problem);
+  problem->plant = describePlant(*problem, journal);
+  return fitModel(*problem, journal);
+}
+
 }  // namespace
 
 Estimate identify(const Request& request, const std::vector<Experiment>& experiments,
@@ -49,9 +74,7 @@ Estimate identify(const Request& request, const std::vector<Experiment>& experim
   Problem problem = problemOf(request, data, &journal);
   problem.configuration = chooseOrders(problem, &journal);
   problem.plant = fitPlant(problem, &journal);
-  adopt(chooseModel(problem, request.configuration, &journal), &problem);
-  if (problem.plant) problem.plant = describePlant(problem, &journal);
-  const FittedModel fitted = fitModel(problem, &journal);
+  const FittedModel fitted = fitChosen(request.configuration, &problem, &journal);
   Estimate estimate = describe(problem, fitted, &journal);
   const InitialState asked = request.configuration.estimation.initial_state;
   estimate.configuration.estimation.initial_state = asked;  // other data may start elsewhere

@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimation/excerpt.h"
+#include "identification/steps.h"
 #include "model/fixed_plant.h"
 
 namespace uncertainty_identification {
 
-Polynomials meanPlant(const StructureFit& fit) {
-  Polynomials plant = fit.start().polynomials;
-  const ErrorBasis& basis = fit.model->basis();
+Polynomials meanPlant(const LinearModel& model, const ModelParameters& point) {
+  Polynomials plant = plantOf(model, point).polynomials;
+  const ErrorBasis& basis = model.basis();
   if (basis.kind() != BasisKind::fir || basis.dimension() == 0) return plant;
-  Eigen::VectorXd factor = basis.T() * fit.point.mixture.mean();
+  Eigen::VectorXd factor = basis.T() * point.mixture.mean();
   factor[0] += 1;
   Eigen::VectorXd b = Eigen::VectorXd::Zero(plant.b.size() + factor.size() - 1);
   for (Eigen::Index k = 0; k < factor.size(); ++k)
@@ -20,10 +22,27 @@ Polynomials meanPlant(const StructureFit& fit) {
   return plant;
 }
 
+bool simulatesAsWellAsAlone(const Problem& whole, const LinearModel& model,
+                            const ModelParameters& point, Journal* journal) {
+  CheckedData data;
+  data.experiments = thinned(whole.data.experiments, kEnoughSamples);
+  data.blocks = makeBlocks(data.experiments);
+  const Problem problem{data, {}, nullptr, whole.configuration, {}, {}};
+  const FittedPlant joint = plantOf(model, point);
+  Problem of_plant = problem;
+  NominalModelOptions& alone = of_plant.configuration.nominal_model;
+  alone.nb = static_cast<int>(joint.polynomials.b.size());
+  alone.na = static_cast<int>(joint.polynomials.a.size());
+  alone.delay = joint.polynomials.delay;
+  alone.fit = PlantFit::simulation;
+  const std::optional<FittedPlant> plant = fitPlant(of_plant, journal);
+  return !simulatesWorse(fitOf(problem, meanPlant(model, point), joint.offset),
+                         fitOf(problem, plant->polynomials, plant->offset));
+}
+
 SimulationFit fitOf(const Problem& problem, const Polynomials& plant, double offset) {
   return simulationFit(*fixPlant(plant, 0, 0), Eigen::VectorXd(0), offset,
-                       problem.configuration.estimation, problem.data.experiments,
-                       InitialValuesFrom::all_samples);
+                       problem.configuration.estimation, problem.data.experiments);
 }
 
 bool simulatesWorse(const SimulationFit& one, const SimulationFit& other) {

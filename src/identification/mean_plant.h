@@ -8,12 +8,17 @@ namespace uncertainty_identification {
 
 /// Go (1 + GDelta) at the mean of the error parameters: Go, unless the error model is FIR and its
 /// mean is free.
-Polynomials meanPlant(const StructureFit& fit);
+Polynomials meanPlant(const LinearModel& model, const ModelParameters& point);
+inline Polynomials meanPlant(const StructureFit& fit) { return meanPlant(*fit.model, fit.point); }
 
-/// How well a plant with an offset [unit of y] simulates the problem's data, to be compared with
-/// another's. Initial values are fitted to all samples, with an offset of each experiment's own:
-/// otherwise a slow pole too many would look better, because its free response takes the place of
-/// this offset.
+/// Whether the mean plant simulates the data as well as Go of the same orders that is fitted to
+/// nothing else. It does not where the plant is not linear, and the likelihood accepts a worse
+/// simulation for a better prediction. Where plants differ, the best simulation of these few leads
+/// to another Go than the mean of the plants; it is then better in some experiments only.
+bool simulatesAsWellAsAlone(const Problem& problem, const LinearModel& model,
+                            const ModelParameters& point, Journal* journal);
+
+/// How well a plant with an offset [unit of y] simulates the problem's data.
 SimulationFit fitOf(const Problem& problem, const Polynomials& plant, double offset);
 
 /// Whether the squared errors of one simulation are noticeably larger than those of another, and by

@@ -98,7 +98,7 @@ StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool onl
   return fit;
 }
 
-int scannedDelay(const Problem& problem, int order) {
+std::vector<int> likelyDelays(const Problem& problem, int order) {
   std::vector<const Experiment*> all;
   int shortest = problem.data.experiments.front().samples();
   for (const Experiment& experiment : problem.data.experiments) {
@@ -109,7 +109,7 @@ int scannedDelay(const Problem& problem, int order) {
   const LeastSquaresStart scan(all, configuration.estimation.offsets != Offsets::none,
                                kEnoughSamples);
   const int longest = std::min(configuration.nominal_model.max_delay, shortest / 4);
-  return scan.steiglitzMcBride(order, order, 0, longest).polynomials.delay;
+  return scan.likelyDelays(order, order, longest);
 }
 
 StructureFit withBetterDelay(const Problem& problem, StructureFit fit, Journal* journal) {
@@ -162,24 +162,27 @@ std::vector<StructureFit> jointOrders(const Problem& problem,
   };
   std::vector<StructureFit> fits;  // by increasing order
   std::size_t best = 0;
-  const int largest = problem.configuration.nominal_model.na;
-  for (int order = 1; order <= largest; ++order) {
-    if (!fits.empty() && journal->progress.cancelled()) break;
-    const bool given = order == largest;
-    NominalModelOptions& nominal = gain.configuration.nominal_model;
-    nominal = problem.configuration.nominal_model;
-    if (!given) {
-      if (fits.size() > best + kWorse) continue;
-      nominal.nb = nominal.na = order;
-      nominal.delay = scannedDelay(problem, order);
-    }
-    auto fit =
-        fitStructure(problem, gain, given ? points : std::vector<StartingPoint>(), true, journal);
-    if (!fit) continue;
+  const auto adopt = [&](std::optional<StructureFit> fit) {
+    if (!fit) return;
     fits.push_back(withBetterDelay(problem, std::move(*fit), journal));
     record(fits.back(), score(fits.back()), journal);
     if (score(fits.back()) > score(fits[best])) best = fits.size() - 1;
+  };
+  const int largest = problem.configuration.nominal_model.na;
+  for (int order = 1; order < largest && fits.size() <= best + kWorse; ++order) {
+    NominalModelOptions& nominal = gain.configuration.nominal_model;
+    nominal.nb = nominal.na = order;
+    std::optional<StructureFit> of_order;
+    for (const int delay : likelyDelays(problem, order)) {
+      if (of_order && journal->progress.cancelled()) break;
+      nominal.delay = delay;
+      auto fit = fitStructure(problem, gain, {}, true, journal);
+      if (fit && (!of_order || score(*fit) > score(*of_order))) of_order = std::move(fit);
+    }
+    adopt(std::move(of_order));
   }
+  gain.configuration.nominal_model = problem.configuration.nominal_model;
+  adopt(fitStructure(problem, gain, points, true, journal));
   if (fits.empty()) return fits;
   fits.resize(best + 1, fits.front());
   std::reverse(fits.begin(), fits.end());

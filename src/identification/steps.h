@@ -68,6 +68,9 @@ struct ModelChoice {
 /// where none can be fitted.
 ModelChoice chooseModel(const Problem& problem, const Configuration& asked, Journal* journal);
 
+/// The same around the problem's fitted plant, which stays as it is.
+ModelChoice chooseAroundPlant(const Problem& problem, const Configuration& asked, Journal* journal);
+
 /// Whether the request or its configuration gives a start of the parameters, or of the mixture.
 bool hasGivenParameters(const Problem& problem);
 const Mixture& givenMixture(const Problem& problem);  ///< without components where none is given

@@ -58,8 +58,8 @@ double scoreAfterFirstSamples(const Problem& problem, const StructureFit& fit, J
 /// common one, with the same noise model or white noise: noise that wanders may stand for offsets.
 StructureFit withBetterOffsets(const Problem& problem, StructureFit fit, Journal* journal);
 
-/// The delay with which a model of nb = na = `order` explains the data best by least squares.
-int scannedDelay(const Problem& problem, int order);
+/// The delays with which a model of nb = na = `order` explains the data best by least squares.
+std::vector<int> likelyDelays(const Problem& problem, int order);
 
 /// The fit or, where its dead time is a whole number of samples within a tenth and BIC improves,
 /// that of the structure with this delay in place of the dead time: at its lower limit a dead time

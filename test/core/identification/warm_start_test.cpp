@@ -20,9 +20,9 @@ namespace {
 struct Ovens {
   int count = 12, samples = 400;
   double gain_spread = 0.06, tau_spread = 0.08;
-  double offset_spread = 0;    ///< [unit of y]
+  double offset_spread = 0;  ///< [unit of y]
   double noise_pole = 0.8;
-  double noise = 0.1;          ///< standard deviation of what drives it [unit of y]
+  double noise = 0.1;  ///< standard deviation of what drives it [unit of y]
 };
 
 std::vector<Experiment> simulated(const Ovens& ovens, unsigned seed = 3) {
