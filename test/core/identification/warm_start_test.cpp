@@ -177,15 +177,19 @@ TEST(FirstSamples, TakeUpWhatUnknownInitialValuesCost) {
   EXPECT_NEAR(smaller.first, larger.first, 0.25 * ovens.count);
 }
 
-TEST(WarmStarts, DoNotMisleadLeastSquares) {
+TEST(WarmStarts, DoNotMisleadLeastSquaresThatAllowForThem) {
   Ovens ovens;
   ovens.noise_pole = ovens.gain_spread = ovens.tau_spread = 0;
   const std::vector<Experiment> data = simulated(ovens);
   std::vector<const Experiment*> all;
   for (const Experiment& one : data) all.push_back(&one);
-  const Polynomials found = LeastSquaresStart(all, true).steiglitzMcBride(1, 1, 0, 10).polynomials;
+  const LeastSquaresStart start(all, true);
+  const Polynomials found =
+      start.steiglitzMcBride(1, 1, 0, 10, LeastSquaresStart::Start::unknown).polynomials;
   EXPECT_EQ(found.delay, 3);
   EXPECT_NEAR(-1 / std::log(-found.a[0]), 40, 0.5) << "[samples]";
+  const std::vector<int> delays = start.likelyDelays(1, 1, 10);
+  EXPECT_EQ(std::count(delays.begin(), delays.end(), 3), 1);
 }
 
 }  // namespace
