@@ -159,7 +159,8 @@ std::vector<LeastSquaresModel> modelsOfDeadTimes(const LeastSquaresStart& pooled
 }
 
 /// Least-squares models of Go: pooled by Steiglitz-McBride, pooled as ARX, the median of single
-/// experiments, pooled with unknown starts, and with an error model of each experiment.
+/// experiments and, with an error model, pooled with unknown starts and with an error model of each
+/// experiment.
 std::vector<LeastSquaresModel> leastSquaresModels(const LinearModel& model,
                                                   const std::vector<Experiment>& experiments) {
   const Polynomials sizes = sizesOf(model.nominal());
@@ -176,8 +177,10 @@ std::vector<LeastSquaresModel> leastSquaresModels(const LinearModel& model,
   models[kArx].polynomials.a = stabilised(models[kArx].polynomials.a, 0.9995);
   LeastSquaresModel median;
   if (medianOfExperiments(experiments, sizes, with_constant, &median)) models.push_back(median);
-  models.push_back(
-      pooled.steiglitzMcBride(nb, na, sizes.delay, sizes.delay, LeastSquaresStart::Start::unknown));
+  // Without an error model, a slow pole with a free state would follow what the model lacks.
+  if (model.regressors() > 0)
+    models.push_back(pooled.steiglitzMcBride(nb, na, sizes.delay, sizes.delay,
+                                             LeastSquaresStart::Start::unknown));
   const std::vector<LeastSquaresModel> embedded =
       embeddedStarts(model.basis(), sizes, experiments, with_constant);
   models.insert(models.end(), embedded.begin(), embedded.end());

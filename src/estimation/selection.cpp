@@ -170,13 +170,8 @@ class Selection {
       NominalModelOptions options = configuration_.nominal_model;
       options.structure = Structure::output_error;
       options.nb = options.na = order;
-      Fitted model;
-      for (const int delay : scan.likelyDelays(order, order, longest_delay)) {
-        options.delay = delay;
-        Fitted one = fit(options, fitted_);
-        if (model.parameters.size() == 0 || one.log_likelihood > model.log_likelihood)
-          model = std::move(one);
-      }
+      options.delay = scan.steiglitzMcBride(order, order, 0, longest_delay).polynomials.delay;
+      Fitted model = fit(options, fitted_);
       if (!models.empty() && model.log_likelihood < models.back().log_likelihood) {
         options.delay = models.back().options.delay;
         const Fitted again = fit(options, fitted_, enlarged(models.back()));

@@ -5,12 +5,19 @@
 #include "identification/mean_plant.h"
 #include "identification/steps.h"
 #include "identification/structure_fit.h"
+#include "model/evaluation.h"
 
 /// Whether each experiment has an operating point of its own.
 namespace uncertainty_identification {
 namespace {
 
-constexpr int kFewest = 3;  // experiments that show whether their offsets differ
+/// Whether there are too few experiments, or their inputs excite too little, to show offsets of
+/// their own; experiments that start at rest start at the common one.
+bool cannotTell(const Problem& problem) {
+  constexpr int kFewest = 3;
+  return problem.data.count() < kFewest || problem.data.single_steps ||
+         !estimatesInitialState(problem.configuration.estimation);
+}
 
 /// A model whose gain varies and whose noise is coloured.
 Configuration simpleModel(Configuration simple) {
@@ -95,8 +102,7 @@ Configuration chooseOffsets(const Problem& problem, Journal* journal) {
       problem.previous->configuration.estimation.offsets == Offsets::per_experiment)
     offsets = Offsets::per_experiment;
   const bool at_input = chosen.estimation.offset_side == OffsetSide::input;
-  const bool cannot_tell = problem.data.count() < kFewest || problem.data.single_steps;
-  if (cannot_tell || at_input || hasGivenParameters(problem)) return chosen;
+  if (cannotTell(problem) || at_input || hasGivenParameters(problem)) return chosen;
   CheckedData data;
   data.experiments = thinned(problem.data.experiments, kEnoughForOffsets);
   data.blocks = makeBlocks(data.experiments);
@@ -120,8 +126,7 @@ Configuration chooseOffsets(const Problem& problem, Journal* journal) {
 StructureFit withBetterOffsets(const Problem& problem, StructureFit fit, Journal* journal) {
   constexpr double kWorthIt = 1;  // [nats]
   Configuration own = fit.structure.configuration;
-  const bool cannot_tell = problem.data.count() < kFewest || problem.data.single_steps;
-  if (own.estimation.offsets != Offsets::estimate || cannot_tell) return fit;
+  if (own.estimation.offsets != Offsets::estimate || cannotTell(problem)) return fit;
   own.estimation.offsets = Offsets::per_experiment;
   Scored best;
   best.score = scoreAfterFirstSamples(problem, fit, journal) + kWorthIt;

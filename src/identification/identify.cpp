@@ -50,7 +50,7 @@ FittedModel fitChosen(const Configuration& asked, Problem* problem, Journal* jou
   FittedModel fitted = fitModel(*problem, journal);
   const bool could_be_alone = around.plant && !problem->plant && !journal->progress.cancelled();
   if (!could_be_alone ||
-      simulatesAsWellAsAlone(*problem, *fitted.model, fitted.optimum.point, journal))
+      simulatesAsWellAsAlone(*problem, *fitted.model, fitted.optimum.point, *around.plant, journal))
     return fitted;
   journal->candidates.resize(before);
   journal->warnings.push_back(

@@ -23,7 +23,9 @@ Polynomials meanPlant(const LinearModel& model, const ModelParameters& point) {
 }
 
 bool simulatesAsWellAsAlone(const Problem& whole, const LinearModel& model,
-                            const ModelParameters& point, Journal* journal) {
+                            const ModelParameters& point, const FittedPlant& chosen_alone,
+                            Journal* journal) {
+  constexpr double kMuch = 10;  // [% of fit] beyond what free responses of slow poles are worth
   CheckedData data;
   data.experiments = thinned(whole.data.experiments, kEnoughSamples);
   data.blocks = makeBlocks(data.experiments);
@@ -36,8 +38,10 @@ bool simulatesAsWellAsAlone(const Problem& whole, const LinearModel& model,
   alone.delay = joint.polynomials.delay;
   alone.fit = PlantFit::simulation;
   const std::optional<FittedPlant> plant = fitPlant(of_plant, journal);
-  return !simulatesWorse(fitOf(problem, meanPlant(model, point), joint.offset),
-                         fitOf(problem, plant->polynomials, plant->offset));
+  const SimulationFit jointly = fitOf(problem, meanPlant(model, point), joint.offset);
+  const SimulationFit chosen = fitOf(problem, chosen_alone.polynomials, chosen_alone.offset);
+  return jointly.pooled > chosen.pooled - kMuch &&
+         !simulatesWorse(jointly, fitOf(problem, plant->polynomials, plant->offset));
 }
 
 SimulationFit fitOf(const Problem& problem, const Polynomials& plant, double offset) {
