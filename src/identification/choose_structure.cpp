@@ -22,10 +22,14 @@ constexpr double kNearlyAsGood = 10;
 /// structure [nats].
 constexpr double kImmaterial = 2;
 
-/// The part of the data that is enough to compare structures.
+/// The part of the data that is enough to compare structures: of long records the beginnings.
 CheckedData enough(const CheckedData& data) {
+  constexpr int kAlways = 1000, kTogether = 8000;  // samples of each, and of few
+  const int longest = std::max(kAlways, kTogether / data.count());
   CheckedData part;
   part.experiments = thinned(data.experiments, kEnoughSamples);
+  for (Experiment& experiment : part.experiments)
+    if (experiment.samples() > longest) experiment = excerpt(experiment, 0, longest);
   part.blocks = makeBlocks(part.experiments);
   return part;
 }

@@ -93,7 +93,7 @@ Estimate identify(const Request& request, const std::vector<Experiment>& experim
 }
 
 FoldModel identifyPlant(const Request& request, const std::vector<Experiment>& experiments) {
-  constexpr int kEnough = 20;  // iterations from the estimate of all folds
+  constexpr int kEnough = 12;  // iterations from the estimate of all folds
   Journal journal{ProgressPhases(request.progress)};
   const CheckedData data = beginnings(checkData(request.configuration, experiments, &journal));
   Problem problem = problemOf(request, data, &journal);
