@@ -19,7 +19,7 @@ bool cannotTell(const Problem& problem) {
          !estimatesInitialState(problem.configuration.estimation);
 }
 
-/// A model whose gain varies and whose noise is coloured.
+/// A simple nominal model whose noise is coloured.
 Configuration simpleModel(Configuration simple) {
   NominalModelOptions nominal;
   nominal.structure = Structure::box_jenkins;
@@ -28,10 +28,6 @@ Configuration simpleModel(Configuration simple) {
   nominal.max_delay = simple.nominal_model.max_delay;
   nominal.orders_auto = false;
   simple.nominal_model = nominal;
-  ErrorModelOptions& errors = simple.error_model;
-  errors.basis = BasisKind::fir;
-  errors.constraint = Constraint::zero_mean;
-  errors.taps = 1;
   simple.effects.clear();
   return simple;
 }
@@ -58,18 +54,12 @@ Scored bestWith(Offsets offsets, Problem problem, Journal* journal) {
   Scored best;
   for (const int order : {1, 2}) {
     if (journal->progress.cancelled()) break;
-    nominal.nb = nominal.na = order;
-    std::optional<StructureFit> fit;
-    for (const int delay : likelyDelays(problem, order)) {
-      nominal.delay = delay;
-      auto other = fitStructure(problem, {"gain", problem.configuration}, {}, true, journal);
-      if (other && (!fit || other->log_likelihood > fit->log_likelihood)) fit = std::move(other);
-    }
+    auto fit = fitVaryingGain(problem, order, journal);
     if (!fit) continue;
-    fit = withBetterDelay(problem, std::move(*fit), journal);
     const StartingPoint start = fit->start();
     best.adopt(std::move(fit), problem, journal);
     if (order > 1 || journal->progress.cancelled()) continue;
+    nominal.nb = nominal.na = order;
     nominal.delay = start.polynomials.delay;
     for (const ErrorStructure& structure : variedStructures(problem, &start.polynomials)) {
       if (structure.configuration.error_model.parameters.size() == 2)

@@ -27,15 +27,11 @@ CheckedData enough(const CheckedData& data) {
   constexpr int kAlways = 1000, kTogether = 8000;  // samples of each, and of few
   const int longest = std::max(kAlways, kTogether / data.count());
   CheckedData part;
-  part.experiments = thinned(data.experiments, kEnoughSamples);
+  part.experiments = thinned(data.experiments, 2 * kEnoughSamples);
   for (Experiment& experiment : part.experiments)
     if (experiment.samples() > longest) experiment = excerpt(experiment, 0, longest);
   part.blocks = makeBlocks(part.experiments);
   return part;
-}
-
-double scoreOf(const StructureFit& fit, const Problem& problem) {
-  return fit.score(static_cast<double>(problem.data.validSamples()), problem.data.count());
 }
 
 /// Whether Go is not the plant in the middle of its distribution, and simulates worse than that
@@ -53,8 +49,8 @@ bool isWorthFitting(const Problem& problem, const ErrorStructure& structure,
   if (structure.if_better.empty()) return true;
   double without = -std::numeric_limits<double>::infinity(), with = without;
   for (const StructureFit& fit : before) {
-    if (fit.structure.description == structure.if_better) with = scoreOf(fit, problem);
-    if (fit.mixture == 0) without = scoreOf(fit, problem);
+    if (fit.structure.description == structure.if_better) with = scoreOf(problem, fit);
+    if (fit.mixture == 0) without = scoreOf(problem, fit);
   }
   return with > without;
 }
@@ -77,7 +73,7 @@ std::vector<StructureFit> fitAll(const Problem& problem,
                  isBesideItsPlants(problem, *fit)))
       continue;
     fits.push_back(std::move(*fit));
-    const double score = scoreOf(fits.back(), problem);
+    const double score = scoreOf(problem, fits.back());
     if (score <= highest) continue;
     highest = score;
     starts.resize(points.size());
@@ -124,7 +120,7 @@ StructureFit bestOf(const Problem& problem, const std::vector<StructureFit>& fit
                           fit.structure.description,
                           fit.parameters + fit.mixture,
                           fit.log_likelihood,
-                          -2 * scoreOf(fit, problem),
+                          -2 * scoreOf(problem, fit),
                           {},
                           false,
                           {}});
@@ -176,16 +172,19 @@ std::vector<StructureFit> fitSmaller(Problem problem, const std::vector<Structur
   std::vector<StructureFit> fits;
   for (std::size_t k = 1; k < orders.size(); ++k) {
     const StructureFit& each = orders[k];
-    const double of_first = scoreOf(orders.front(), problem);
-    if (of_first - scoreOf(each, problem) > highest - of_first) break;
+    const double of_first = scoreOf(problem, orders.front());
+    if (of_first - scoreOf(problem, each) > highest - of_first) break;
     const StartingPoint start = each.start();
     problem.configuration.nominal_model = each.structure.configuration.nominal_model;
     std::vector<ErrorStructure> structures = variedStructures(problem, &start.polynomials);
-    for (ErrorStructure& structure : structures)
-      structure.description += " (na=" + std::to_string(start.polynomials.a.size()) + ")";
+    const std::string order = " (na=" + std::to_string(start.polynomials.a.size()) + ")";
+    for (ErrorStructure& structure : structures) {
+      structure.description += order;
+      if (!structure.if_better.empty()) structure.if_better += order;
+    }
     const double before = highest;
     for (StructureFit& fit : fitAll(problem, structures, {start}, journal)) {
-      highest = std::max(highest, scoreOf(fit, problem));
+      highest = std::max(highest, scoreOf(problem, fit));
       fits.push_back(std::move(fit));
     }
     if (highest == before) break;
@@ -206,7 +205,7 @@ StructureFit chooseStructure(Problem problem, bool free_orders, bool free_offset
       problem, free_orders && !points.empty() ? &points.front().polynomials : nullptr);
   std::vector<StructureFit> fits = fitAll(problem, structures, points, journal);
   double highest = -std::numeric_limits<double>::infinity();
-  for (const StructureFit& fit : fits) highest = std::max(highest, scoreOf(fit, problem));
+  for (const StructureFit& fit : fits) highest = std::max(highest, scoreOf(problem, fit));
   for (StructureFit& fit : fitSmaller(problem, orders, highest, journal))
     fits.push_back(std::move(fit));
   StructureFit chosen =
@@ -219,10 +218,6 @@ StructureFit chooseStructure(Problem problem, bool free_orders, bool free_offset
   chosen = withNoiseOrders(problem, chosen, journal);
   return free_offsets ? withBetterOffsets(problem, std::move(chosen), journal) : chosen;
 }
-
-}  // namespace
-
-namespace {
 
 /// The problem of comparing structures, which part of the data is enough for.
 Problem partOf(const Problem& problem, const CheckedData& part, bool free_orders, PlantFit fit) {

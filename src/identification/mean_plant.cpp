@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "estimation/excerpt.h"
 #include "identification/steps.h"
 #include "model/fixed_plant.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 
@@ -22,6 +24,38 @@ Polynomials meanPlant(const LinearModel& model, const ModelParameters& point) {
   return plant;
 }
 
+namespace {
+
+/// The plant without coefficients of B that are zero at either end, as those beside a dead time
+/// are: a model of its size has no use for them.
+Polynomials trimmed(Polynomials plant) {
+  const double least = 1e-9 * plant.b.cwiseAbs().maxCoeff();
+  Eigen::Index first = 0, last = plant.b.size() - 1;
+  while (first < last && std::abs(plant.b[first]) <= least) ++first;
+  while (last > first && std::abs(plant.b[last]) <= least) --last;
+  plant.delay += static_cast<int>(first);
+  plant.b = plant.b.segment(first, last - first + 1).eval();
+  return plant;
+}
+
+/// A plant of the same size, fitted to nothing but its simulation; none where no start is found.
+std::optional<FittedPlant> aloneOfSameSize(Problem problem, const Polynomials& plant,
+                                           Journal* journal) {
+  const Polynomials size = trimmed(plant);
+  NominalModelOptions& nominal = problem.configuration.nominal_model;
+  nominal.nb = static_cast<int>(size.b.size());
+  nominal.na = static_cast<int>(size.a.size());
+  nominal.delay = size.delay;
+  nominal.fit = PlantFit::simulation;
+  try {
+    return fitPlant(problem, journal);
+  } catch (const DataError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
 bool simulatesAsWellAsAlone(const Problem& whole, const LinearModel& model,
                             const ModelParameters& point, const FittedPlant& chosen_alone,
                             Journal* journal) {
@@ -31,17 +65,11 @@ bool simulatesAsWellAsAlone(const Problem& whole, const LinearModel& model,
   data.blocks = makeBlocks(data.experiments);
   const Problem problem{data, {}, nullptr, whole.configuration, {}, {}};
   const FittedPlant joint = plantOf(model, point);
-  Problem of_plant = problem;
-  NominalModelOptions& alone = of_plant.configuration.nominal_model;
-  alone.nb = static_cast<int>(joint.polynomials.b.size());
-  alone.na = static_cast<int>(joint.polynomials.a.size());
-  alone.delay = joint.polynomials.delay;
-  alone.fit = PlantFit::simulation;
-  const std::optional<FittedPlant> plant = fitPlant(of_plant, journal);
+  const std::optional<FittedPlant> plant = aloneOfSameSize(problem, joint.polynomials, journal);
   const SimulationFit jointly = fitOf(problem, meanPlant(model, point), joint.offset);
   const SimulationFit chosen = fitOf(problem, chosen_alone.polynomials, chosen_alone.offset);
   return jointly.pooled > chosen.pooled - kMuch &&
-         !simulatesWorse(jointly, fitOf(problem, plant->polynomials, plant->offset));
+         (!plant || !simulatesWorse(jointly, fitOf(problem, plant->polynomials, plant->offset)));
 }
 
 SimulationFit fitOf(const Problem& problem, const Polynomials& plant, double offset) {

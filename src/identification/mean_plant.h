@@ -12,10 +12,10 @@ Polynomials meanPlant(const LinearModel& model, const ModelParameters& point);
 inline Polynomials meanPlant(const StructureFit& fit) { return meanPlant(*fit.model, fit.point); }
 
 /// Whether the mean plant simulates the data as well as Go of the same orders that is fitted to
-/// nothing else, and not much worse than Go of the orders that simulate best. It does not where the
-/// plant is not linear, and the likelihood accepts a worse simulation for a better prediction.
-/// Where plants differ, the best simulation of these few leads to another Go than the mean of the
-/// plants; it is then better in some experiments only.
+/// nothing else, and not much worse than `chosen_alone`, Go of the orders that simulate best. It
+/// does not where the plant is not linear, and the likelihood accepts a worse simulation for a
+/// better prediction. Where plants differ, the best simulation of these few leads to another Go
+/// than the mean of the plants; it is then better in some experiments only.
 bool simulatesAsWellAsAlone(const Problem& problem, const LinearModel& model,
                             const ModelParameters& point, const FittedPlant& chosen_alone,
                             Journal* journal);

@@ -74,7 +74,6 @@ StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool onl
                               Journal* journal) {
   constexpr int kRounds = 3;
   constexpr double kWorthIt = 2;  // [nats] beyond the penalty
-  const auto samples = static_cast<double>(problem.data.validSamples());
   const int largest = problem.configuration.nominal_model.max_order;
   for (int round = 0; round < kRounds && !journal->progress.cancelled(); ++round) {
     const StartingPoint start = fit.start();
@@ -83,13 +82,13 @@ StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool onl
     const ErrorStructure& structure = fit.structure;
     const bool continuous =
         structure.configuration.nominal_model.structure == Structure::continuous;
-    double highest = fit.score(samples, problem.data.count()) + kWorthIt;
+    double highest = scoreOf(problem, fit) + kWorthIt;
     std::optional<StructureFit> better;
     for (const Neighbour& each :
          continuous ? largerContinuous(structure, start) : largerRational(structure, start)) {
       auto larger = fitStructure(problem, each.structure, {each.start}, true, journal);
-      if (!larger || larger->score(samples, problem.data.count()) < highest) continue;
-      highest = larger->score(samples, problem.data.count());
+      if (!larger || scoreOf(problem, *larger) < highest) continue;
+      highest = scoreOf(problem, *larger);
       better = std::move(larger);
     }
     if (!better) return fit;
@@ -98,6 +97,9 @@ StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool onl
   return fit;
 }
 
+namespace {
+
+/// The delays with which a model of nb = na = `order` explains the data best by least squares.
 std::vector<int> likelyDelays(const Problem& problem, int order) {
   std::vector<const Experiment*> all;
   int shortest = problem.data.experiments.front().samples();
@@ -112,10 +114,8 @@ std::vector<int> likelyDelays(const Problem& problem, int order) {
   return scan.likelyDelays(order, order, longest);
 }
 
+/// The fit or, where BIC is lower, that with a longer or a shorter delay.
 StructureFit withBetterDelay(const Problem& problem, StructureFit fit, Journal* journal) {
-  const auto score = [&](const StructureFit& of) {
-    return of.score(static_cast<double>(problem.data.validSamples()), problem.data.count());
-  };
   for (const int step : {1, -1}) {
     for (bool better = true; better && !journal->progress.cancelled();) {
       ErrorStructure structure = fit.structure;
@@ -125,16 +125,14 @@ StructureFit withBetterDelay(const Problem& problem, StructureFit fit, Journal* 
       delay += step;
       if (delay < 0 || delay > problem.configuration.nominal_model.max_delay) break;
       auto other = fitStructure(problem, structure, {start}, false, journal);
-      better = other && score(*other) > score(fit);
+      better = other && scoreOf(problem, *other) > scoreOf(problem, fit);
       if (better) fit = std::move(*other);
     }
   }
   return fit;
 }
 
-namespace {
-
-void record(const StructureFit& fit, double score, Journal* journal) {
+void record(const Problem& problem, const StructureFit& fit, Journal* journal) {
   const NominalModelOptions& nominal = fit.structure.configuration.nominal_model;
   journal->candidates.push_back({"orders, gain varies",
                                  "nb=" + std::to_string(nominal.nb) +
@@ -142,7 +140,7 @@ void record(const StructureFit& fit, double score, Journal* journal) {
                                      " delay=" + std::to_string(nominal.delay),
                                  fit.parameters + fit.mixture,
                                  fit.log_likelihood,
-                                 -2 * score,
+                                 -2 * scoreOf(problem, fit),
                                  {},
                                  false,
                                  {}});
@@ -150,44 +148,50 @@ void record(const StructureFit& fit, double score, Journal* journal) {
 
 }  // namespace
 
+ErrorStructure varyingGain(const Problem& problem) {
+  ErrorStructure gain{"gain", problem.configuration};
+  ErrorModelOptions& errors = gain.configuration.error_model;
+  errors.basis = BasisKind::fir;
+  errors.constraint = Constraint::zero_mean;
+  errors.taps = 1;
+  return gain;
+}
+
+std::optional<StructureFit> fitVaryingGain(Problem problem, int order, Journal* journal) {
+  NominalModelOptions& nominal = problem.configuration.nominal_model;
+  nominal.nb = nominal.na = order;
+  std::optional<StructureFit> best;
+  for (const int delay : likelyDelays(problem, order)) {
+    if (best && journal->progress.cancelled()) break;
+    nominal.delay = delay;
+    auto fit = fitStructure(problem, varyingGain(problem), {}, true, journal);
+    if (fit && (!best || scoreOf(problem, *fit) > scoreOf(problem, *best))) best = std::move(fit);
+  }
+  if (best) best = withBetterDelay(problem, std::move(*best), journal);
+  return best;
+}
+
 std::vector<StructureFit> jointOrders(const Problem& problem,
                                       const std::vector<StartingPoint>& points, Journal* journal) {
-  constexpr int kWorse = 2;  // orders in turn without a lower BIC
-  ErrorStructure gain{"gain", problem.configuration};
-  gain.configuration.error_model.basis = BasisKind::fir;
-  gain.configuration.error_model.constraint = Constraint::zero_mean;
-  gain.configuration.error_model.taps = 1;
-  const auto score = [&](const StructureFit& fit) {
-    return fit.score(static_cast<double>(problem.data.validSamples()), problem.data.count());
-  };
+  constexpr int kWorse = 2;        // orders in turn without a lower BIC
   std::vector<StructureFit> fits;  // by increasing order
   std::size_t best = 0;
   const auto adopt = [&](std::optional<StructureFit> fit) {
     if (!fit) return;
-    fits.push_back(withBetterDelay(problem, std::move(*fit), journal));
-    record(fits.back(), score(fits.back()), journal);
-    if (score(fits.back()) > score(fits[best])) best = fits.size() - 1;
+    fits.push_back(std::move(*fit));
+    record(problem, fits.back(), journal);
+    if (scoreOf(problem, fits.back()) > scoreOf(problem, fits[best])) best = fits.size() - 1;
   };
   const int largest = problem.configuration.nominal_model.na;
-  for (int order = 1; order < largest && fits.size() <= best + kWorse; ++order) {
-    NominalModelOptions& nominal = gain.configuration.nominal_model;
-    nominal.nb = nominal.na = order;
-    std::optional<StructureFit> of_order;
-    for (const int delay : likelyDelays(problem, order)) {
-      if (of_order && journal->progress.cancelled()) break;
-      nominal.delay = delay;
-      auto fit = fitStructure(problem, gain, {}, true, journal);
-      if (fit && (!of_order || score(*fit) > score(*of_order))) of_order = std::move(fit);
-    }
-    adopt(std::move(of_order));
-  }
-  gain.configuration.nominal_model = problem.configuration.nominal_model;
-  adopt(fitStructure(problem, gain, points, true, journal));
+  for (int order = 1; order < largest && fits.size() <= best + kWorse; ++order)
+    adopt(fitVaryingGain(problem, order, journal));
+  if (auto fit = fitStructure(problem, varyingGain(problem), points, true, journal))
+    adopt(withBetterDelay(problem, std::move(*fit), journal));
   if (fits.empty()) return fits;
   fits.resize(best + 1, fits.front());
   std::reverse(fits.begin(), fits.end());
   fits.front() = withBetterOrders(problem, fits.front(), false, journal);
-  record(fits.front(), score(fits.front()), journal);
+  record(problem, fits.front(), journal);
   journal->candidates.back().chosen = true;
   return fits;
 }
@@ -207,10 +211,7 @@ StructureFit withWholeDelay(const Problem& problem, StructureFit fit, Journal* j
   nominal.dead_time = false;
   nominal.delay += static_cast<int>(std::round(samples));
   const auto with = fitStructure(problem, whole, {fit.start()}, false, journal);
-  const auto score = [&](const StructureFit& of) {
-    return of.score(static_cast<double>(problem.data.validSamples()), problem.data.count());
-  };
-  return with && score(*with) > score(fit) ? *with : fit;
+  return with && scoreOf(problem, *with) > scoreOf(problem, fit) ? *with : fit;
 }
 
 }  // namespace uncertainty_identification

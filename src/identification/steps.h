@@ -17,8 +17,9 @@ CheckedData checkData(const Configuration& configuration,
 Configuration chooseInitialState(Configuration configuration, const CheckedData& data,
                                  Journal* journal);
 
-/// The configuration with Offsets::automatic replaced: an offset of each experiment's own where a
-/// second-order model whose gain varies describes the data better with it, otherwise one in common.
+/// The configuration with Offsets::automatic replaced: an offset of each experiment's own where
+/// simple models describe the data better with it and simulate them as well; otherwise, for fewer
+/// than three experiments, for single steps and for starts at rest one in common.
 Configuration chooseOffsets(const Problem& problem, Journal* journal);
 
 /// Variance of all measured outputs about their common mean.

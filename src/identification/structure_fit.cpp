@@ -123,13 +123,14 @@ LinearisedPoint fitFrom(const Problem& problem, std::shared_ptr<const LinearMode
 
 }  // namespace
 
-double StructureFit::score(double samples, int experiments) const {
-  return log_likelihood - bicPenalty(parameters, samples) - bicPenalty(mixture, experiments);
+double scoreOf(const Problem& problem, const StructureFit& fit) {
+  return fit.log_likelihood -
+         bicPenalty(fit.parameters, static_cast<double>(problem.data.validSamples())) -
+         bicPenalty(fit.mixture, problem.data.count());
 }
 
 double scoreAfterFirstSamples(const Problem& problem, const StructureFit& fit, Journal* journal) {
-  const double score =
-      fit.score(static_cast<double>(problem.data.validSamples()), problem.data.count());
+  const double score = scoreOf(problem, fit);
   const EstimationOptions& options = fit.structure.configuration.estimation;
   if (hasUnknownsOfExperiments(options)) return score;
   return score - firstSamplesDensity(*fit.model, fit.point, problem.data.experiments,

@@ -24,10 +24,10 @@ struct StructureFit {
   int mixture = 0;            ///< of the error model
 
   StartingPoint start() const;  ///< Go, H and the offset at `point`
-
-  /// log-likelihood less half of BIC's penalty [nats].
-  double score(double samples, int experiments) const;
 };
+
+/// Half BIC, higher is better: log-likelihood less half of the penalty [nats].
+double scoreOf(const Problem& problem, const StructureFit& fit);
 
 /// Fits a structure to the data of a problem, from starting points and, with `from_data`, also from
 /// the starts that the data give. None where the likelihood is not finite at any start.
@@ -40,8 +40,11 @@ std::optional<StructureFit> fitStructure(const Problem& problem, const ErrorStru
 StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool only_if_dependent,
                               Journal* journal);
 
-/// The fit or, where BIC is lower, that with a longer or a shorter delay.
-StructureFit withBetterDelay(const Problem& problem, StructureFit fit, Journal* journal);
+/// A model whose gain alone varies, with the problem's nominal model.
+ErrorStructure varyingGain(const Problem& problem);
+
+/// The best model of nb = na = `order` whose gain varies, with the delay of least BIC.
+std::optional<StructureFit> fitVaryingGain(Problem problem, int order, Journal* journal);
 
 /// Models whose gain varies and whose noise is coloured: that of least BIC among all orders and
 /// delays, followed by the best ones with fewer and fewer poles. The simulation alone, by which the
@@ -57,9 +60,6 @@ double scoreAfterFirstSamples(const Problem& problem, const StructureFit& fit, J
 /// The fit or, where BIC is lower, that with an offset of each experiment's own in place of the
 /// common one, with the same noise model or white noise: noise that wanders may stand for offsets.
 StructureFit withBetterOffsets(const Problem& problem, StructureFit fit, Journal* journal);
-
-/// The delays with which a model of nb = na = `order` explains the data best by least squares.
-std::vector<int> likelyDelays(const Problem& problem, int order);
 
 /// The fit or, where its dead time is a whole number of samples within a tenth and BIC improves,
 /// that of the structure with this delay in place of the dead time: at its lower limit a dead time

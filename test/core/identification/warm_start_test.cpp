@@ -135,6 +135,16 @@ TEST_F(Offset, IsOfEachExperimentOnlyWhereTheDataSpeakForIt) {
   EXPECT_TRUE(common.chosen);
 }
 
+TEST_F(Offset, IsCommonWhereExperimentsStartAtRest) {
+  Ovens ovens;
+  ovens.offset_spread = 5;
+  ovens.samples = 200;
+  data_ = checkData({}, simulated(ovens), &journal_);
+  Problem problem{data_, {}, nullptr, {}, {}, {}};
+  problem.configuration.estimation.initial_state = InitialState::zero;
+  EXPECT_EQ(chooseOffsets(problem, &journal_).estimation.offsets, Offsets::estimate);
+}
+
 TEST_F(Offset, ThatIsGivenStays) {
   const std::vector<Experiment> data = simulated({});
   data_ = checkData({}, data, &journal_);

@@ -58,6 +58,13 @@ std::vector<VaryingCase> varyingCases() {
        {"tau1"},
        OffsetSide::input,
        Offsets::estimate},
+      {"SpreadFromUnknownStarts",
+       B::parameter_spread,
+       1,
+       Structure::continuous,
+       {"tau1", "zeta1"},
+       OffsetSide::output,
+       Offsets::per_experiment},
   };
 }
 
@@ -97,7 +104,8 @@ class SensitivityModelTest : public testing::TestWithParam<VaryingCase> {
   std::unique_ptr<LinearModel> spread() const {
     xi_ = 0.1 * MatrixXd::Random(setup_->model().regressors(), kExperiments);
     if (!setup_->model().isLocallyLinear()) return nullptr;
-    return setup_->model().linearisedAbout(setup_->model().points(parameters_, xi_));
+    points_ = setup_->model().pointsOf(setup_->blocks(), parameters_, xi_);
+    return setup_->model().linearisedAbout(points_);
   }
 
   Statistics statisticsOf(const LinearModel& model, const VectorXd& at, bool derivatives) const {
@@ -106,7 +114,7 @@ class SensitivityModelTest : public testing::TestWithParam<VaryingCase> {
 
   std::unique_ptr<test::CoreSetup> setup_;
   VectorXd parameters_;
-  mutable MatrixXd xi_;
+  mutable MatrixXd xi_, points_;
 };
 
 TEST_P(SensitivityModelTest, DerivativesOfTheStatisticsAreThoseOfDifferences) {
@@ -150,7 +158,8 @@ TEST_P(SensitivityModelTest, DerivativesOfTheStatisticsAreThoseOfDifferences) {
 }
 
 /// At its own point an experiment's linearised output is that of its plant: the plain model with
-/// that theta, noise model included as the common theta has it.
+/// that theta, noise model included as the common theta has it, and with the free response that is
+/// known of the experiment.
 TEST_P(SensitivityModelTest, AtThePointsTheOutputIsExact) {
   const std::unique_ptr<LinearModel> about = spread();
   if (about == nullptr) return;
@@ -180,6 +189,10 @@ TEST_P(SensitivityModelTest, AtThePointsTheOutputIsExact) {
       Signals whitened;
       NoiseWhitening(p.c, p.d, NoiseStart::stationary, 0, block, false)
           .apply(block.y - simulated, &whitened);
+      const VectorXd start = points_.col(r).tail(points_.rows() - point.size());
+      for (Index k = 0; k < start.size(); ++k)
+        whitened.row(lane) -=
+            start[k] * response.value.columns[static_cast<std::size_t>(k)]->row(lane);
       EXPECT_LT((rest - whitened.row(lane).transpose()).matrix().norm(), 1e-9) << r;
     }
   }
