@@ -101,8 +101,11 @@ struct EstimationOptions {
   /// Limit for the optimisation, including scoring steps but not the search for a start. 0:
   /// evaluate the model at `initial` without optimising.
   int max_iterations = 2000;
-  double tolerance = 1e-6;   ///< em: relative change of all parameters (paper, section 5);
-                             ///< maximum_likelihood: predicted gain of a further step [nats]
+  double tolerance = 1e-6;  ///< em: relative change of all parameters (paper, section 5);
+                            ///< maximum_likelihood: predicted gain of a further step [nats]
+  /// [s] after which the best estimate so far is returned (Termination::time_limit), or none where
+  /// there is none yet; 0: no limit. With a limit the result can depend on the machine.
+  double time_limit = 0;
   int restarts = 8;          ///< additional starts of the mixture, drawn with the seed
   int threads = kAutomatic;  ///< kAutomatic: cores - 1, at least 1; never changes a result
   std::uint64_t seed = 1;
@@ -250,7 +253,8 @@ struct LimitOptions {
   int max_request_size = 256;  ///< [MiB] of a request with experiments
   int max_bag_size =
       4096;  ///< [MiB] of the bags that a request names, and of their uncompressed contents
-  int max_saved_files = 100;  ///< number of files that requests may write
+  int max_saved_files = 100;     ///< number of files that requests may write
+  double max_request_time = 60;  ///< [s] that a request to identify may compute, above 0
 
   void validate() const;
 };

@@ -32,7 +32,7 @@ class FileError : public Error {
   using Error::Error;
 };
 
-/// Reading was cancelled. Thrown only where the caller passed a function that can cancel.
+/// The work was cancelled. Thrown only where the caller passed a function that can cancel.
 class CancelledError : public Error {
  public:
   using Error::Error;

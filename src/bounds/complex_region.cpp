@@ -5,6 +5,7 @@
 #include <complex>
 
 #include "math/constants.h"
+#include "math/interruption.h"
 #include "uncertainty_identification/bounds/bands.h"
 
 namespace uncertainty_identification {
@@ -91,6 +92,7 @@ std::vector<ComplexRegion> complexRegions(const PlantDistribution& plants,
   ResponseSweep sweep(drawn);
   std::vector<ComplexRegion> regions;
   for (Index k = 0; k < omega.size(); ++k) {
+    checkpoint();
     const ComplexResponses& all = sweep.at(omega.segment(k, 1));
     const std::complex<double> delay = std::polar(1.0, -omega[k] * drawn.sample_time * drawn.delay);
     const ArrayXd re = all.real.array() * delay.real() - all.imaginary.array() * delay.imag();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "math/interruption.h"
 #include "math/polynomial.h"
 
 namespace uncertainty_identification {
@@ -41,6 +42,7 @@ class Excess {
   }
 
   double value(const std::vector<double>& x, std::vector<double>* gradient) const {
+    checkpoint();
     const Eigen::Map<const VectorXd> all(x.data(), 2 * order_);
     MatrixXd to_n, to_d;
     const VectorXd n = fromUnbounded(all.head(order_), &to_n);

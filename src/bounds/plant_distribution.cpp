@@ -8,6 +8,7 @@
 #include "bounds/varying_plant.h"
 #include "estimation/plant_coordinates.h"
 #include "math/distributions.h"
+#include "math/interruption.h"
 #include "math/polynomial.h"
 #include "math/random_stream.h"
 #include "math/symmetric_eigen.h"
@@ -177,6 +178,7 @@ PlantSamples PlantDistribution::draw(int count, Uncertainty uncertainty, std::ui
                      MatrixXd(count, varying_ != nullptr ? 0 : T_.rows()),
                      basis_};
   for (Index i = 0; i < count; ++i) {
+    checkpoint();
     const VectorXd at = total ? VectorXd(center_ + errors.row(i).transpose()) : center_;
     if (nominal_only) {
       drawNominal(at.head(plant), i, &drawn);
@@ -267,6 +269,7 @@ Eigen::ArrayXXd stepResponses(const PlantSamples& plants, int steps) {
   }
   Eigen::ArrayXXd y = Eigen::ArrayXXd::Zero(plants.count(), steps);
   for (Index t = plants.delay; t < steps; ++t) {
+    checkpoint();
     for (Index k = 0; k < std::min(plants.b.cols(), t - plants.delay + 1); ++k)
       y.col(t) += plants.b.col(k).array() * input.col(t - plants.delay - k);
     for (Index k = 0; k < std::min(plants.a.cols(), t); ++k)

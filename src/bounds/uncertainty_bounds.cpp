@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "math/constants.h"
+#include "math/interruption.h"
 #include "math/polynomial.h"
 #include "uncertainty_identification/errors.h"
 
@@ -60,6 +61,7 @@ ResponseBands ratioBands(const PlantSamples& drawn, const PlantSamples& nominal,
   ResponseSweep sweep(drawn), nominal_sweep(nominal);
   ArrayXf re, im;
   for (Index first = 0; first < omega.size(); first += kAtOnce) {
+    checkpoint();
     const VectorXd at = omega.segment(first, std::min(kAtOnce, omega.size() - first));
     const ComplexResponses& all = sweep.at(at);
     const ComplexResponses& of_nominal = nominal_sweep.at(at);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bounds/magnitude_fit.h"
+#include "math/interruption.h"
 #include "math/polynomial.h"
 #include "uncertainty_identification/bounds/bands.h"
 #include "uncertainty_identification/errors.h"
@@ -44,6 +45,7 @@ void forRelativeErrors(const PlantSamples& drawn, const PlantSamples& nominal,
   ResponseSweep of_drawn(drawn), of_nominal(nominal);
   ArrayXd distance(drawn.count());
   for (Index first = 0; first < omega.size(); first += kAtOnce) {
+    checkpoint();
     const VectorXd at = omega.segment(first, std::min(kAtOnce, omega.size() - first));
     const ComplexResponses& all = of_drawn.at(at);
     const ComplexResponses& go = of_nominal.at(at);

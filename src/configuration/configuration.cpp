@@ -162,6 +162,7 @@ void ErrorModelOptions::validate() const {
 void EstimationOptions::validate() const {
   const std::string at = "estimation.";
   requireRange(at + "max_iterations", max_iterations, 0, 1000000);
+  requireNotNegative(at + "time_limit", time_limit);
   require(tolerance > 0 && tolerance < 1, at + "tolerance", tolerance, "above 0 and below 1");
   requireRange(at + "restarts", restarts, 0, 1000);
   requireRangeOrAutomatic(at + "threads", threads, 1, 1024);
@@ -246,6 +247,7 @@ void LimitOptions::validate() const {
   requireRange("limits.max_request_size", max_request_size, 1, 1024);
   requireRange("limits.max_bag_size", max_bag_size, 1, 1 << 20);
   requireRange("limits.max_saved_files", max_saved_files, 0, kMost);
+  requirePositive("limits.max_request_time", max_request_time);
 }
 
 void Configuration::validate() const {

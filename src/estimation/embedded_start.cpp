@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/interruption.h"
 #include "math/polynomial.h"
 
 namespace uncertainty_identification {
@@ -32,12 +33,14 @@ VectorXd filtered(const VectorXd& a, VectorXd signal) {
 /// and so is y if it has lags.
 MatrixXd gramOf(const Experiment& experiment, const VectorXd& a, int delay, Index u_lags,
                 Index y_lags, bool with_constant) {
+  constexpr Index kOften = 64;  // samples
   const Index size = u_lags + y_lags + 1, samples = experiment.samples();
   const VectorXd u = filtered(a, experiment.u);
   const VectorXd y = y_lags > 0 ? filtered(a, experiment.y) : experiment.y;
   MatrixXd gram = MatrixXd::Zero(size + 1, size + 1);
   VectorXd row(size + 1);
   for (Index t = std::max(delay + u_lags, y_lags); t < samples; ++t) {
+    if (t % kOften == 0) checkpoint();
     if (!experiment.isValid(static_cast<int>(t))) continue;
     for (Index k = 0; k < u_lags; ++k) row[k] = u[t - delay - k];
     for (Index k = 1; k <= y_lags; ++k) row[u_lags + k - 1] = -y[t - k];
@@ -128,6 +131,7 @@ class AlternatingLeastSquares {
     MatrixXd information = MatrixXd::Zero(nb_, nb_);
     VectorXd score = VectorXd::Zero(nb_);
     for (std::size_t r = 0; r < own_.size(); ++r) {
+      checkpoint();
       const MatrixXd C = productMatrix(T_ * xi.col(static_cast<Index>(r)), nb_);
       information += C.transpose() * own_[r].information * C;
       score += C.transpose() * own_[r].information * own_[r].b;

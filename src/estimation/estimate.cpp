@@ -14,6 +14,8 @@ std::string toString(Termination termination) {
       return "stalled";
     case Termination::cancelled:
       return "cancelled";
+    case Termination::time_limit:
+      return "time_limit";
     default:
       return "not_run";
   }

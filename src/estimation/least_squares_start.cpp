@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "estimation/excerpt.h"
+#include "math/interruption.h"
 #include "math/polynomial.h"
 
 namespace uncertainty_identification {
@@ -46,11 +47,29 @@ class RowAccumulator {
  private:
   void reduce() {
     buffer_.bottomRows(buffer_.rows() - used_).setZero();
-    const Eigen::HouseholderQR<MatrixXd> qr(buffer_);
-    const MatrixXd R = qr.matrixQR().topRows(columns_).triangularView<Eigen::Upper>();
+    triangularise();
+    const MatrixXd R = buffer_.topRows(columns_).triangularView<Eigen::Upper>();
     buffer_.setZero();
     buffer_.topRows(columns_) = R;
     used_ = columns_;
+  }
+
+  /// The QR decomposition of the buffer, whose upper triangle becomes R. Many columns, as of long
+  /// delays, are decomposed in panels, because all at once would take seconds.
+  void triangularise() {
+    constexpr Index kAtOnce = 256, kPanel = 64;
+    const Index width = columns_ <= kAtOnce ? columns_ : kPanel;
+    for (Index first = 0; first < columns_; first += width) {
+      checkpoint();
+      const Index own = std::min(width, columns_ - first), rows = buffer_.rows() - first;
+      const Eigen::HouseholderQR<MatrixXd> qr(buffer_.block(first, first, rows, own));
+      buffer_.block(first, first, rows, own) = qr.matrixQR();
+      for (Index k = first + own; k < columns_; k += kAtOnce) {
+        checkpoint();
+        const Index others = std::min(kAtOnce, columns_ - k);
+        buffer_.block(first, k, rows, others).applyOnTheLeft(qr.householderQ().adjoint());
+      }
+    }
   }
 
   Index columns_, used_ = 0;
@@ -113,6 +132,7 @@ MatrixXd LeastSquaresStart::triangularFactor(const VectorXd& prefilter, int na, 
   const Index constant = u_lags + 1, columns = u_lags + 1 + (with_constant_ ? 1 : 0) + na + 1;
   RowAccumulator rows(columns);
   for (const Record& record : records_) {
+    checkpoint();
     const VectorXd u = overPolynomial(record.u, prefilter), y = overPolynomial(record.y, prefilter);
     const VectorXd one = overPolynomial(VectorXd::Ones(u.size()), prefilter);
     const Index first = std::min<Index>(
@@ -137,6 +157,7 @@ MatrixXd LeastSquaresStart::triangularFactor(const VectorXd& prefilter, int na, 
 
 LeastSquaresModel LeastSquaresStart::solve(const MatrixXd& factor, int nb, int na, int delay,
                                            int u_lags) const {
+  checkpoint();
   const Index columns = factor.cols(), constants = with_constant_ ? 1 : 0;
   MatrixXd selected(factor.rows(), nb + constants + na);
   selected.leftCols(nb) = factor.middleCols(delay, nb);

@@ -5,6 +5,7 @@
 #include "estimation/observed_information.h"
 #include "estimation/scoring.h"
 #include "estimation/stopwatch.h"
+#include "math/interruption.h"
 #include "math/symmetric_eigen.h"
 
 namespace uncertainty_identification {
@@ -54,6 +55,7 @@ class QuasiNewton {
     } catch (const nlopt::roundoff_limited&) {
     } catch (const std::runtime_error&) {  // no progress: the best point so far is kept
     }
+    checkpoint();  // NLopt turns CancelledError into an exception of its own
   }
 
   /// Gain that a Newton step in the whitened coordinates predicts [nats].

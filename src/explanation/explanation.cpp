@@ -1,8 +1,6 @@
 #include "uncertainty_identification/explanation/explanation.h"
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <cmath>
 #include <mutex>
 #include <optional>
@@ -19,10 +17,12 @@
 #include "explanation/residual_checks.h"
 #include "explanation/residual_picture.h"
 #include "explanation/search_outcome.h"
+#include "explanation/search_progress.h"
 #include "explanation/simulation_answer.h"
 #include "explanation/verdict.h"
 #include "explanation/warnings.h"
 #include "explanation/wording.h"
+#include "math/interruption.h"
 #include "model/sensitivity.h"
 #include "uncertainty_identification/errors.h"
 
@@ -32,18 +32,16 @@ namespace {
 /// One run of explain().
 class Explaining {
  public:
-  Explaining(const Configuration& configuration, const ProgressCallback& progress)
+  Explaining(const Configuration& configuration, SearchProgress& progress)
       : configuration_(ofBaseModel(configuration)),
         progress_(progress),
         pool_(threadCount(configuration.estimation.threads)) {}
 
+  /// Throws CancelledError once the caller has cancelled.
   Explanation run(const std::vector<Experiment>& experiments,
                   const std::vector<Experiment>& validation);
 
  private:
-  bool report(const std::string& phase, double fraction, std::optional<double> log_likelihood);
-  double secondsPassed() const;
-  bool inTime();
   bool isExcluded(const std::string& name) const;
   std::vector<SpoiltSamples> maskSpoilt(Split* data);
   void searchSimulation(const Split& data);
@@ -56,33 +54,14 @@ class Explaining {
 
   Configuration configuration_;
   const LimitOptions limits_ = configuration_.limits;
-  ProgressCallback progress_;
-  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
-  bool cancelled_ = false;
+  SearchProgress& progress_;
   std::vector<std::string> leading_curves_;  ///< the only effects that the likelihood tries, if any
   std::string thinning_, simplification_;    ///< of long records and orders, as warnings tell them
-  std::atomic<bool> ran_out_of_time_{false};
-  std::mutex reporting_;
-  double share_searched_ = 0;  ///< share of the search that is done, 0 to 1
+  std::mutex sharing_;                       // guards share_searched_, which any thread sets
+  double share_searched_ = 0;                ///< share of the search that is done, 0 to 1
   WorkerPool pool_;
   Explanation explanation_;
 };
-
-bool Explaining::report(const std::string& phase, double fraction,
-                        std::optional<double> log_likelihood) {
-  cancelled_ = cancelled_ || (progress_ && !progress_({phase, fraction, log_likelihood}));
-  return !cancelled_;
-}
-
-double Explaining::secondsPassed() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
-}
-
-bool Explaining::inTime() {
-  const double limit = configuration_.explanation.time_limit;
-  if (limit > 0 && secondsPassed() > limit) ran_out_of_time_ = true;
-  return !ran_out_of_time_;
-}
 
 bool Explaining::isExcluded(const std::string& name) const {
   const auto& excluded = configuration_.explanation.exclude;
@@ -111,10 +90,12 @@ void Explaining::searchSimulation(const Split& data) {
   options.max_causes = configuration_.explanation.max_causes;
   options.time_limit = configuration_.explanation.time_limit / 3;
   options.excluded = configuration_.explanation.exclude;
-  options.progress = [this](const std::string& doing) { return report(doing, 0, std::nullopt); };
+  options.progress = [this](const std::string& doing) {
+    return progress_.report(doing, 0, std::nullopt);
+  };
   const std::vector<Experiment> held = data.fitted_to ? std::vector<Experiment>() : data.held;
   explanation_.simulation = explainSimulation(data.train, held, options, &pool_);
-  if (explanation_.simulation.ended_early && !cancelled_) ran_out_of_time_ = true;
+  if (explanation_.simulation.ended_early && !progress_.cancelled()) progress_.endSearch();
 }
 
 /// Where curves explain most of the error, a choice of orders would only take part of it up.
@@ -124,14 +105,15 @@ Estimate Explaining::identify(const std::vector<Experiment>& experiments) {
     nominal = ofOrder(explanation_.simulation.order);
   const bool may_simplify = nominal.orders_auto && configuration_.explanation.time_limit > 0;
   const auto go = [this](const Progress& at, double limit) {
-    return report(at.phase, 0.3 * at.fraction, at.log_likelihood) &&
-           (limit <= 0 || secondsPassed() < limit);
+    return progress_.report(at.phase, 0.3 * at.fraction, at.log_likelihood) &&
+           (limit <= 0 || progress_.seconds() < limit);
   };
   const double half = may_simplify ? 0.5 * configuration_.explanation.time_limit : 0;
   Estimate chosen = Identifier(configuration_).identify(experiments, {}, [&](const Progress& at) {
     return go(at, half);
   });
-  if (cancelled_ || !may_simplify || chosen.termination != Termination::cancelled) return chosen;
+  if (progress_.cancelled() || !may_simplify || chosen.termination != Termination::cancelled)
+    return chosen;
   nominal = ofOrder(explanation_.simulation.order);
   simplification_ =
       "the choice of orders did not end within half of explanation.time_limit; the "
@@ -146,14 +128,15 @@ FitContext Explaining::context(const Estimate& estimate) {
   FitContext context = contextOf(estimate, configuration_.estimation.seed);
   context.pool = &pool_;
   context.going_on = [this, reached = estimate.log_likelihood] {
-    const std::lock_guard<std::mutex> lock(reporting_);  // called from all threads
-    return report("searching causes", 0.3 + 0.6 * share_searched_, reached) && inTime();
+    const std::lock_guard<std::mutex> lock(sharing_);  // called from all threads
+    return progress_.report("searching causes", 0.3 + 0.6 * share_searched_, reached) &&
+           progress_.inTime();
   };
   context.options.on_iterate = [going_on = context.going_on](const TracePoint&) {
     return going_on();
   };
   context.report_searched = [this](double share) {
-    const std::lock_guard<std::mutex> lock(reporting_);
+    const std::lock_guard<std::mutex> lock(sharing_);
     share_searched_ = std::max(share_searched_, share);
   };
   return context;
@@ -164,9 +147,10 @@ FitContext Explaining::context(const Estimate& estimate) {
 /// explains on top of a smaller one.
 SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt) {
   const Estimate chosen = identify(data.train);
+  if (progress_.cancelled()) throw CancelledError("cancelled");
   const std::vector<Estimate> candidates = orderCandidates(
       configuration_, chosen, data.train, context(chosen), [this](const Progress& at) {
-        return report("choosing orders", 0.3, at.log_likelihood) && inTime();
+        return progress_.report("choosing orders", 0.3, at.log_likelihood) && progress_.inTime();
       });
   // A tie between models is no reason to name a cause.
   const auto worth = [this](const SearchOutcome& of) {
@@ -178,8 +162,9 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
     outcomes.push_back(searchOnTopOf(configuration_.explanation, context(candidate), candidate,
                                      data, spoilt, leading_curves_));
     const SearchState& first = outcomes.front().found;
-    if (!inTime() || (!first.causes.empty() &&
-                      allPassed(checkResiduals(first.fit, first.train, first.heavy_tails))))
+    if (!progress_.inTime() ||
+        (!first.causes.empty() &&
+         allPassed(checkResiduals(first.fit, first.train, first.heavy_tails))))
       break;
   }
   auto best = std::max_element(outcomes.begin(), outcomes.end(),
@@ -191,7 +176,7 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
                                    otherOrdersWarning(chosen, best->estimate)};
   for (const SearchOutcome& other : outcomes) remarks.push_back(tieWarning(other, *best));
   for (const std::string& warning : refusalWarnings(*best)) remarks.push_back(warning);
-  if (ran_out_of_time_) remarks.push_back(kOutOfTime);
+  if (progress_.outOfTime()) remarks.push_back(kOutOfTime);
   for (std::string& text : remarks)
     if (!text.empty()) explanation_.warnings.push_back(std::move(text));
   return std::move(*best);
@@ -233,7 +218,7 @@ Cause Explaining::described(const FoundCause& found, const SearchState& state) c
   cause.group = groupOf(description.name);
   cause.description = description.meaning;
   cause.advice = description.advice;
-  cause.confidence = ran_out_of_time_ ? std::nan("") : found.confidence;
+  cause.confidence = progress_.outOfTime() ? std::nan("") : found.confidence;
   cause.equivalent = found.equivalent;
   cause.gain = found.gain;
   cause.parameters = found.parameters.empty() ? parametersOf(state.fit, state.train, found.effect)
@@ -246,9 +231,10 @@ void Explaining::describeModels(const SearchState& base, const SearchState& foun
   const bool extended = !found.fit.model->effects().empty() ||
                         found.fit.at.mixture.components() != base.fit.at.mixture.components();
   explanation_.after =
-      extended ? estimateOf(found.fit, found.train, explanation_.before,
-                            ran_out_of_time_ ? kHurried : configuration_.estimation.max_iterations)
-               : explanation_.before;
+      extended
+          ? estimateOf(found.fit, found.train, explanation_.before,
+                       progress_.outOfTime() ? kHurried : configuration_.estimation.max_iterations)
+          : explanation_.before;
   const double lost = found.fit.log_likelihood - explanation_.after.log_likelihood;
   if (extended && lost > 1)
     explanation_.warnings.push_back("the model that is saved was optimised again and ends " +
@@ -261,7 +247,7 @@ void Explaining::describeModels(const SearchState& base, const SearchState& foun
 }
 
 void Explaining::describe(const SearchState& base, const SearchState& found) {
-  report("describing", 0.9, found.fit.log_likelihood);
+  progress_.report("describing", 0.9, found.fit.log_likelihood);
   explanation_.checks_after = checkResiduals(found.fit, found.train, found.heavy_tails);
   const bool passed = allPassed(explanation_.checks_after);
   for (const FoundCause& cause : found.causes) {
@@ -284,17 +270,28 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
   conclude(&explanation_);
   describeModels(base, found);
   joinSimulation(&explanation_);
-  explanation_.termination = cancelled_         ? Termination::cancelled
-                             : ran_out_of_time_ ? Termination::iteration_limit
-                                                : Termination::converged;
-  explanation_.seconds = secondsPassed();
+  if (progress_.cancelled()) throw CancelledError("cancelled");
+  explanation_.termination =
+      progress_.outOfTime() ? Termination::iteration_limit : Termination::converged;
+  explanation_.seconds = progress_.seconds();
 }
 
 }  // namespace
 
 Explanation explain(const Configuration& configuration, const std::vector<Experiment>& experiments,
                     const std::vector<Experiment>& validation, const ProgressCallback& progress) {
-  return Explaining(configuration, progress).run(experiments, validation);
+  SearchProgress search(progress, configuration.explanation.time_limit);
+  const Interruption interruption([&search] { return !search.repeat(); });
+  try {
+    return Explaining(configuration, search).run(experiments, validation);
+  } catch (const CancelledError&) {
+    if (!search.cancelled()) throw;  // somebody further out has cancelled
+    Explanation none;
+    none.termination = none.before.termination = Termination::cancelled;
+    none.message = none.before.message = "cancelled";
+    none.seconds = search.seconds();
+    return none;
+  }
 }
 
 }  // namespace uncertainty_identification

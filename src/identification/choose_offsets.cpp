@@ -53,12 +53,12 @@ Scored bestWith(Offsets offsets, Problem problem, Journal* journal) {
   NominalModelOptions& nominal = problem.configuration.nominal_model;
   Scored best;
   for (const int order : {1, 2}) {
-    if (journal->progress.cancelled()) break;
+    if (journal->progress.searchEnds()) break;
     auto fit = fitVaryingGain(problem, order, journal);
     if (!fit) continue;
     const StartingPoint start = fit->start();
     best.adopt(std::move(fit), problem, journal);
-    if (order > 1 || journal->progress.cancelled()) continue;
+    if (order > 1 || journal->progress.searchEnds()) continue;
     nominal.nb = nominal.na = order;
     nominal.delay = start.polynomials.delay;
     for (const ErrorStructure& structure : variedStructures(problem, &start.polynomials)) {
@@ -103,7 +103,7 @@ Configuration chooseOffsets(const Problem& problem, Journal* journal) {
   const Scored common = bestWith(Offsets::estimate, simple, &beginning);
   const Scored own = bestWith(Offsets::per_experiment, simple, &beginning);
   journal->passes += beginning.passes;
-  if (!common.fit || !own.fit || beginning.progress.cancelled()) return chosen;
+  if (!common.fit || !own.fit || beginning.progress.searchEnds()) return chosen;
   const bool differ =
       own.score > common.score + kWorthIt && simulatesAsWell(simple, *own.fit, *common.fit);
   if (differ) offsets = Offsets::per_experiment;

@@ -64,7 +64,7 @@ std::vector<StructureFit> fitAll(const Problem& problem,
   std::vector<StartingPoint> starts = points;
   double highest = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < structures.size(); ++k) {
-    if (k > 0 && journal->progress.cancelled()) break;
+    if (k > 0 && journal->progress.searchEnds()) break;
     if (!isWorthFitting(problem, structures[k], fits)) continue;
     auto fit = fitStructure(problem, structures[k], starts, k < kFromData, journal);
     journal->progress.report(Phase::structure,
@@ -157,7 +157,7 @@ StructureFit withNoiseOrders(const Problem& problem, const StructureFit& chosen,
   for (const ErrorStructure& structure : structures) {
     if (auto fit = fitStructure(problem, structure, {chosen.start()}, true, journal))
       fits.push_back(std::move(*fit));
-    if (journal->progress.cancelled()) break;
+    if (journal->progress.searchEnds()) break;
   }
   if (fits.empty()) return chosen;
   return bestOf(problem, fits, "noise orders", false, journal);

@@ -77,7 +77,7 @@ Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* jo
     (options.offset_side == OffsetSide::input ? estimate.offset_u : estimate.offset_y) =
         problem.plant->offset;
   }
-  if (!journal->progress.cancelled()) estimate.residual_tests = testsOf(problem, fitted, journal);
+  estimate.residual_tests = testsOf(problem, fitted, journal);
   estimate.log_likelihood = optimum.log_likelihood;
   estimate.termination = optimum.termination;
   estimate.message = optimum.message;
@@ -89,7 +89,7 @@ Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* jo
                                        model.regressors(), point.mixture.components()),
                      static_cast<double>(estimate.sample_count), estimate.experiment_count);
   estimate.variation = variationText(estimate, model);
-  if (!journal->progress.cancelled()) estimate.trust = trustOf(problem, fitted, estimate);
+  estimate.trust = trustOf(problem, fitted, estimate);
   journal->passes += fitted.likelihood->passes();
   return estimate;
 }

@@ -45,16 +45,11 @@ const MatrixXd& wider(const StandardErrors& errors) {
   return known && larger ? errors.robust_coordinate_covariance : errors.coordinate_covariance;
 }
 
-/// Standard errors in natural coordinates, and the entries of the estimate that depend on them. NaN
-/// if the caller has cancelled.
+/// Standard errors in natural coordinates, and the entries of the estimate that depend on them.
 StandardErrors errorsOf(const Problem& problem, const FittedModel& fitted,
                         const Parametrisation& parametrisation, Journal* journal,
                         Estimate* estimate) {
-  if (!journal->progress.report(Phase::errors, 0, fitted.optimum.log_likelihood)) {
-    const Index size = parametrisation.naturalSize();
-    const MatrixXd none = MatrixXd::Constant(size, size, std::numeric_limits<double>::quiet_NaN());
-    return {none, none, {}, {}, {}};
-  }
+  journal->progress.report(Phase::errors, 0, fitted.optimum.log_likelihood);
   StandardErrors errors = standardErrors(*fitted.likelihood, parametrisation, fitted.optimum.point);
   estimate->joint_covariance = jointCovariance(problem, fitted, wider(errors));
   journal->warnings.insert(journal->warnings.end(), errors.singular.begin(), errors.singular.end());

@@ -69,7 +69,7 @@ void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& opt
   for (int round = 0, still = 0; fitted->model->isLocallyLinear(); ++round) {
     const double before = fitted->optimum.log_likelihood;
     Optimum& optimum = fitted->optimum;
-    if (journal->progress.cancelled() || optimum.iterations >= options.max_iterations) return;
+    if (journal->progress.searchEnds() || optimum.iterations >= options.max_iterations) return;
     Linearisation next =
         nextLinearisation(*fitted->model, *fitted->likelihood, optimum.point, points);
     if (next.move < kFixedPointTolerance) return;
@@ -96,7 +96,7 @@ void leaveLocalOptimum(const Problem& problem, const OptimisationOptions& option
   if (hasGivenParameters(problem) || fitted->model->isLocallyLinear()) return;
   for (int leap = 0; leap < kMostLeaps; ++leap) {
     Optimum& optimum = fitted->optimum;
-    if (journal->progress.cancelled() || optimum.iterations >= options.max_iterations) return;
+    if (journal->progress.searchEnds() || optimum.iterations >= options.max_iterations) return;
     const std::optional<ModelParameters> higher = higherElsewhere(problem, *fitted, options);
     if (!higher) return;
     const Optimum before = optimum;

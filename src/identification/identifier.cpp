@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "identification/identify.h"
+#include "math/interruption.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
@@ -72,6 +73,39 @@ std::vector<double> modelRadii(const Estimate& estimate,
   return radii;
 }
 
+/// Fits each fold. `request` has the progress of all folds together. Throws CancelledError, and
+/// DataError if fewer than two folds can be fitted.
+PredictionCalibration calibrated(const Request& request, const Estimate& estimate,
+                                 const std::vector<Experiment>& experiments) {
+  const Configuration& configuration = estimate.configuration;
+  const std::vector<Experiment> used = usedExperiments(estimate, experiments);
+  const int count = static_cast<int>(used.size());
+  const int folds = std::min(configuration.bounds.folds, count);
+  if (folds < 2) return {};
+  std::vector<Fold> fitted;
+  std::optional<DataError> failure;
+  std::vector<std::string> warnings;
+  for (int k = 0; k < folds; ++k) {
+    const auto of_fold = [&](const Progress& now) {
+      return request.progress({now.phase, (k + now.fraction) / folds, now.log_likelihood});
+    };
+    try {
+      fitted.push_back(
+          fitFold({configuration, request.nominal_model, of_fold, &estimate}, used, k, folds));
+    } catch (const DataError& error) {
+      failure = error;
+      warnings.push_back(leftOut(k, folds, error));
+    }
+    checkpoint();
+  }
+  if (fitted.size() < 2) throw *failure;
+  PredictionCalibration calibration = calibrationOf(fitted, folds, count);
+  calibration.warnings = std::move(warnings);
+  calibration.model_radius = modelRadii(estimate, used);
+  calibrate(configuration.bounds.levels, &calibration);
+  return calibration;
+}
+
 }  // namespace
 
 Identifier::Identifier(Configuration configuration) : configuration_(std::move(configuration)) {
@@ -108,36 +142,25 @@ Estimate Identifier::reidentify(const Estimate& previous,
 PredictionCalibration Identifier::calibrate(const Estimate& estimate,
                                             const std::vector<Experiment>& experiments,
                                             const ProgressCallback& progress) const {
-  const Configuration& configuration = estimate.configuration;
-  const std::vector<Experiment> used = usedExperiments(estimate, experiments);
-  const int count = static_cast<int>(used.size());
-  const int folds = std::min(configuration.bounds.folds, count);
-  if (folds < 2) return {};
-  std::vector<Fold> fitted;
-  std::optional<DataError> failure;
-  std::vector<std::string> warnings;
   bool cancelled = false;
-  for (int k = 0; k < folds && !cancelled; ++k) {
-    const auto of_fold = [&](const Progress& now) {
-      cancelled =
-          progress && !progress({"calibrating", (k + now.fraction) / folds, now.log_likelihood});
-      return !cancelled;
-    };
-    try {
-      fitted.push_back(
-          fitFold({configuration, nominal_model_, of_fold, &estimate}, used, k, folds));
-    } catch (const DataError& error) {
-      failure = error;
-      warnings.push_back(leftOut(k, folds, error));
-    }
+  Progress last{"calibrating", 0, {}};
+  const auto asked_to_end = [&] {
+    cancelled = cancelled || (progress && !progress(last));
+    return cancelled;
+  };
+  const Interruption interruption(asked_to_end);
+  try {
+    return calibrated({configuration_, nominal_model_,
+                       [&](const Progress& now) {
+                         last.fraction = now.fraction;
+                         last.log_likelihood = now.log_likelihood;
+                         return !asked_to_end();
+                       }},
+                      estimate, experiments);
+  } catch (const CancelledError&) {
+    if (!cancelled) throw;  // somebody further out has cancelled
+    return {};
   }
-  if (cancelled) return {};
-  if (fitted.size() < 2) throw *failure;
-  PredictionCalibration calibration = calibrationOf(fitted, folds, count);
-  calibration.warnings = std::move(warnings);
-  calibration.model_radius = modelRadii(estimate, used);
-  uncertainty_identification::calibrate(configuration.bounds.levels, &calibration);
-  return calibration;
 }
 
 }  // namespace uncertainty_identification

@@ -1,11 +1,14 @@
 #include "identification/identify.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "estimation/excerpt.h"
 #include "estimation/stopwatch.h"
 #include "identification/mean_plant.h"
 #include "identification/steps.h"
+#include "math/interruption.h"
+#include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/version.h"
 
 namespace uncertainty_identification {
@@ -48,7 +51,7 @@ FittedModel fitChosen(const Configuration& asked, Problem* problem, Journal* jou
   adopt(chooseModel(*problem, asked, journal), problem);
   if (problem->plant) problem->plant = describePlant(*problem, journal);
   FittedModel fitted = fitModel(*problem, journal);
-  const bool could_be_alone = around.plant && !problem->plant && !journal->progress.cancelled();
+  const bool could_be_alone = around.plant && !problem->plant && !journal->progress.searchEnds();
   if (!could_be_alone ||
       simulatesAsWellAsAlone(*problem, *fitted.model, fitted.optimum.point, *around.plant, journal))
     return fitted;
@@ -64,26 +67,63 @@ FittedModel fitChosen(const Configuration& asked, Problem* problem, Journal* jou
   return fitModel(*problem, journal);
 }
 
+std::string timeLimitText(const Request& request) {
+  std::ostringstream text;
+  text << "the time limit of " << request.configuration.estimation.time_limit
+       << " s was reached (estimation.time_limit; limits.max_request_time for a request)";
+  return text.str();
+}
+
+/// Says that the search was cut short, so that this is the best model of those that were tried.
+void markAsHurried(const Request& request, Optimum* optimum) {
+  optimum->termination = Termination::time_limit;
+  optimum->message = timeLimitText(request) + ": this is the best model that was found until then";
+}
+
+/// The result of an identification that ended without a model.
+Estimate ended(const Request& request, const Journal& journal) {
+  Estimate estimate;
+  estimate.configuration = request.configuration;
+  const bool cancelled = journal.progress.cancelled();
+  estimate.termination = cancelled ? Termination::cancelled : Termination::time_limit;
+  estimate.message = cancelled ? "cancelled"
+                               : timeLimitText(request) +
+                                     " before there was a model; lower the orders (nominal_model: "
+                                     "nb, na, nc, nd), state what is chosen automatically, use "
+                                     "fewer experiments, or raise the limit";
+  return estimate;
+}
+
+Estimate identifyFrom(const Request& request, const std::vector<Experiment>& experiments,
+                      const std::vector<Experiment>& validation, Journal* journal) {
+  const CheckedData data = checkData(request.configuration, experiments, journal);
+  Problem problem = problemOf(request, data, journal);
+  problem.configuration = chooseOrders(problem, journal);
+  problem.plant = fitPlant(problem, journal);
+  FittedModel fitted = fitChosen(request.configuration, &problem, journal);
+  if (journal->progress.searchEnds()) markAsHurried(request, &fitted.optimum);
+  Estimate estimate = describe(problem, fitted, journal);
+  const InitialState asked = request.configuration.estimation.initial_state;
+  estimate.configuration.estimation.initial_state = asked;  // other data may start elsewhere
+  estimate.validation = validate(problem, fitted, asked, validation, journal);
+  return estimate;
+}
+
 }  // namespace
 
 Estimate identify(const Request& request, const std::vector<Experiment>& experiments,
                   const std::vector<Experiment>& validation) {
   const Stopwatch watch;
-  Journal journal{ProgressPhases(request.progress)};
-  const CheckedData data = checkData(request.configuration, experiments, &journal);
-  Problem problem = problemOf(request, data, &journal);
-  problem.configuration = chooseOrders(problem, &journal);
-  problem.plant = fitPlant(problem, &journal);
-  const FittedModel fitted = fitChosen(request.configuration, &problem, &journal);
-  Estimate estimate = describe(problem, fitted, &journal);
-  const InitialState asked = request.configuration.estimation.initial_state;
-  estimate.configuration.estimation.initial_state = asked;  // other data may start elsewhere
-  if (journal.progress.cancelled()) {
-    estimate.termination = Termination::cancelled;
-    estimate.message = "cancelled";
-  } else {
-    estimate.validation = validate(problem, fitted, asked, validation, &journal);
+  Journal journal{ProgressPhases(request.progress, request.configuration.estimation.time_limit)};
+  const Interruption interruption([&] { return journal.progress.mustEnd(); });
+  Estimate estimate;
+  try {
+    estimate = identifyFrom(request, experiments, validation, &journal);
+  } catch (const CancelledError&) {
+    if (!interruption.requested()) throw;  // somebody further out has cancelled
+    estimate = ended(request, journal);
   }
+  if (journal.progress.cancelled()) estimate = ended(request, journal);
   estimate.version = version();
   estimate.candidates = std::move(journal.candidates);
   estimate.warnings = std::move(journal.warnings);
@@ -95,6 +135,7 @@ Estimate identify(const Request& request, const std::vector<Experiment>& experim
 FoldModel identifyPlant(const Request& request, const std::vector<Experiment>& experiments) {
   constexpr int kEnough = 12;  // iterations from the estimate of all folds
   Journal journal{ProgressPhases(request.progress)};
+  const Interruption interruption([&] { return journal.progress.mustEnd(); });
   const CheckedData data = beginnings(checkData(request.configuration, experiments, &journal));
   Problem problem = problemOf(request, data, &journal);
   problem.plant = fitPlant(problem, &journal);

@@ -21,16 +21,35 @@ constexpr std::array<NamedPhase, 8> kPhases{{{"checking the data", 0.02},
                                              {"optimising", 0.15},
                                              {"standard errors", 0.04}}};
 
+/// Share of a time limit after which the search for a better model ends, so that the standard
+/// errors and tests of the best one can still be computed.
+constexpr double kForSearch = 0.75;
+
 }  // namespace
 
 bool ProgressPhases::report(Phase phase, double share, std::optional<double> log_likelihood) {
   const auto current = static_cast<std::size_t>(phase);
   double before = 0;
   for (std::size_t k = 0; k < current; ++k) before += kPhases[k].weight;
-  fraction_ = std::clamp(before + share * kPhases[current].weight, fraction_, 1.0);
-  if (callback_ && !callback_({kPhases[current].name, fraction_, log_likelihood}))
-    cancelled_ = true;
-  return !cancelled_;
+  const double fraction = before + share * kPhases[current].weight;
+  last_ = {kPhases[current].name, std::clamp(fraction, last_.fraction, 1.0), log_likelihood};
+  call();
+  return !searchEnds();
+}
+
+void ProgressPhases::call() {
+  if (!cancelled_ && callback_ && !callback_(last_)) cancelled_ = true;
+}
+
+bool ProgressPhases::mustEnd() {
+  call();
+  return cancelled_ || isOver(1);
+}
+
+bool ProgressPhases::searchEnds() const { return cancelled_ || isOver(kForSearch); }
+
+bool ProgressPhases::isOver(double share_of_time) const {
+  return time_limit_ > 0 && watch_.seconds() > share_of_time * time_limit_;
 }
 
 }  // namespace uncertainty_identification

@@ -75,7 +75,7 @@ StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool onl
   constexpr int kRounds = 3;
   constexpr double kWorthIt = 2;  // [nats] beyond the penalty
   const int largest = problem.configuration.nominal_model.max_order;
-  for (int round = 0; round < kRounds && !journal->progress.cancelled(); ++round) {
+  for (int round = 0; round < kRounds && !journal->progress.searchEnds(); ++round) {
     const StartingPoint start = fit.start();
     if (start.polynomials.a.size() >= largest) return fit;
     if (only_if_dependent && !dependsOnInput(problem, fit)) return fit;
@@ -117,7 +117,7 @@ std::vector<int> likelyDelays(const Problem& problem, int order) {
 /// The fit or, where BIC is lower, that with a longer or a shorter delay.
 StructureFit withBetterDelay(const Problem& problem, StructureFit fit, Journal* journal) {
   for (const int step : {1, -1}) {
-    for (bool better = true; better && !journal->progress.cancelled();) {
+    for (bool better = true; better && !journal->progress.searchEnds();) {
       ErrorStructure structure = fit.structure;
       StartingPoint start = fit.start();
       start.polynomials.delay += step;
@@ -162,7 +162,7 @@ std::optional<StructureFit> fitVaryingGain(Problem problem, int order, Journal* 
   nominal.nb = nominal.na = order;
   std::optional<StructureFit> best;
   for (const int delay : likelyDelays(problem, order)) {
-    if (best && journal->progress.cancelled()) break;
+    if (best && journal->progress.searchEnds()) break;
     nominal.delay = delay;
     auto fit = fitStructure(problem, varyingGain(problem), {}, true, journal);
     if (fit && (!best || scoreOf(problem, *fit) > scoreOf(problem, *best))) best = std::move(fit);

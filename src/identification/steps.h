@@ -105,12 +105,10 @@ ModelParameters withSortedTimeConstants(const LinearModel& model, const ErrorMod
 /// data have too few samples for it, or where there is no start.
 FittedModel fitModel(const Problem& problem, Journal* journal);
 
-/// The result but for what the journal holds. Cancelled or not, the model is described; the tests
-/// and standard errors are absent once the caller has cancelled.
+/// The result but for what the journal holds.
 Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* journal);
 
-/// The parameters in the result with their standard errors (NaN once the caller has cancelled), and
-/// the covariances.
+/// The parameters in the result with their standard errors, and the covariances.
 void describeParameters(const Problem& problem, const FittedModel& fitted, Journal* journal,
                         Estimate* estimate);
 

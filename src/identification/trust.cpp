@@ -77,7 +77,8 @@ void addFit(const Problem& problem, const FittedModel& fitted, std::vector<std::
 Trust trustOf(const Problem& problem, const FittedModel& fitted, const Estimate& estimate) {
   std::vector<std::string> reasons;
   if (estimate.termination == Termination::stalled ||
-      estimate.termination == Termination::iteration_limit)
+      estimate.termination == Termination::iteration_limit ||
+      estimate.termination == Termination::time_limit)
     reasons.push_back("the estimation did not converge: " + estimate.message);
   const int count = estimate.experiment_count;
   if (count > 1 && count < kFewest) {

@@ -97,6 +97,7 @@ void bind(Archive& archive, ErrorModelOptions& options) {
 void bind(Archive& archive, EstimationOptions& options) {
   archive("algorithm", options.algorithm);
   archive("max_iterations", options.max_iterations);
+  archive("time_limit", options.time_limit);
   archive("tolerance", options.tolerance);
   archive("restarts", options.restarts);
   archive("threads", orAutomatic(options.threads, kAutomatic));
@@ -192,6 +193,7 @@ void bind(Archive& archive, LimitOptions& options) {
   archive("max_request_size", options.max_request_size);
   archive("max_bag_size", options.max_bag_size);
   archive("max_saved_files", options.max_saved_files);
+  archive("max_request_time", options.max_request_time);
 }
 
 void bind(Archive& archive, Configuration& configuration) {

@@ -11,7 +11,7 @@ const EnumNames<Termination>& enumNames(Termination) {
     EnumNames<Termination> names;
     for (const Termination termination :
          {Termination::not_run, Termination::converged, Termination::iteration_limit,
-          Termination::stalled, Termination::cancelled}) {
+          Termination::stalled, Termination::cancelled, Termination::time_limit}) {
       names.emplace_back(termination, toString(termination));
     }
     return names;

@@ -1,5 +1,9 @@
 #include "math/worker_pool.h"
 
+#include <chrono>
+
+#include "math/interruption.h"
+
 namespace uncertainty_identification {
 
 WorkerPool::WorkerPool(int threads) {
@@ -17,7 +21,10 @@ WorkerPool::~WorkerPool() {
 
 void WorkerPool::forEach(int count, const std::function<void(int)>& task) {
   if (workers_.empty() || count < 2) {
-    for (int i = 0; i < count; ++i) task(i);
+    for (int i = 0; i < count; ++i) {
+      checkpoint();
+      task(i);
+    }
     return;
   }
   {
@@ -27,18 +34,35 @@ void WorkerPool::forEach(int count, const std::function<void(int)>& task) {
     next_ = 0;
     busy_ = static_cast<int>(workers_.size());
     failure_ = nullptr;
+    interruption_ = Interruption::current();
     ++round_;
   }
   start_.notify_all();
   takeTurns();
-  std::unique_lock<std::mutex> lock(mutex_);
-  done_.wait(lock, [this] { return busy_ == 0; });
+  waitForOthers();
   if (failure_) std::rethrow_exception(failure_);
 }
 
+/// Meanwhile asks whether the work is still wanted, which no other thread may.
+void WorkerPool::waitForOthers() {
+  constexpr std::chrono::milliseconds kPeriod{10};
+  std::unique_lock<std::mutex> lock(mutex_);
+  const auto done = [this] { return busy_ == 0; };
+  if (interruption_ == nullptr) return done_.wait(lock, done);
+  while (!done_.wait_for(lock, kPeriod, done)) {
+    lock.unlock();
+    interruption_->poll();
+    lock.lock();
+  }
+}
+
 void WorkerPool::takeTurns() {
+  const Interruption::Scope scope(interruption_);
   try {
-    for (int i = next_++; i < count_; i = next_++) (*task_)(i);
+    for (int i = next_++; i < count_; i = next_++) {
+      checkpoint();
+      (*task_)(i);
+    }
   } catch (...) {
     const std::lock_guard<std::mutex> lock(mutex_);
     failure_ = std::current_exception();

@@ -9,6 +9,8 @@
 
 namespace uncertainty_identification {
 
+class Interruption;
+
 /// Threads that share the iterations of a loop. Which thread runs which iteration is not
 /// determined. Iterations must therefore write to separate places, and sums must be formed
 /// afterwards in a fixed order; then the number of threads does not change a result.
@@ -21,12 +23,14 @@ class WorkerPool {
   WorkerPool& operator=(const WorkerPool&) = delete;
 
   /// Calls task(i) for i = 0..count-1 and returns when all calls have finished. Rethrows an
-  /// exception that a call has thrown.
+  /// exception that a call has thrown, and CancelledError when an Interruption of the calling
+  /// thread asks for the end.
   void forEach(int count, const std::function<void(int)>& task);
 
  private:
   void work();
   void takeTurns();
+  void waitForOthers();
 
   std::vector<std::thread> workers_;
   std::mutex mutex_;
@@ -37,6 +41,7 @@ class WorkerPool {
   bool stop_ = false;
   std::atomic<int> next_{0};
   std::exception_ptr failure_;
+  Interruption* interruption_ = nullptr;  // applies to the calling thread
 };
 
 }  // namespace uncertainty_identification

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "math/interruption.h"
 #include "model/pack.h"
 
 namespace uncertainty_identification {
@@ -57,6 +58,7 @@ void accumulateProducts(const double* left, const double* const* right, int coun
 
 void filter(const Eigen::VectorXd& numerator, const Eigen::VectorXd& monic_denominator, int delay,
             const Signals& in, Signals* out) {
+  checkpoint();
   const int samples = static_cast<int>(in.cols());
   out->setZero(kLanes, samples);
   for (Eigen::Index k = 0; k < numerator.size(); ++k) {
@@ -96,6 +98,7 @@ std::vector<Lanes> innerProducts(const std::vector<const Signals*>& left,
   const bool symmetric = left == right && count == right.size();  // half of the products will do
   std::vector<Lanes> dense(left.size() * count, Lanes::Zero());
   for (Eigen::Index first = 0; first < samples; first += kPiece) {
+    checkpoint();
     const auto last = static_cast<int>(std::min<Eigen::Index>(first + kPiece, samples));
     for (std::size_t i = 0; i < left.size(); ++i) {
       if (left[i] == nullptr) continue;

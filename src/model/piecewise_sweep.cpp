@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "math/interruption.h"
 #include "math/polynomial.h"
 
 namespace uncertainty_identification {
@@ -94,6 +95,7 @@ void PiecewiseSweep::listDerivatives() {
 }
 
 bool PiecewiseSweep::next() {
+  checkpoint();
   keepHistory();
   begin_ += samples_;
   samples_ = 0;

@@ -2,6 +2,10 @@
 
 #include <exception>
 #include <utility>
+
+#include "math/interruption.h"
+#include "uncertainty_identification/errors.h"
+
 namespace uncertainty_identification {
 
 BoundsPublisher::BoundsPublisher(ros::NodeHandle node, Done done)
@@ -45,6 +49,7 @@ void BoundsPublisher::run() {
 }
 
 void BoundsPublisher::publish(const Request& request) {
+  const Interruption interruption([this] { return stopping_.load(); });
   try {
     const Bounds bounds = computeBounds(*request.estimate);
     publisher_.publish(toMessage(bounds, request.context));
@@ -54,6 +59,7 @@ void BoundsPublisher::publish(const Request& request) {
       last_sequence_ = request.context.sequence;
     }
     done_({*request.estimate, bounds, {}});
+  } catch (const CancelledError&) {        // the node ends
   } catch (const std::exception& error) {  // costs only the bounds; the node keeps running
     ROS_WARN_STREAM("result " << request.context.sequence << " has no bounds: " << error.what());
   }

@@ -2,6 +2,7 @@
 
 #include <ros/node_handle.h>
 
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <memory>
@@ -25,7 +26,7 @@ class BoundsPublisher {
   /// `done` is called in the publisher's thread with each result and its bounds.
   BoundsPublisher(ros::NodeHandle private_node, Done done);
 
-  /// Blocks until the computation that is running has ended.
+  /// Ends the computation that is running, whose bounds are not published.
   ~BoundsPublisher();
 
   BoundsPublisher(const BoundsPublisher&) = delete;
@@ -53,7 +54,7 @@ class BoundsPublisher {
   std::optional<Request> newest_;
   std::optional<Bounds> last_;
   std::uint32_t last_sequence_ = 0;
-  bool stopping_ = false;
+  std::atomic<bool> stopping_{false};
   std::thread thread_;  // declared last: it starts when all other members exist
 };
 

@@ -53,6 +53,7 @@ Response identify(const Request& request, const Configuration& own,
                   const ProgressCallback& progress) {
   const Configuration configuration = requestedConfiguration(request.configuration, own);
   LoadedData data = dataOf(request, configuration, own.bag_directory, progress);
+  requireEnoughSamples(configuration, data.experiments);
   ResultContext context;
   context.stamp = ros::Time::now().toNSec();
   context.window = windowOf(data.experiments);

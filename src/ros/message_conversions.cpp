@@ -83,6 +83,8 @@ std::uint8_t toMessage(Termination termination) {
       return Result::STALLED;
     case Termination::cancelled:
       return Result::CANCELLED;
+    case Termination::time_limit:
+      return Result::TIME_LIMIT;
   }
   throw std::invalid_argument("a termination outside its enumeration");
 }

@@ -8,6 +8,7 @@
 #include "io/open_simulation.h"
 #include "io/untrusted_yaml.h"
 #include "session/refused_error.h"
+#include "session/request_limits.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
 
@@ -27,8 +28,8 @@ YAML::Node parse(const std::string& text) {
 }
 
 /// Limits that requests may lower but not raise, because they bound the node's memory and disk.
-constexpr const char* kBounding[] = {"max_experiments", "max_samples", "max_request_size",
-                                     "max_bag_size", "max_saved_files"};
+constexpr const char* kBounding[] = {"max_experiments", "max_samples",     "max_request_size",
+                                     "max_bag_size",    "max_saved_files", "max_request_time"};
 
 void requireWithin(const nlohmann::json& limits, const nlohmann::json& started) {
   for (const char* key : kBounding) {
@@ -67,6 +68,19 @@ Configuration wantedConfiguration(const std::string& text, const Configuration& 
   return configurationFromJson(own);
 }
 
+/// The estimate, within the time of a request. Throws DataError.
+std::shared_ptr<const Estimate> identified(const Configuration& wanted,
+                                           const std::vector<Experiment>& experiments,
+                                           const std::function<bool()>& keep_going) {
+  requireEnoughSamples(wanted, experiments);
+  Configuration limited = wanted;
+  limited.estimation.time_limit = requestTime(wanted.estimation.time_limit, wanted.limits);
+  auto estimate = std::make_shared<Estimate>(
+      Identifier(limited).identify(experiments, {}, [&](const Progress&) { return keep_going(); }));
+  estimate->configuration.estimation.time_limit = wanted.estimation.time_limit;
+  return estimate;
+}
+
 }  // namespace
 
 Configuration configurationAtStart(const Configuration& parameters,
@@ -91,9 +105,10 @@ Reconfiguration::Outcome Reconfiguration::configure(const std::string& yaml,
   const WorkerSnapshot snapshot = worker_.snapshot();
   std::shared_ptr<const Estimate> estimate;
   if (!snapshot.experiments.empty()) {
-    estimate = std::make_shared<const Estimate>(Identifier(wanted).identify(
-        snapshot.experiments, {}, [&](const Progress&) { return keep_going(); }));
-    if (!estimate->usable()) return {false, estimate->message};
+    estimate = identified(wanted, snapshot.experiments, keep_going);
+    // What takes too long now would do so again after each experiment.
+    if (!estimate->usable() || estimate->termination == Termination::time_limit)
+      return {false, estimate->message};
   }
   {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -34,7 +34,8 @@ class Reconfiguration {
 
   /// Identifies from the worker's experiments with the configuration that the YAML text `yaml`
   /// gives, and adopts that configuration if there is a usable model or there are no experiments.
-  /// The identification is cancelled when `keep_going` returns false.
+  /// The identification is cancelled when `keep_going` returns false; a model that was not found
+  /// within limits.max_request_time is not adopted.
   ///
   /// What a running node cannot change (topics, folders) stays as it is when the text leaves it
   /// out, and so do limits. Throws RefusedError when the text changes such a key or raises a limit

@@ -104,6 +104,28 @@ TEST_F(ActionsTest, CancellingTakesLessThan100Milliseconds) {
   EXPECT_LT(longest, 0.1);
 }
 
+// The largest orders that a configuration allows: minutes of work, which no goal after it waits
+// for.
+TEST_F(ActionsTest, TheGoalAfterACancelledOneBeginsAtOnce) {
+  const Goal largest =
+      goalFor("long.bag", "{nominal_model: {nb: 50, na: 50, nc: 50, nd: 50, delay: 1}}");
+  for (const int heard : {1, 3, 10, 40}) {
+    Sent sent(actions_, largest);
+    const auto count = static_cast<std::size_t>(heard);
+    ASSERT_TRUE(waitFor([&] { return sent.feedback().size() >= count || sent.ended(); }));
+    sent.cancel();
+    ASSERT_TRUE(waitFor([&] { return sent.ended(); }));
+    EXPECT_EQ(sent.result().code, Result::CANCELLED);
+    const auto begin = std::chrono::steady_clock::now();
+    Sent next(actions_, goalFor("short.bag"));
+    ASSERT_TRUE(waitFor([&] { return !next.feedback().empty() || next.ended(); }));
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    EXPECT_LT(took.count(), 2) << "after " << heard << " feedbacks";
+    ASSERT_TRUE(waitFor([&] { return next.ended(); }));
+    EXPECT_EQ(next.result().code, Result::OK) << next.result().message;
+  }
+}
+
 TEST_F(ActionsTest, ANewGoalPreemptsTheOneThatRuns) {
   Sent first(actions_, longGoal());
   ASSERT_TRUE(waitFor([&] { return !first.feedback().empty(); }));

@@ -59,6 +59,17 @@ TEST_F(IdentifyRequestTest, ExperimentsGiveWhatTheIdentifierGives) {
   EXPECT_EQ(nlohmann::json::parse(response.result.result_json)["experiments"]["count"], 10);
 }
 
+TEST_F(IdentifyRequestTest, WithoutAModelInTimeTheAnswerSaysSo) {
+  own_.limits.max_request_time = 0.2;
+  auto request = requestWith(example1Experiments(21));
+  request.configuration = "{nominal_model: {nb: 50, na: 50, nc: 50, nd: 50}}";
+  const auto response = answer(request);
+  EXPECT_EQ(response.code, IdentifyResponse::NOT_USABLE);
+  EXPECT_NE(response.message.find("time limit of 0.2 s"), std::string::npos) << response.message;
+  request.experiments.resize(3);
+  EXPECT_EQ(answer(request).code, IdentifyResponse::DATA_ERROR) << "300 samples, 200 parameters";
+}
+
 TEST_F(IdentifyRequestTest, BagsAreReadBelowTheDirectory) {
   writeBag(folder_ / "data.bag", example1Experiments(10));
   Request request;

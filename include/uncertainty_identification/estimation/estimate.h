@@ -13,7 +13,7 @@
 namespace uncertainty_identification {
 
 /// Why an estimation ended.
-enum class Termination { not_run, converged, iteration_limit, stalled, cancelled };
+enum class Termination { not_run, converged, iteration_limit, stalled, cancelled, time_limit };
 
 /// The word used in result.json: "converged", "iteration_limit", ...
 std::string toString(Termination termination);
@@ -162,8 +162,8 @@ struct Estimate {
   Trust trust;
   std::vector<std::string> warnings;
 
-  /// Whether the model can be used: the estimation converged, or stopped at the iteration limit
-  /// with finite parameters.
+  /// Whether the model can be used: the estimation converged, or stopped at the iteration or the
+  /// time limit with finite parameters.
   bool usable() const;
 };
 

@@ -167,6 +167,8 @@ std::vector<BadValue> badOthers() {
       {"limits.max_request_size", "1025", [](auto& c) { c.limits.max_request_size = 1025; }},
       {"limits.max_bag_size", "0", [](auto& c) { c.limits.max_bag_size = 0; }},
       {"limits.max_saved_files", "-1", [](auto& c) { c.limits.max_saved_files = -1; }},
+      {"limits.max_request_time", "0", [](auto& c) { c.limits.max_request_time = 0; }},
+      {"estimation.time_limit", "-1", [](auto& c) { c.estimation.time_limit = -1; }},
   };
 }
 

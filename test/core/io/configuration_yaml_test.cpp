@@ -64,7 +64,7 @@ nominal_model: {structure: output_error, orders: given, focus: prediction, fit: 
                 nd: 0, delay: 6, time_constants: 2, resonances: 1, zeros: 2, dead_time: true, fixed: {gain: 0.1, tau1: 3}}
 error_model: {basis: kautz, taps: 3, constraint: explicit, T: [[1, 0], [0, 0.3], [-1, -1]], components: 3, pole: -0.1,
               pole_real: 0.2, pole_imag: 0.7, parameters: [b1], sensitivity_order: 2, max_taps: 6, max_components: 5}
-estimation: {algorithm: em, max_iterations: 0, tolerance: 1.0e-9, restarts: 3, threads: 2, seed: 18446744073709551615,
+estimation: {algorithm: em, max_iterations: 0, time_limit: 7, tolerance: 1.0e-9, restarts: 3, threads: 2, seed: 18446744073709551615,
              initial_state: discard, discard_samples: 9, initial_precision: 0.5, initial_variance: 2, noise_start: zero, offsets: per_experiment, offset_side: input}
 initial: {theta: [0.1, -0.2], weights: [0.25, 0.75], means: [[1, 2], [3, 4]],
           covariances: [[[1, 0], [0, 1]], [[2, 0.5], [0.5, 2]]], noise_variance: 0.3}
@@ -79,7 +79,7 @@ experiment: {mode: duration, topic: cut, duration: 2.5, gap: 1, column: run}
 full_identification: {share: 0.3, quiet: 4}
 bounds: {levels: [0.6, 0.8], frequencies: 50, grid: [1, 2], steps: 9, samples: 333, weight_order: 3, weight_level: 0.85, folds: 5}
 limits: {max_experiments: 10, max_samples: 20, min_samples: 5, max_missing: 0.1, max_request_size: 2, max_bag_size: 3,
-         max_saved_files: 4}
+         max_saved_files: 4, max_request_time: 5}
 bag_directory: /bags
 report_directory: /reports
 report_each_result: true

@@ -211,8 +211,9 @@ TEST(ResultJson, RefusesWhatIsNoSuchResult) {
   EXPECT_EQ(complaint(tree), "nominal_model.b[1]: found 'two'; expected a number");
   tree = toJson(estimate());
   tree["termination"] = "done";
-  EXPECT_NE(complaint(tree).find("not_run, converged, iteration_limit, stalled, cancelled"),
-            std::string::npos);
+  EXPECT_NE(
+      complaint(tree).find("not_run, converged, iteration_limit, stalled, cancelled, time_limit"),
+      std::string::npos);
 }
 
 TEST(ResultJson, NamesEveryMissingField) {

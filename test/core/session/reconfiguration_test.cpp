@@ -88,6 +88,61 @@ TEST(RequestLimits, ARequestCannotRaiseTheNodesLimits) {
   EXPECT_EQ(asked.estimation.threads, 2);
 }
 
+TEST(RequestLimits, EveryRequestHasATimeLimit) {
+  Configuration own;
+  own.limits.max_request_time = 30;
+  own.explanation.time_limit = 20;
+  EXPECT_EQ(requestedConfiguration("", own).estimation.time_limit, 30);
+  EXPECT_EQ(requestedConfiguration("", own).explanation.time_limit, 20);
+  const Configuration asked = requestedConfiguration(
+      "{estimation: {time_limit: 1000}, explanation: {time_limit: 0}, "
+      "limits: {max_request_time: 1000}}",
+      own);
+  EXPECT_EQ(asked.limits.max_request_time, 30);
+  EXPECT_EQ(asked.estimation.time_limit, 30);
+  EXPECT_EQ(asked.explanation.time_limit, 30);
+  EXPECT_EQ(requestedConfiguration("{estimation: {time_limit: 4}}", own).estimation.time_limit, 4);
+}
+
+/// 8 experiments of 100 samples allow 80 parameters.
+TEST(RequestLimits, WhatTheDataCannotDetermineIsRefusedWithTheNumbers) {
+  Configuration configuration;
+  configuration.nominal_model.orders_auto = false;
+  NominalModelOptions& nominal = configuration.nominal_model;
+  nominal.nb = nominal.na = nominal.nc = nominal.nd = 20;
+  const auto experiments = example1Experiments(8);
+  requireEnoughSamples(configuration, experiments);
+  nominal.na = 21;
+  const std::string message =
+      messageOf<DataError>([&] { requireEnoughSamples(configuration, experiments); });
+  for (const char* part : {"81 parameters (nb 20, na 21, nc 20, nd 20)", "8 experiments",
+                           "800 measured samples", "here 810"})
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  nominal.orders_auto = true;
+  requireEnoughSamples(configuration, experiments);
+  nominal.orders_auto = false;
+  requireEnoughSamples(configuration, {});
+}
+
+TEST_F(ReconfigurationTest, DoesNotAdoptWhatTakesTooLong) {
+  for (const auto& experiment : example1Experiments(21)) worker_.add(experiment);
+  ASSERT_TRUE(waitFor([&] { return worker_.status().stored == 21; }));
+  const auto outcome = configure(
+      "{nominal_model: {nb: 50, na: 50, nc: 50, nd: 50}, limits: {max_request_time: 0.3}}");
+  EXPECT_FALSE(outcome.adopted);
+  EXPECT_NE(outcome.message.find("time limit of 0.3 s"), std::string::npos) << outcome.message;
+  EXPECT_EQ(reconfiguration_.current().nominal_model.nb, parameters_.nominal_model.nb);
+}
+
+TEST_F(ReconfigurationTest, RefusesMoreParametersThanTheExperimentsDetermine) {
+  for (const auto& experiment : example1Experiments(2)) worker_.add(experiment);
+  ASSERT_TRUE(waitFor([&] { return worker_.status().stored == 2; }));
+  EXPECT_NE(messageOf<DataError>([&] {
+              configure("{nominal_model: {nb: 50, na: 50, nc: 50, nd: 50}}");
+            }).find("200 parameters"),
+            std::string::npos);
+}
+
 TEST(RequestLimits, NoRequestStartsASimulationOfTheUser) {
   for (const char* yaml :
        {"simulation: {command: [touch, started]}", "simulation: {column: y_sim}"})

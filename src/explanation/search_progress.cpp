@@ -1,0 +1,24 @@
+#include "explanation/search_progress.h"
+
+namespace uncertainty_identification {
+
+bool SearchProgress::report(const std::string& phase, double fraction,
+                            std::optional<double> log_likelihood) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  last_ = {phase, fraction, log_likelihood};
+  if (!cancelled_ && callback_ && !callback_(last_)) cancelled_ = true;
+  return !cancelled_;
+}
+
+bool SearchProgress::repeat() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!cancelled_ && callback_ && !callback_(last_)) cancelled_ = true;
+  return !cancelled_;
+}
+
+bool SearchProgress::inTime() {
+  if (time_limit_ > 0 && seconds() > time_limit_) out_of_time_ = true;
+  return !out_of_time_;
+}
+
+}  // namespace uncertainty_identification
