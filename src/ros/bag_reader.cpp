@@ -1,7 +1,11 @@
 #include "uncertainty_identification/ros/bag_reader.h"
 
+#include <std_msgs/UInt32.h>
+
+#include <optional>
 #include <set>
 
+#include "io/checksum.h"
 #include "ros/bag_file.h"
 #include "ros/deserialise.h"
 #include "ros/experiment_bag.h"
@@ -87,16 +91,56 @@ LoadedData readSignals(BagFile& bag, const Configuration& configuration,
   return data;
 }
 
+/// Compares the messages of a bag with the checksum that writeExperimentBag() put behind them.
+class ChecksumComparison {
+ public:
+  explicit ChecksumComparison(const BagFile& bag) : bag_(bag), has_one_(has(bag, kChecksumTopic)) {}
+
+  /// The topics that have to be read: those that are wanted, or all where there is a checksum.
+  std::set<std::string> topics(const std::set<std::string>& wanted) const {
+    std::set<std::string> all = wanted;
+    if (!has_one_) return all;
+    for (const auto& [id, connection] : bag_.connections()) all.insert(connection.topic);
+    return all;
+  }
+
+  void add(const std::string& topic, const RawMessage& message) {
+    if (!has_one_) return;
+    if (topic == kChecksumTopic)
+      stated_ = deserialise<std_msgs::UInt32>(message).data;
+    else
+      sum_ += checksumOf(message.bytes.data, message.bytes.size);
+  }
+
+  /// Throws FileError.
+  void requireMatch() const {
+    if (has_one_ && stated_ != sum_)
+      throw FileError("bag '" + bag_.path() +
+                      "' does not match its checksum: it was changed after it was written");
+  }
+
+ private:
+  const BagFile& bag_;
+  const bool has_one_;
+  std::uint32_t sum_ = 0;
+  std::optional<std::uint32_t> stated_;
+};
+
 LoadedData readExperiments(BagFile& bag, const std::set<std::string>& topics,
                            const KeepGoing& keep_going) {
   LoadedData data;
-  readTopics(bag, topics, keep_going, [&](const std::string& topic, const RawMessage& message) {
+  ChecksumComparison checksum(bag);
+  const auto receive = [&](const std::string& topic, const RawMessage& message) {
+    checksum.add(topic, message);
+    if (topics.count(topic) == 0) return;
     try {
       data.experiments.push_back(fromMessage(deserialise<messages::Experiment>(message)));
     } catch (const DataError& error) {
       data.rejected.push_back({"a message on " + topic, error.what()});
     }
-  });
+  };
+  readTopics(bag, checksum.topics(topics), keep_going, receive);
+  checksum.requireMatch();
   return data;
 }
 

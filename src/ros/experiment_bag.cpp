@@ -1,6 +1,8 @@
 #include "ros/experiment_bag.h"
 
+#include <ros/serialization.h>
 #include <rosbag/bag.h>
+#include <std_msgs/UInt32.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -10,6 +12,7 @@
 #include <fstream>
 
 #include "io/atomic_file.h"
+#include "io/checksum.h"
 #include "ros/message_conversions.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/ros/bag_reader.h"
@@ -44,19 +47,44 @@ class MemoryFile {
   int file_;
 };
 
+/// Writes messages into a bag, and the sum of their checksums behind them. A sum, because messages
+/// are read back in the order of their stamps.
+class ChecksummedBag {
+ public:
+  explicit ChecksummedBag(const std::string& path) : bag_(path, rosbag::bagmode::Write) {}
+
+  template <typename Message>
+  void write(const std::string& topic, const Message& message) {
+    std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
+    ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+    ros::serialization::serialize(stream, message);
+    sum_.data += checksumOf(bytes.data(), bytes.size());
+    const ros::Time stamp = std::max(message.header.stamp, ros::TIME_MIN);
+    last_ = std::max(last_, stamp);
+    bag_.write(topic, stamp, message);
+  }
+
+  void close() {
+    bag_.write(kChecksumTopic, last_, sum_);
+    bag_.close();
+  }
+
+ private:
+  rosbag::Bag bag_;
+  std_msgs::UInt32 sum_;
+  ros::Time last_ = ros::TIME_MIN;
+};
+
 }  // namespace
 
 void writeExperimentBag(const std::string& path, const std::vector<const Experiment*>& experiments,
                         const messages::IdentificationResult* result) {
   const MemoryFile memory;
   try {
-    rosbag::Bag bag(memory.path(), rosbag::bagmode::Write);
-    for (const Experiment* experiment : experiments) {
-      const messages::Experiment message = toMessage(*experiment);
-      bag.write("/experiment", std::max(message.header.stamp, ros::TIME_MIN), message);
-    }
-    if (result != nullptr)
-      bag.write("/result", std::max(result->header.stamp, ros::TIME_MIN), *result);
+    ChecksummedBag bag(memory.path());
+    for (const Experiment* experiment : experiments)
+      bag.write("/experiment", toMessage(*experiment));
+    if (result != nullptr) bag.write("/result", *result);
     bag.close();
   } catch (const rosbag::BagException& error) {
     throw FileError("cannot write bag '" + path + "': " + error.what());

@@ -8,10 +8,10 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "io/atomic_file.h"
+#include "session/checked_json.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
 
@@ -20,11 +20,6 @@ namespace uncertainty_identification {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
-
-std::string text(const json& tree) {
-  return tree.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
-}
 
 /// Creates this folder but not its parents: when the disk is not mounted, nothing may be written to
 /// the mount point.
@@ -78,9 +73,8 @@ void ExperimentStore::write(const StoredResult& result) {
 }
 
 void ExperimentStore::write(const StoredConfiguration& stored) {
-  writeFileAtomically(directory_ + "/configuration.json",
-                      text({{"configuration", toJson(stored.configuration)},
-                            {"parameters", toJson(stored.parameters)}}));
+  saveChecked(directory_ + "/configuration.json", {{"configuration", toJson(stored.configuration)},
+                                                   {"parameters", toJson(stored.parameters)}});
 }
 
 // The reason is written before the experiment is moved. If the node dies in between, load() finds
@@ -89,7 +83,7 @@ void ExperimentStore::reject(std::uint64_t number, const RejectedExperiment& rej
   createFolder(current_);
   createFolder(current_ + "/rejected");
   const std::string file = current_ + "/rejected/" + fileName(number);
-  writeFileAtomically(file + ".json", text({{"id", rejected.id}, {"reason", rejected.reason}}));
+  saveChecked(file + ".json", {{"id", rejected.id}, {"reason", rejected.reason}});
   if (!fs::exists(file)) renameDurably(current_ + "/" + fileName(number), file);
 }
 
@@ -100,8 +94,7 @@ void ExperimentStore::reject(const RejectedExperiment& rejected, int max_count) 
   const auto name = [&](std::uint64_t number) {
     return folder + "/without_samples_" + std::to_string(number) + ".json";
   };
-  writeFileAtomically(name(last_rejection_ + 1),
-                      text({{"id", rejected.id}, {"reason", rejected.reason}}));
+  saveChecked(name(last_rejection_ + 1), {{"id", rejected.id}, {"reason", rejected.reason}});
   const auto kept = static_cast<std::uint64_t>(std::max(1, max_count));
   if (++last_rejection_ > kept) ::unlink(name(last_rejection_ - kept).c_str());
 }

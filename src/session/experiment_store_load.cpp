@@ -6,7 +6,7 @@
 
 #include "data/experiment_checks.h"
 #include "io/atomic_file.h"
-#include "io/read_file.h"
+#include "session/checked_json.h"
 #include "session/experiment_store.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
@@ -41,12 +41,12 @@ void removeTemporary(const std::string& folder) {
 }
 
 RejectedExperiment readRejected(const std::string& path) {
-  const json tree = json::parse(readFile(path));
+  const json tree = loadChecked(path);
   return {tree.at("id"), tree.at("reason")};
 }
 
 StoredConfiguration readConfiguration(const std::string& path) {
-  const json tree = json::parse(readFile(path));
+  const json tree = loadChecked(path);
   return {configurationFromJson(tree.at("configuration")),
           configurationFromJson(tree.at("parameters"))};
 }

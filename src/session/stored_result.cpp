@@ -1,9 +1,8 @@
 #include "session/stored_result.h"
 
-#include <nlohmann/json.hpp>
+#include <utility>
 
-#include "io/atomic_file.h"
-#include "io/read_file.h"
+#include "session/checked_json.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
 #include "uncertainty_identification/io/result_json.h"
@@ -48,13 +47,13 @@ void readPublication(const json& tree, StoredResult& result) {
 void saveStoredResult(const std::string& path, const StoredResult& result) {
   json tree = toJson(*result.estimate);
   tree["publication"] = publication(result);
-  writeFileAtomically(path, tree.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
+  saveChecked(path, std::move(tree));
 }
 
 StoredResult loadStoredResult(const std::string& path) {
   StoredResult result;
   try {
-    const json tree = json::parse(readFile(path));
+    const json tree = loadChecked(path);
     result.estimate = std::make_shared<const Estimate>(estimateFromJson(tree));
     readPublication(tree.at("publication"), result);
   } catch (const json::exception& error) {
