@@ -21,6 +21,7 @@ from uncertainty_identification.msg import (IdentificationStatus, IdentifyBagsAc
 from uncertainty_identification.srv import GetResult, ListExperiments, RejectExperiment
 
 TRIGGERS = {"start": "start_experiment", "finish": "finish_experiment", "discard": "discard_experiment", "reset": "reset"}
+TERMINATIONS = ("NOT_RUN", "CONVERGED", "ITERATION_LIMIT", "STALLED", "CANCELLED", "TIME_LIMIT")
 
 
 class Node:
@@ -66,6 +67,23 @@ def report(code, message):
         sys.exit(f"the node answered with code {code}: {message}")
 
 
+def name_of(number, names):
+    """The name of the constant of IdentificationStatus with this value."""
+    return next((name for name in names if getattr(IdentificationStatus, name) == number), str(number))
+
+
+def show_status(node):
+    status = node.status()
+    print("state:", name_of(status.state, ("IDLE", "COLLECTING", "IDENTIFYING", "ERROR")))
+    print("last identification:", name_of(status.termination, TERMINATIONS), f"in {status.seconds:.3g} s: {status.message}")
+    for what, since in zip(status.running, status.running_since):
+        print(f"running: {what} for {max(0.0, (rospy.Time.now() - since).to_sec()):.1f} s")
+    print(f"waiting: {status.waiting_requests} requests, {status.queue} experiments")
+    print(f"experiments kept: {status.stored_count}, the last is '{status.last_stored_id}'; last result: {status.sequence}")
+    for problem in [status.store_problem] * bool(status.store_problem) + list(status.problems):
+        print("problem:", problem)
+
+
 def show_result(node):
     answer = node.call("get_result", GetResult)
     report(answer.code, answer.message)
@@ -102,7 +120,7 @@ def main():
     rospy.init_node("node_client", anonymous=True)
     node = Node(rospy.get_param("~node", "/identification"))
     if arguments == ["status"]:
-        print(node.status())
+        show_status(node)
     elif arguments == ["list"]:
         show_list(node)
     elif arguments == ["result"]:

@@ -58,6 +58,14 @@ class ActionThread {
     listener_.start();
   }
 
+  /// Number of goals that wait until the work for a cancelled one has ended.
+  int waiting() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return static_cast<int>(std::count_if(open_.begin(), open_.end(), [](const auto& task) {
+      return !task->begun && !task->cancelled;
+    }));
+  }
+
  private:
   static constexpr std::chrono::milliseconds kFeedbackPeriod{50};
 
@@ -66,7 +74,7 @@ class ActionThread {
   struct Task {
     explicit Task(Handle of) : handle(std::move(of)) {}
     Handle handle;
-    std::atomic<bool> cancelled{false};
+    std::atomic<bool> cancelled{false}, begun{false};
     std::mutex mutex;  // guards `ended` and the end of the goal
     bool ended = false;
   };
@@ -111,6 +119,7 @@ class ActionThread {
   }
 
   void carryOut(Task& task) {
+    task.begun = true;
     if (!accept(task)) return;
     auto due = std::chrono::steady_clock::now();
     end(task, work_(*task.handle.getGoal(), [&task, &due](const Progress& progress) {
@@ -150,7 +159,7 @@ class ActionThread {
   ServiceThread listener_;
   actionlib::ActionServer<Action> server_;
   WorkQueue<std::shared_ptr<Task>> queue_;
-  std::mutex mutex_;  // guards open_
+  mutable std::mutex mutex_;  // guards open_
   std::vector<std::shared_ptr<Task>> open_;
   std::thread thread_;
 };

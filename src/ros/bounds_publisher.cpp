@@ -8,8 +8,9 @@
 
 namespace uncertainty_identification {
 
-BoundsPublisher::BoundsPublisher(ros::NodeHandle node, Done done)
-    : done_(std::move(done)),
+BoundsPublisher::BoundsPublisher(ros::NodeHandle node, Begins begins, Done done)
+    : begins_(std::move(begins)),
+      done_(std::move(done)),
       publisher_(node.advertise<messages::UncertaintyBounds>("uncertainty_bounds", 1, true)),
       thread_([this] { run(); }) {}
 
@@ -49,6 +50,8 @@ void BoundsPublisher::run() {
 }
 
 void BoundsPublisher::publish(const Request& request) {
+  const auto running =
+      begins_("computing the bounds of result " + std::to_string(request.context.sequence));
   const Interruption interruption([this] { return stopping_.load(); });
   try {
     const Bounds bounds = computeBounds(*request.estimate);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 
 #include "ros/bounds_message.h"
@@ -23,8 +24,12 @@ class BoundsPublisher {
  public:
   using Done = std::function<void(const Result&)>;
 
-  /// `done` is called in the publisher's thread with each result and its bounds.
-  BoundsPublisher(ros::NodeHandle private_node, Done done);
+  /// Tells that something begins, in words; it ends when the returned object is destroyed.
+  using Begins = std::function<std::shared_ptr<void>(const std::string&)>;
+
+  /// Both are called in the publisher's thread: `begins` before each computation, `done` with each
+  /// result and its bounds.
+  BoundsPublisher(ros::NodeHandle private_node, Begins begins, Done done);
 
   /// Ends the computation that is running, whose bounds are not published.
   ~BoundsPublisher();
@@ -47,6 +52,7 @@ class BoundsPublisher {
   void run();
   void publish(const Request& request);
 
+  const Begins begins_;
   const Done done_;
   ros::Publisher publisher_;
   mutable std::mutex mutex_;  // guards the members below

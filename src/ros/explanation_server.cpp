@@ -106,6 +106,9 @@ ExplanationServer::Response ExplanationServer::explain(const Goal& goal,
                                                        const ProgressCallback& progress) {
   const unsigned resets = resets_;
   const bool own = goal.bags.empty();
+  const auto running =
+      source_.begins(own ? "explaining the node's experiments"
+                         : "explaining " + std::to_string(goal.bags.size()) + " bags of a request");
   ExplainAnswer answer =
       answerExplain(goal, source_.configuration(), source_.experiments, source_.sequence(),
                     [&](const Progress& at) {

@@ -36,6 +36,8 @@ class ExplanationServer {
     std::function<Configuration()> configuration;
     std::function<std::vector<Experiment>()> experiments;
     std::function<std::uint32_t()> sequence;  ///< number of the last result
+    /// An explanation begins, in words; it ends when the returned object is destroyed.
+    std::function<std::shared_ptr<void>(const std::string&)> begins;
   };
 
   ExplanationServer(const ros::NodeHandle& private_node, Source source);
@@ -60,6 +62,10 @@ class ExplanationServer {
 
   /// Forgets the last explanation, and cancels a running explanation of the node's experiments.
   void reset();
+
+  /// Number of requests and goals that wait until another one has ended. Not to be called after
+  /// stop().
+  int waiting() const { return service_thread_.waiting() + action_->waiting(); }
 
   /// The last explanation of the node's experiments; null before the first one and after reset().
   std::shared_ptr<const Explanation> last() const;

@@ -33,19 +33,22 @@ std::unique_ptr<StoreWriter> openStore(const Configuration& parameters,
 IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                                            const ros::NodeHandle& private_node,
                                            const Configuration& parameters)
-    : results_(private_node),
-      explanations_(private_node, {[this] { return reconfiguration_.current(); },
-                                   [this] { return worker_.snapshot().experiments; },
-                                   [this] { return results_.sequence(); }}),
+    : status_(private_node, [this] { return nodeStatus(); }),
+      activities_([] { return ros::Time::now().toSec(); }, [this] { status_.publish(); }),
+      results_(private_node),
+      explanations_(private_node,
+                    {[this] { return reconfiguration_.current(); },
+                     [this] { return worker_.snapshot().experiments; },
+                     [this] { return results_.sequence(); },
+                     [this](const std::string& what) { return activities_.begin(what); }}),
       reports_(parameters.report_directory),
-      bounds_(private_node,
-              [this](const Result& result) {
-                if (!configuration_.report_each_result) return;
-                const auto answer = reports_.answer({}, &result, explanations_.last().get());
-                if (answer.code != messages::WriteReport::Response::OK) warn(answer.message);
-              }),
-      status_(
-          private_node, [this] { return workerStatus(); }, [this] { return results_.sequence(); }),
+      bounds_(
+          private_node, [this](const std::string& what) { return activities_.begin(what); },
+          [this](const Result& result) {
+            if (!configuration_.report_each_result) return;
+            const auto answer = reports_.answer({}, &result, explanations_.last().get());
+            if (answer.code != messages::WriteReport::Response::OK) warn(answer.message);
+          }),
       store_(openStore(parameters, [this] { status_.publish(); })),
       stored_(store_ ? store_->load() : StoredState()),
       configuration_(configurationAtStart(parameters, stored_.configuration)),
@@ -69,6 +72,9 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                     [this] { return worker_.status(); }}),
       identify_bags_(private_node, "identify_bags",
                      [this](const messages::IdentifyBagsGoal& goal, const ProgressCallback& go_on) {
+                       const auto running = activities_.begin("identifying from " +
+                                                              std::to_string(goal.bags.size()) +
+                                                              " bags (~identify_bags)");
                        return answerIdentifyBags(goal, reconfiguration_.current(), go_on);
                      }) {
   start(private_node);
@@ -76,9 +82,7 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
 
 /// Serves what was restored from the store, and from now on requests.
 void IdentificationServer::start(const ros::NodeHandle& private_node) {
-  diagnostics_.add("explanation", [this](auto& status) {
-    diagnoseExplanation(explanations_.last().get(), status);
-  });
+  addDiagnostics();
   restore();
   advertiseTriggers(private_node);
   advertiseRequests();
@@ -87,11 +91,33 @@ void IdentificationServer::start(const ros::NodeHandle& private_node) {
   query_thread_.start();
   identify_bags_.start();
   explanations_.start();
+  constexpr double kPeriod = 0.25;  // [s] within which a change is published
+  waiting_timer_ = ros::NodeHandle(private_node)
+                       .createWallTimer(ros::WallDuration(kPeriod), [this](const auto&) {
+                         if (waitingRequests() != waiting_published_) status_.publish();
+                         waiting_published_ = waitingRequests();
+                       });
   status_.publish();
+}
+
+void IdentificationServer::addDiagnostics() {
+  diagnostics_.add("explanation", [this](auto& status) {
+    diagnoseExplanation(explanations_.last().get(), status);
+  });
+  diagnostics_.add("activity", [this](auto& status) {
+    diagnoseActivity(activities_.running(), waitingRequests(), ros::Time::now().toSec(), status);
+  });
+  if (store_)
+    diagnostics_.add("store", [this](auto& status) { diagnoseStore(store_->status(), status); });
+}
+
+int IdentificationServer::waitingRequests() const {
+  return identify_thread_.waiting() + explanations_.waiting() + identify_bags_.waiting();
 }
 
 IdentificationServer::~IdentificationServer() {
   stopping_ = true;
+  waiting_timer_.stop();
   status_.close();
   for (auto& service : services_) service.shutdown();
   explanations_.stop();
@@ -146,6 +172,7 @@ void IdentificationServer::advertiseRequests() {
   using messages::WriteReport;
   const boost::function<bool(Identify::Request&, Identify::Response&)> identify =
       [this](Identify::Request& request, Identify::Response& response) {
+        const auto running = activities_.begin("answering ~identify");
         response = answerIdentify(request, reconfiguration_.current(),
                                   [this](const Progress&) { return !stopping_ && ros::ok(); });
         return true;

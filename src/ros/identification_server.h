@@ -44,7 +44,9 @@ class IdentificationServer {
 
   void start(const ros::NodeHandle& private_node);
   IdentificationWorker::Listener workerListener();
-  WorkerStatus workerStatus() const;
+  NodeStatus nodeStatus() const;
+  int waitingRequests() const;
+  void addDiagnostics();
   void restore();
   void advertiseKeeping();
   void advertiseTriggers(ros::NodeHandle node);
@@ -59,11 +61,12 @@ class IdentificationServer {
   messages::WriteReport::Response writeReport(const messages::WriteReport::Request& request) const;
 
   std::atomic<bool> stopping_{false};
+  StatusPublisher status_;  // before all that calls it from threads of their own
+  Activities activities_;
   ResultPublisher results_;
   ExplanationServer explanations_;
   ReportWriter reports_;
   BoundsPublisher bounds_;
-  StatusPublisher status_;
   std::unique_ptr<StoreWriter> store_;  // null if store_directory is not configured
   StoredState stored_;                  // what the store held; empty after restore()
   const Configuration configuration_;   // with which the node started
@@ -75,6 +78,8 @@ class IdentificationServer {
   NodeDiagnostics diagnostics_;
   ActionThread<messages::IdentifyBagsAction> identify_bags_;
   std::vector<ros::ServiceServer> services_;
+  int waiting_published_ = 0;  // number of waiting requests in the last status
+  ros::WallTimer waiting_timer_;
 };
 
 }  // namespace uncertainty_identification

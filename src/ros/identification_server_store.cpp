@@ -27,18 +27,19 @@ IdentificationWorker::Listener IdentificationServer::workerListener() {
   };
   listener.changed = [this] { status_.publish(); };
   listener.warning = [](const std::string& warning) { ROS_WARN_STREAM(warning); };
+  listener.begins = [this](const std::string& what) { return activities_.begin(what); };
   return listener;
 }
 
-/// The worker's status, with the experiments that are on the disk as the stored ones.
-WorkerStatus IdentificationServer::workerStatus() const {
-  WorkerStatus status = worker_.status();
+/// Of a node with a store, the stored experiments are those on the disk.
+NodeStatus IdentificationServer::nodeStatus() const {
+  NodeStatus status{worker_.status(), "", activities_.running(), waitingRequests(),
+                    results_.sequence()};
   if (!store_) return status;
   const StoreStatus store = store_->status();
-  status.stored = store.stored;
-  status.last_id = store.last_id;
-  status.failed = status.failed || store.failing;
-  if (!store.message.empty()) status.message += "\n" + store.message;
+  status.worker.stored = store.stored;
+  status.worker.last_id = store.last_id;
+  status.store_problem = store.message;
   return status;
 }
 
@@ -65,6 +66,7 @@ void IdentificationServer::advertiseKeeping() {
   using messages::Save;
   const boost::function<bool(Configure::Request&, Configure::Response&)> configure =
       [this](Configure::Request& request, Configure::Response& response) {
+        const auto running = activities_.begin("answering ~configure");
         response =
             answerConfigure(request, reconfiguration_, [this] { return !stopping_ && ros::ok(); });
         response.sequence = results_.sequence();

@@ -92,6 +92,28 @@ void diagnoseIdentification(const WorkerStatus& worker, Status& status) {
   status.add("last experiment", worker.last_id);
 }
 
+void diagnoseActivity(const std::vector<Activity>& running, int waiting_requests, double now,
+                      Status& status) {
+  std::string all;
+  for (const Activity& activity : running) {
+    all += (all.empty() ? "" : "; ") + activity.what;
+    status.addf(activity.what + " for [s]", "%.3g", std::max(0.0, now - activity.since));
+  }
+  status.summary(Level::OK, all.empty() ? "nothing is being computed" : all);
+  status.add("waiting requests", waiting_requests);
+}
+
+void diagnoseStore(const StoreStatus& store, Status& status) {
+  constexpr int kManyFiles = 100;
+  status.summary(Level::OK, "experiments are stored");
+  if (store.pending > kManyFiles)
+    status.summaryf(Level::WARN, "%d files wait for the disk", store.pending);
+  if (!store.message.empty()) status.summary(Level::ERROR, store.message);
+  status.add("stored experiments", store.stored);
+  status.add("waiting files", store.pending);
+  status.add("files given up", store.lost);
+}
+
 void diagnoseTiming(const WorkerStatus& worker, Status& status) {
   if (worker.last_id.empty()) {
     status.summary(Level::STALE, "no experiment has finished yet");

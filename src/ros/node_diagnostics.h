@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "ros/experiment_recorder.h"
+#include "session/activities.h"
 #include "session/identification_worker.h"
+#include "session/store_writer.h"
 
 namespace uncertainty_identification {
 
@@ -28,6 +30,14 @@ void diagnoseIdentification(const WorkerStatus& worker,
 /// were lost.
 void diagnoseTiming(const WorkerStatus& worker,
                     diagnostic_updater::DiagnosticStatusWrapper& status);
+
+/// What is computed, since when, and how many requests wait for it. Always OK.
+void diagnoseActivity(const std::vector<Activity>& running, int waiting_requests, double now,
+                      diagnostic_updater::DiagnosticStatusWrapper& status);
+
+/// Diagnostics of the store. ERROR: the disk refuses, or files were given up. WARN: more than a
+/// hundred files wait for the disk.
+void diagnoseStore(const StoreStatus& store, diagnostic_updater::DiagnosticStatusWrapper& status);
 
 /// Publishes /diagnostics from the thread that spins, every ~diagnostic_period seconds of wall
 /// time. Wall time is used so that diagnostics continue when the simulated clock stops or goes

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
+
+#include "ros/counted_queue.h"
 
 namespace uncertainty_identification {
 
@@ -18,11 +19,14 @@ class ServiceThread {
 
   void start() { spinner_.start(); }
 
+  /// Number of requests that wait until the thread has answered another one.
+  int waiting() const { return queue_.waiting(); }
+
   /// Blocks until a running callback has ended.
   void stop() { spinner_.stop(); }
 
  private:
-  ros::CallbackQueue queue_;
+  CountedQueue queue_;
   ros::NodeHandle node_;
   ros::AsyncSpinner spinner_;
 };

@@ -9,34 +9,39 @@ namespace {
 
 constexpr std::size_t kMaxProblems = 5;  // in one status
 
-std::uint8_t stateOf(const WorkerStatus& worker, const RecorderStatus& recorder) {
+std::uint8_t stateOf(const NodeStatus& node, const RecorderStatus& recorder) {
   using Status = messages::IdentificationStatus;
-  if (worker.busy) return Status::IDENTIFYING;
+  if (node.worker.busy) return Status::IDENTIFYING;
   if (recorder.running) return Status::COLLECTING;
-  return worker.failed ? Status::ERROR : Status::IDLE;
+  return node.worker.failed || !node.store_problem.empty() ? Status::ERROR : Status::IDLE;
 }
 
 }  // namespace
 
-messages::IdentificationStatus toMessage(const WorkerStatus& worker,
-                                         const RecorderStatus& recorder) {
+messages::IdentificationStatus toMessage(const NodeStatus& node, const RecorderStatus& recorder) {
+  const WorkerStatus& worker = node.worker;
   messages::IdentificationStatus message;
-  message.state = stateOf(worker, recorder);
+  message.state = stateOf(node, recorder);
   message.termination = toMessage(worker.termination);
   message.message = worker.message;
-  for (const auto& problem : recorder.problems) message.message += "\n" + problem;
+  message.store_problem = node.store_problem;
+  message.problems = recorder.problems;
+  for (const Activity& activity : node.running) {
+    message.running.push_back(activity.what);
+    message.running_since.push_back(ros::Time(activity.since));
+  }
+  message.waiting_requests = static_cast<std::uint32_t>(node.waiting_requests);
   message.stored_count = static_cast<std::uint32_t>(worker.stored);
   message.last_stored_id = worker.last_id;
   message.queue = static_cast<std::uint32_t>(worker.queue);
   message.seconds = worker.seconds;
+  message.sequence = node.sequence;
   return message;
 }
 
-StatusPublisher::StatusPublisher(ros::NodeHandle node, std::function<WorkerStatus()> worker,
-                                 std::function<std::uint32_t()> sequence)
-    : publisher_(node.advertise<messages::IdentificationStatus>("status", 10, true)),
-      worker_(std::move(worker)),
-      sequence_(std::move(sequence)) {}
+StatusPublisher::StatusPublisher(ros::NodeHandle private_node, std::function<NodeStatus()> node)
+    : publisher_(private_node.advertise<messages::IdentificationStatus>("status", 10, true)),
+      node_(std::move(node)) {}
 
 void StatusPublisher::publish() {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -67,9 +72,8 @@ void StatusPublisher::forgetProblems() {
 
 void StatusPublisher::publishLocked() {
   if (closed_) return;
-  auto message = toMessage(worker_(), recorder_);
+  auto message = toMessage(node_(), recorder_);
   message.header.stamp = ros::Time::now();
-  message.sequence = sequence_();
   publisher_.publish(message);
 }
 

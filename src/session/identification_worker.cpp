@@ -56,7 +56,12 @@ bool IdentificationWorker::isCurrent(const WorkerSnapshot& snapshot, bool interr
 
 void IdentificationWorker::run() {
   for (Work work; takeWork(work);) {
-    if (!work.snapshot.experiments.empty()) carryOut(work);
+    if (!work.snapshot.experiments.empty()) {
+      const auto running =
+          listener_.begins("identifying from " + std::to_string(work.snapshot.experiments.size()) +
+                           " of the node's experiments");
+      carryOut(work);
+    }
     change([this] { status_.busy = false; });
   }
 }

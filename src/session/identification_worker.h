@@ -67,6 +67,11 @@ class IdentificationWorker {
     std::function<void(const RejectedExperiment&)> rejected;  ///< a recording gave no experiment
     std::function<void()> changed;                            ///< status() has changed
     std::function<void(const std::string&)> warning;          ///< a message for the user
+    /// An identification begins, in words; it ends when the returned object is destroyed. Called
+    /// without the mutex.
+    std::function<std::shared_ptr<void>(const std::string&)> begins = [](const std::string&) {
+      return nullptr;
+    };
   };
 
   /// Throws ConfigurationError when the configuration is not valid.

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <future>
 #include <iostream>
 
 #include "ros/bag_writer.h"
@@ -124,6 +125,36 @@ TEST_F(ActionsTest, TheGoalAfterACancelledOneBeginsAtOnce) {
     ASSERT_TRUE(waitFor([&] { return next.ended(); }));
     EXPECT_EQ(next.result().code, Result::OK) << next.result().message;
   }
+}
+
+TEST_F(ActionsTest, TheStatusNamesWhatRunsAndSinceWhen) {
+  const ros::Time before = ros::Time::now();
+  Sent sent(actions_, longGoal());
+  ASSERT_TRUE(waitFor([&] { return !client_.status().running.empty(); }));
+  const auto status = client_.status();
+  EXPECT_EQ(status.running.front(), "identifying from 1 bags (~identify_bags)");
+  ASSERT_EQ(status.running_since.size(), status.running.size());
+  EXPECT_GE(status.running_since.front(), before);
+  EXPECT_LE(status.running_since.front(), ros::Time::now());
+  sent.cancel();
+  EXPECT_TRUE(waitFor([&] { return client_.status().running.empty(); }));
+}
+
+TEST_F(ActionsTest, TheStatusCountsTheRequestsThatWait) {
+  const auto ask = [&] {
+    messages::Identify::Request request;
+    request.bags = {"long.bag"};
+    request.configuration =
+        "{nominal_model: {nb: 50, na: 50, nc: 50, nd: 50, delay: 1}, estimation: {time_limit: 2}}";
+    return std::async(std::launch::async,
+                      [=] { return client_.call<messages::Identify>("identify", request).code; });
+  };
+  auto first = ask(), second = ask();
+  EXPECT_TRUE(waitFor([&] { return client_.status().waiting_requests == 1; }));
+  first.wait();
+  second.wait();
+  EXPECT_TRUE(waitFor([&] { return client_.status().waiting_requests == 0; }));
+  EXPECT_NE(first.get(), messages::Identify::Response::INTERNAL_ERROR);
 }
 
 TEST_F(ActionsTest, ANewGoalPreemptsTheOneThatRuns) {

@@ -45,9 +45,8 @@ TEST(Headerless, DurationCutsTheReplayAndTheNodeWarns) {
   NodeClient client;
   ASSERT_TRUE(client.waitForNode());
   ASSERT_EQ(playBag(bag, "--hz=1000"), 0);
-  ASSERT_TRUE(client.waitUntilStored(4)) << client.status().message;
-  EXPECT_NE(client.status().message.find("'/cmd_vel' has no header"), std::string::npos)
-      << client.status().message;
+  ASSERT_TRUE(client.waitUntilStored(4)) << client.told();
+  EXPECT_NE(client.told().find("'/cmd_vel' has no header"), std::string::npos) << client.told();
 
   const auto offline = readBag(bag, loadParameters(client.node()));
   ASSERT_EQ(offline.experiments.size(), 5U);

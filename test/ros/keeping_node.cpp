@@ -268,7 +268,7 @@ TEST_F(KeepingTest, WithoutItsDiskTheNodeGoesOnInMemory) {
   ASSERT_TRUE(waitFor([this] { return result().experiment_count == 6; }));
   ASSERT_TRUE(
       waitFor([this] { return client_->status().state == messages::IdentificationStatus::ERROR; }));
-  EXPECT_NE(client_->status().message.find("wait in memory"), std::string::npos);
+  EXPECT_NE(client_->status().store_problem.find("wait in memory"), std::string::npos);
   EXPECT_EQ(client_->status().stored_count, 4U) << "what is not on the disk is not acknowledged";
   fs::rename(folder_ / "away", store_);
   ASSERT_TRUE(waitFor([this] { return client_->status().stored_count == 6; }));

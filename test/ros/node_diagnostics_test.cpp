@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "ros/counted_queue.h"
+
 namespace uncertainty_identification {
 namespace {
 
@@ -124,6 +126,50 @@ TEST(DiagnoseTiming, TellsOfTheNewestExperiment) {
   EXPECT_EQ(diagnosed(worker).level, Level::WARN);
   EXPECT_NE(diagnosed(worker).message.find("3 messages of the output were lost"),
             std::string::npos);
+}
+
+TEST(DiagnoseActivity, NamesWhatRunsAndForHowLong) {
+  Status status;
+  diagnoseActivity({}, 0, 100, status);
+  EXPECT_EQ(status.message, "nothing is being computed");
+  Status busy;
+  diagnoseActivity({{"answering ~identify", 90}, {"computing bounds", 99}}, 2, 100, busy);
+  EXPECT_EQ(busy.level, Level::OK);
+  EXPECT_EQ(busy.message, "answering ~identify; computing bounds");
+  EXPECT_EQ(valueOf(busy, "answering ~identify for [s]"), "10");
+  EXPECT_EQ(valueOf(busy, "waiting requests"), "2");
+}
+
+TEST(DiagnoseStore, TellsWhatTheDiskRefuses) {
+  const auto diagnosed = [](const StoreStatus& store) {
+    Status status;
+    diagnoseStore(store, status);
+    return status;
+  };
+  StoreStatus store;
+  EXPECT_EQ(diagnosed(store).level, Level::OK);
+  store.pending = 101;
+  EXPECT_EQ(diagnosed(store).level, Level::WARN);
+  store.message = "the store: no space left";
+  EXPECT_EQ(diagnosed(store).level, Level::ERROR);
+  EXPECT_EQ(diagnosed(store).message, store.message);
+}
+
+TEST(CountedQueue, CountsWhatWaits) {
+  class Nothing : public ros::CallbackInterface {
+    CallResult call() override { return Success; }
+  };
+  CountedQueue queue;
+  EXPECT_EQ(queue.waiting(), 0);
+  for (const std::uint64_t owner : {1, 2, 3})
+    queue.addCallback(boost::make_shared<Nothing>(), owner);
+  EXPECT_EQ(queue.waiting(), 3);
+  queue.callOne();
+  EXPECT_EQ(queue.waiting(), 2);
+  queue.removeByID(2);
+  EXPECT_EQ(queue.waiting(), 1) << "its caller has gone";
+  queue.callAvailable();
+  EXPECT_EQ(queue.waiting(), 0);
 }
 
 TEST(ArrivalCounter, GivesRatesSinceTheLastCallAndSmoothedIntervals) {

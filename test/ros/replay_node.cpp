@@ -128,8 +128,7 @@ class ReplayTest : public testing::Test {
 
   // What was not taken for a sample, and why.
   void expectNothingDropped() {
-    EXPECT_EQ(client_.status().message.find("left out"), std::string::npos)
-        << client_.status().message;
+    EXPECT_EQ(client_.told().find("left out"), std::string::npos) << client_.told();
   }
 
   Configuration configuration() { return loadParameters(client_.node()); }
@@ -146,7 +145,7 @@ class ReplayTest : public testing::Test {
 TEST_F(ReplayTest, TenTimesFasterGivesWhatReadingTheBagGives) {
   writeBag(bag_, example1Experiments(kExperiments));
   ASSERT_EQ(playBag(bag_, "--rate=10"), 0);
-  ASSERT_TRUE(client_.waitUntilStored(kExperiments)) << client_.status().message;
+  ASSERT_TRUE(client_.waitUntilStored(kExperiments)) << client_.told();
   const auto offline = readBag(bag_, configuration()).experiments;
   EXPECT_EQ(listed().size(), offline.size());
   expectWhatOfflineGives(offline);
@@ -165,7 +164,7 @@ TEST_F(ReplayTest, PausedAndResumedAtRateOneToo) {
     ASSERT_TRUE(player.pause(false));
   }
   ASSERT_EQ(player.waitForTheEnd(), 0);
-  ASSERT_TRUE(client_.waitUntilStored(kExperiments)) << client_.status().message;
+  ASSERT_TRUE(client_.waitUntilStored(kExperiments)) << client_.told();
   const auto offline = readBag(bag_, configuration()).experiments;
   EXPECT_EQ(listed().size(), offline.size());
   expectWhatOfflineGives(offline);
@@ -177,7 +176,7 @@ TEST_F(ReplayTest, LaterPassesOfALoopAddNothing) {
   const auto offline = readBag(bag_, configuration()).experiments;
   Player player("--loop --rate=10 " + bag_);
   ASSERT_TRUE(waitFor([this] { return passes() == 1; }));
-  ASSERT_TRUE(client_.waitUntilStored(kExperiments)) << client_.status().message;
+  ASSERT_TRUE(client_.waitUntilStored(kExperiments)) << client_.told();
   const auto sequence = client_.status().sequence;
   ASSERT_TRUE(waitFor([this] { return passes() == 3; }));
   player.stop();
@@ -213,7 +212,7 @@ TEST_F(ReplayTest, AnExperimentTornByTheLoopIsRejectedWithAReason) {
   ASSERT_TRUE(waitFor([this] { return listed().size() > kWhole; }));
   player.stop();
   player.waitForTheEnd();
-  ASSERT_TRUE(client_.waitUntilStored(kWhole)) << client_.status().message;
+  ASSERT_TRUE(client_.waitUntilStored(kWhole)) << client_.told();
   EXPECT_EQ(client_.status().stored_count, static_cast<unsigned>(kWhole));
   for (const auto& experiment : listed()) {
     if (experiment.rejected.empty()) continue;

@@ -25,14 +25,14 @@ class TopicsTest : public testing::Test {
   }
 
   bool reported(const std::string& text) {
-    return waitFor([&] { return client_.status().message.find(text) != std::string::npos; });
+    return waitFor([&] { return client_.told().find(text) != std::string::npos; });
   }
 
   // Records an experiment and says how it is listed.
   messages::ExperimentSummary recordedNow() {
     const std::size_t before = listed().size();
     EXPECT_TRUE(signals_.record(experiment_));
-    EXPECT_TRUE(waitFor([&] { return listed().size() > before; })) << client_.status().message;
+    EXPECT_TRUE(waitFor([&] { return listed().size() > before; })) << client_.told();
     return listed().back();
   }
 
@@ -54,7 +54,7 @@ TEST_F(TopicsTest, PublishersThatComeLateAreRecordedFromThenOn) {
   signals_.advertise();
   signals_.publish(experiment_, 0, 60);
   ASSERT_TRUE(signals_.trigger("finish_experiment"));
-  ASSERT_TRUE(waitFor([&] { return listed().size() == 1; })) << client_.status().message;
+  ASSERT_TRUE(waitFor([&] { return listed().size() == 1; })) << client_.told();
   EXPECT_NEAR(listed().front().samples, 60, 3);
 }
 
@@ -65,7 +65,7 @@ TEST_F(TopicsTest, PublishersThatRestartLeaveAGap) {
   signals_.advertise();
   signals_.publish(experiment_, 40, 100);
   ASSERT_TRUE(signals_.trigger("finish_experiment"));
-  ASSERT_TRUE(waitFor([&] { return listed().size() == 1; })) << client_.status().message;
+  ASSERT_TRUE(waitFor([&] { return listed().size() == 1; })) << client_.told();
   EXPECT_GE(listed().front().samples, 95U);
   expectThatTheNodeStillRecords();
 }
@@ -77,13 +77,13 @@ TEST_F(TopicsTest, ATopicOfAnotherTypeIsReportedAndLeftOut) {
     ros::Publisher text = node_.advertise<std_msgs::String>("/sensor/measurement", 10);
     ASSERT_TRUE(waitFor([&] { return text.getNumSubscribers() > 0; }));
     text.publish(std_msgs::String());
-    EXPECT_TRUE(reported("std_msgs/String")) << client_.status().message;
+    EXPECT_TRUE(reported("std_msgs/String")) << client_.told();
   }
   {
     ros::Publisher unstamped = node_.advertise<std_msgs::Float64>("/sensor/measurement", 10);
     ASSERT_TRUE(waitFor([&] { return unstamped.getNumSubscribers() > 0; }));
     unstamped.publish(std_msgs::Float64());
-    EXPECT_TRUE(reported("whose stamps come from another clock")) << client_.status().message;
+    EXPECT_TRUE(reported("whose stamps come from another clock")) << client_.told();
   }
   signals_.advertise();
   expectThatTheNodeStillRecords();
@@ -111,7 +111,7 @@ TEST_F(TopicsTest, MessagesOfTheWrongSizeAreLeftOut) {
     EXPECT_TRUE(
         reported("covariate 'temperature': a message of topic '/covariate/temperature' was "
                  "left out because"))
-        << client_.status().message;
+        << client_.told();
     ASSERT_TRUE(signals_.trigger("reset"));
   }
   expectThatTheNodeStillRecords();
@@ -149,7 +149,7 @@ TEST_F(TopicsTest, HowTheSamplesCameIsToldOfEachExperiment) {
     measurement.publish(y);
   }
   ASSERT_TRUE(signals_.trigger("finish_experiment"));
-  ASSERT_TRUE(waitFor([&] { return listed().size() == 1; })) << client_.status().message;
+  ASSERT_TRUE(waitFor([&] { return listed().size() == 1; })) << client_.told();
   const auto summary = listed().front();
   EXPECT_EQ(summary.input.lost, 0U);
   EXPECT_EQ(summary.output.lost, 3U);

@@ -30,6 +30,14 @@ class NodeClient {
     return status_;
   }
 
+  /// All that the status tells in words, one finding in each line.
+  std::string told() const {
+    const messages::IdentificationStatus now = status();
+    std::string all = now.message + "\n" + now.store_problem;
+    for (const auto& problem : now.problems) all += "\n" + problem;
+    return all;
+  }
+
   /// Waits for the node to be up.
   bool waitForNode() {
     return waitFor([this] {

@@ -31,7 +31,9 @@ TEST(Interruption, ACheckpointThrowsOnceTheEndIsAskedFor) {
 }
 
 TEST(Interruption, EndsWithItsScope) {
-  { const Interruption interruption([] { return true; }); }
+  {
+    const Interruption interruption([] { return true; });
+  }
   checkpoint();
 }
 
@@ -77,10 +79,12 @@ TEST(Interruption, AThreadThatWaitsForItsPoolStillAsks) {
     here_done = true;
   };
   // Which thread gets which task is not determined: until the other thread has had one, repeat.
-  EXPECT_THROW(for (;;) {
-    here_done = false;
-    pool.forEach(2, task);
-  }, CancelledError);
+  EXPECT_THROW(
+      for (;;) {
+        here_done = false;
+        pool.forEach(2, task);
+      },
+      CancelledError);
 }
 
 TEST(Interruption, APoolCanBeUsedAgainAfterwards) {
