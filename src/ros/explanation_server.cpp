@@ -122,6 +122,7 @@ void ExplanationServer::publish(const Response& response, Explanation explanatio
                                 unsigned resets) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (resets != resets_) return;
+  ROS_INFO_STREAM("explanation of the node's experiments: " << explanation.message);
   last_ = std::make_shared<const Explanation>(std::move(explanation));
   publisher_.publish(response.explanation);
 }

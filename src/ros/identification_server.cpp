@@ -19,13 +19,11 @@ std_srvs::Trigger::Response answer(bool success, const std::string& message) {
   return response;
 }
 
-void warn(const std::string& message) { ROS_WARN_STREAM(message); }
-
 std::unique_ptr<StoreWriter> openStore(const Configuration& parameters,
-                                       const std::function<void()>& changed) {
+                                       StoreWriter::Listener listener) {
   if (parameters.store_directory.empty()) return nullptr;
   return std::make_unique<StoreWriter>(parameters.store_directory, experimentBags(),
-                                       parameters.limits, changed);
+                                       parameters.limits, std::move(listener));
 }
 
 }  // namespace
@@ -49,7 +47,7 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
             const auto answer = reports_.answer({}, &result, explanations_.last().get());
             if (answer.code != messages::WriteReport::Response::OK) warn(answer.message);
           }),
-      store_(openStore(parameters, [this] { status_.publish(); })),
+      store_(openStore(parameters, storeListener())),
       stored_(store_ ? store_->load() : StoredState()),
       configuration_(configurationAtStart(parameters, stored_.configuration)),
       worker_(configuration_, workerListener()),
@@ -155,6 +153,7 @@ void IdentificationServer::advertiseTriggers(ros::NodeHandle node) {
 
 std_srvs::Trigger::Response IdentificationServer::reset() {
   status_.forgetProblems();
+  warned_.forget();
   recorder_.reset();
   worker_.reset();
   if (store_) store_->reset();

@@ -14,9 +14,9 @@
 #include "ros/service_thread.h"
 #include "ros/status_publisher.h"
 #include "session/identification_worker.h"
+#include "session/log_lines.h"
 #include "session/reconfiguration.h"
 #include "session/saved_experiments.h"
-#include "session/store_writer.h"
 
 namespace uncertainty_identification {
 
@@ -46,6 +46,8 @@ class IdentificationServer {
   IdentificationWorker::Listener workerListener();
   NodeStatus nodeStatus() const;
   int waitingRequests() const;
+  void warn(const std::string& message);
+  StoreWriter::Listener storeListener();
   void addDiagnostics();
   void restore();
   void advertiseKeeping();
@@ -61,6 +63,8 @@ class IdentificationServer {
   messages::WriteReport::Response writeReport(const messages::WriteReport::Request& request) const;
 
   std::atomic<bool> stopping_{false};
+  OncePerCause warned_;
+  StoreLog store_log_;      // used in the store's thread only
   StatusPublisher status_;  // before all that calls it from threads of their own
   Activities activities_;
   ResultPublisher results_;

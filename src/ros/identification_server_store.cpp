@@ -1,3 +1,4 @@
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -9,26 +10,58 @@
 /// What the server stores so that it survives a restart, and the services that save, load, reject
 /// and reconfigure.
 namespace uncertainty_identification {
+namespace {
+
+/// Logs an error when the node ends. After ros::shutdown() the logger prints nothing any more; the
+/// line then goes where it prints errors.
+void logAtTheEnd(const std::string& line) {
+  if (ros::ok())
+    ROS_ERROR_STREAM(line);
+  else
+    std::cerr << "[ERROR]: " << line << std::endl;
+}
+
+}  // namespace
 
 IdentificationWorker::Listener IdentificationServer::workerListener() {
   IdentificationWorker::Listener listener;
   listener.result = [this](const WorkerResult& result) {
+    const auto before = results_.lastEstimate().first;
     const ResultContext context = results_.publish(result);
+    ROS_INFO_STREAM(resultLine(result, context.sequence, before.get()));
     bounds_.add(result.estimate, context);
     explanations_.resultPublished();
     if (store_) store_->keep(StoredResult{result.estimate, context, result.configuration});
   };
   listener.kept = [this](const KeptExperiment& experiment) {
+    ROS_INFO_STREAM(keptLine(experiment, configuration_.limits));
     explanations_.experimentAdded();
     if (store_) store_->keep(experiment);
   };
   listener.rejected = [this](const RejectedExperiment& rejected) {
+    ROS_INFO_STREAM(rejectedLine(rejected));
     if (store_) store_->reject(rejected);
   };
   listener.changed = [this] { status_.publish(); };
-  listener.warning = [](const std::string& warning) { ROS_WARN_STREAM(warning); };
+  listener.warning = [this](const std::string& warning) { warn(warning); };
   listener.begins = [this](const std::string& what) { return activities_.begin(what); };
   return listener;
+}
+
+StoreWriter::Listener IdentificationServer::storeListener() {
+  return {[this](const StoreStatus& now) {
+            if (const auto line = store_log_.line(now)) ROS_ERROR_STREAM(*line);
+            status_.publish();
+          },
+          [](const std::vector<std::string>& files) { logAtTheEnd(unwrittenLine(files)); }};
+}
+
+/// Logs a warning as such when it is the first one of its cause.
+void IdentificationServer::warn(const std::string& message) {
+  if (warned_.isNew(message))
+    ROS_WARN_STREAM(message);
+  else
+    ROS_DEBUG_STREAM(message);
 }
 
 /// Of a node with a store, the stored experiments are those on the disk.
@@ -55,6 +88,9 @@ void IdentificationServer::restore() {
       last = WorkerResult{result.estimate, result.context.preliminary, result.context.window,
                           result.configuration};
   }
+  if (!stored_.kept.empty())
+    ROS_INFO_STREAM("the node continues with " << stored_.kept.size()
+                                               << " experiments of its store");
   worker_.restore(std::move(stored_.kept), std::move(stored_.rejected), stored_.last_number, last);
   stored_ = {};
 }

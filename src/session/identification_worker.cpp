@@ -152,6 +152,7 @@ void IdentificationWorker::succeed(Estimate estimate, bool preliminary, Work& wo
 
 void IdentificationWorker::fail(const std::string& message, Termination termination,
                                 const Work& work) {
+  if (isCurrent(work.snapshot, false)) listener_.warning(message);
   change([&] {
     if (!isCurrent(work.snapshot, false)) return;
     status_.failed = true;

@@ -8,7 +8,7 @@ RecorderPolicy::RecorderPolicy(Listener listener, Patience patience)
     : listener_(std::move(listener)), patience_(patience) {}
 
 void RecorderPolicy::reset(Clock::time_point now) {
-  reported_.clear();
+  reported_.forget();
   last_arrival_ = wait_began_ = now;
   if (std::exchange(running_, false)) listener_.running(false);
 }
@@ -35,9 +35,7 @@ void RecorderPolicy::releaseLate(ExperimentCutter& cutter, Clock::time_point now
 }
 
 void RecorderPolicy::report(const std::string& problem) {
-  constexpr std::size_t kMaxReported = 100;
-  if (reported_.size() < kMaxReported && reported_.insert(problem).second)
-    listener_.problem(problem);
+  if (reported_.isNew(problem)) listener_.problem(problem);
 }
 
 }  // namespace uncertainty_identification

@@ -2,12 +2,12 @@
 
 #include <chrono>
 #include <functional>
-#include <set>
 #include <string>
 #include <utility>
 
 #include "data/experiment_cutter.h"
 #include "session/experiment_intake.h"
+#include "session/once_per_cause.h"
 
 namespace uncertainty_identification {
 
@@ -20,7 +20,7 @@ class RecorderPolicy {
 
   struct Listener {
     std::function<void(FinishedExperiment)> finished;
-    std::function<void(const std::string&)> problem;  ///< a message for the user; each text once
+    std::function<void(const std::string&)> problem;  ///< a message for the user; each cause once
     std::function<void(bool)> running;  ///< whether an experiment is running, when that changes
   };
 
@@ -53,8 +53,7 @@ class RecorderPolicy {
   /// samples, and passes them on. To be called a few times a second.
   void releaseLate(ExperimentCutter& cutter, Clock::time_point now);
 
-  /// Tells the listener a problem unless it was told before. After 100 different ones it is silent,
-  /// so that memory stays bounded.
+  /// Tells the listener a problem unless one of the same cause was told before (OncePerCause).
   void report(const std::string& problem);
 
   /// Whether an experiment is being recorded.
@@ -65,7 +64,7 @@ class RecorderPolicy {
   Patience patience_;
   Clock::time_point last_arrival_;
   Clock::time_point wait_began_;  // [patience a_second] last release, or last time nothing waited
-  std::set<std::string> reported_;
+  OncePerCause reported_;
   bool running_ = false;
 };
 

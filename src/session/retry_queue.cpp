@@ -14,23 +14,28 @@ RetryQueue::RetryQueue(std::size_t capacity, std::chrono::milliseconds interval,
       attempted_(std::move(attempted)),
       thread_([this] { run(); }) {}
 
-RetryQueue::~RetryQueue() {
+RetryQueue::~RetryQueue() { stop(); }
+
+std::vector<std::string> RetryQueue::stop() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     stopping_ = true;
   }
   wake_.notify_one();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
+  std::vector<std::string> left;
+  for (const Entry& entry : waiting_) left.push_back(entry.what);
+  return left;
 }
 
-void RetryQueue::push(Task task, const std::string& key) {
+void RetryQueue::push(Task task, const std::string& key, const std::string& what) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!key.empty()) {
       const auto same = [&](const Entry& entry) { return entry.key == key; };
       waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), same), waiting_.end());
     }
-    waiting_.push_back({std::move(task), key});
+    waiting_.push_back({std::move(task), key, what});
     if (waiting_.size() > capacity_) {
       waiting_.pop_front();
       ++status_.lost;

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace uncertainty_identification {
 
@@ -39,15 +40,20 @@ class RetryQueue {
   RetryQueue(const RetryQueue&) = delete;
   RetryQueue& operator=(const RetryQueue&) = delete;
 
-  /// Appends a task. With a key that is not empty it replaces a waiting task of the same key.
-  void push(Task task, const std::string& key = "");
+  /// Appends a task; `what` names it. With a key that is not empty it replaces a waiting task of
+  /// the same key.
+  void push(Task task, const std::string& key = "", const std::string& what = "");
+
+  /// Does what the destructor does, and returns the names of the tasks that are not done. Nothing
+  /// may be pushed afterwards.
+  std::vector<std::string> stop();
 
   Status status() const;
 
  private:
   struct Entry {
     Task task;
-    std::string key;
+    std::string key, what;
   };
 
   void run();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "data/text.h"
+
 namespace uncertainty_identification {
 namespace {
 
@@ -12,11 +14,17 @@ constexpr int kLeastCapacity = 1000;  // files that may wait, also when fewer ex
 }  // namespace
 
 StoreWriter::StoreWriter(const std::string& directory, ExperimentFiles files,
-                         const LimitOptions& limits, std::function<void()> changed)
-    : limits_(limits),
+                         const LimitOptions& limits, Listener listener)
+    : listener_(std::move(listener)),
+      limits_(limits),
       store_(directory, std::move(files)),
       queue_(static_cast<std::size_t>(std::max(limits.max_experiments, kLeastCapacity)),
-             kRetryInterval, std::move(changed)) {}
+             kRetryInterval, [this] { listener_.changed(status()); }) {}
+
+StoreWriter::~StoreWriter() {
+  const std::vector<std::string> left = queue_.stop();
+  if (!left.empty()) listener_.unwritten(left);
+}
 
 StoredState StoreWriter::load() {
   StoredState state = store_.load(limits_);
@@ -33,32 +41,37 @@ void StoreWriter::change(const std::function<void(StoreStatus&)>& change) {
 }
 
 void StoreWriter::keep(const KeptExperiment& experiment) {
-  queue_.push([this, experiment] {
+  const auto write = [this, experiment] {
     store_.write(experiment);
     change([&](StoreStatus& status) {
       ++status.stored;
       status.last_id = experiment.experiment->id;
     });
-  });
+  };
+  queue_.push(write, "", named(experiment.experiment->id));
 }
 
 void StoreWriter::keep(const StoredResult& result) {
-  queue_.push([this, result] { store_.write(result); }, "result");
+  queue_.push([this, result] { store_.write(result); }, "result",
+              "result " + std::to_string(result.context.sequence));
 }
 
 void StoreWriter::keep(const StoredConfiguration& configuration) {
-  queue_.push([this, configuration] { store_.write(configuration); }, "configuration");
+  queue_.push([this, configuration] { store_.write(configuration); }, "configuration",
+              "the configuration");
 }
 
 void StoreWriter::reject(std::uint64_t number, const RejectedExperiment& rejected) {
-  queue_.push([this, number, rejected] {
+  const auto move = [this, number, rejected] {
     store_.reject(number, rejected);
     change([](StoreStatus& status) { --status.stored; });
-  });
+  };
+  queue_.push(move, "", "the rejection of " + named(rejected.id));
 }
 
 void StoreWriter::reject(const RejectedExperiment& rejected) {
-  queue_.push([this, rejected] { store_.reject(rejected, limits_.max_experiments); });
+  queue_.push([this, rejected] { store_.reject(rejected, limits_.max_experiments); }, "",
+              "the rejection of " + named(rejected.id));
 }
 
 void StoreWriter::reset() {
@@ -67,7 +80,8 @@ void StoreWriter::reset() {
         store_.reset();
         change([](StoreStatus& status) { status = {}; });
       },
-      "result");  // with this key a result that still waits is not written
+      "result",  // with this key a result that still waits is not written
+      "the reset");
 }
 
 StoreStatus StoreWriter::status() const {

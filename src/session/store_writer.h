@@ -3,6 +3,7 @@
 #include <functional>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "session/experiment_store.h"
 #include "session/retry_queue.h"
@@ -24,11 +25,24 @@ struct StoreStatus {
 /// functions but load() may be called from any thread.
 class StoreWriter {
  public:
+  struct Listener {
+    /// The status has changed. Called in the writer's thread, which holds no mutex.
+    std::function<void(const StoreStatus&)> changed;
+    /// Called by the destructor with the names of the files that were not written, if there are
+    /// any.
+    std::function<void(const std::vector<std::string>&)> unwritten;
+  };
+
   /// Opens the store in `directory`. Up to max(1000, limits.max_experiments) files wait in memory
-  /// while the disk refuses to write. `changed` is called in the writer's thread when status() has
-  /// changed. Throws ConfigurationError like ExperimentStore.
+  /// while the disk refuses to write. Throws ConfigurationError like ExperimentStore.
   StoreWriter(const std::string& directory, ExperimentFiles files, const LimitOptions& limits,
-              std::function<void()> changed);
+              Listener listener);
+
+  /// Tries once more to write what waits, and tells the listener what could not be written.
+  ~StoreWriter();
+
+  StoreWriter(const StoreWriter&) = delete;
+  StoreWriter& operator=(const StoreWriter&) = delete;
 
   /// Reads what the store held when it was opened. To be called once, before any other function.
   StoredState load();
@@ -45,6 +59,7 @@ class StoreWriter {
  private:
   void change(const std::function<void(StoreStatus&)>& change);
 
+  const Listener listener_;
   const LimitOptions limits_;
   ExperimentStore store_;     // after load() used by the queue's thread only
   mutable std::mutex mutex_;  // guards status_

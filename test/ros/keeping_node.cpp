@@ -3,13 +3,17 @@
 #include <gtest/gtest.h>
 #include <std_srvs/Trigger.h>
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <future>
 
 #include "ros/experiment_bag.h"
 #include "ros/message_conversions.h"
 #include "session/stored_result.h"
 #include "support/example1.h"
+#include "support/log_reader.h"
 #include "support/node_client.h"
 #include "support/node_process.h"
 #include "support/temporary_folder.h"
@@ -260,20 +264,31 @@ TEST_F(KeepingTest, ResetPutsTheStoreAside) {
 
 // As when a disk is unplugged and plugged in again.
 TEST_F(KeepingTest, WithoutItsDiskTheNodeGoesOnInMemory) {
-  publish(1, 4);
+  using rosgraph_msgs::Log;
+  const LogReader log;
+  int stored = 4;
+  publish(1, stored);
+  for (; log.count(Log::INFO, "was accepted") == 0 && stored < 100; ++stored)
+    publish(stored + 1, stored + 1);  // lines before the reader was connected are not heard
   fs::rename(store_, folder_ / "away");
-  const auto all = example1Experiments(6);
-  publisher_.publish(toMessage(all[4]));
-  publisher_.publish(toMessage(all[5]));
-  ASSERT_TRUE(waitFor([this] { return result().experiment_count == 6; }));
+  const auto number = static_cast<unsigned>(stored);
+  const auto all = example1Experiments(stored + 2);
+  publisher_.publish(toMessage(all[number]));
+  publisher_.publish(toMessage(all[number + 1]));
+  ASSERT_TRUE(waitFor([&] { return result().experiment_count == number + 2; }));
   ASSERT_TRUE(
       waitFor([this] { return client_->status().state == messages::IdentificationStatus::ERROR; }));
   EXPECT_NE(client_->status().store_problem.find("wait in memory"), std::string::npos);
-  EXPECT_EQ(client_->status().stored_count, 4U) << "what is not on the disk is not acknowledged";
+  EXPECT_EQ(client_->status().stored_count, number) << "not on the disk, so not acknowledged";
+  ASSERT_TRUE(waitFor([&] { return log.count(Log::ERROR, "") == 1; }));
+  EXPECT_TRUE(waitFor([&] { return log.count(Log::INFO, all[number + 1].id) >= 1; }));
+  EXPECT_TRUE(waitFor([&] { return log.count(Log::INFO, "(before ") >= 1; }));
   fs::rename(folder_ / "away", store_);
-  ASSERT_TRUE(waitFor([this] { return client_->status().stored_count == 6; }));
+  ASSERT_TRUE(waitFor([&] { return client_->status().stored_count == number + 2; }));
   EXPECT_TRUE(
       waitFor([this] { return client_->status().state == messages::IdentificationStatus::IDLE; }));
+  EXPECT_TRUE(waitFor([&] { return log.count(Log::ERROR, "again") == 1; }));
+  EXPECT_EQ(log.count(Log::ERROR, ""), 2);
 }
 
 TEST_F(KeepingTest, WhatWaitsIsWrittenWhenTheNodeIsStopped) {
@@ -286,6 +301,35 @@ TEST_F(KeepingTest, WhatWaitsIsWrittenWhenTheNodeIsStopped) {
   for (const auto& entry : fs::directory_iterator(store_ + "/current"))
     bags += entry.path().extension() == ".bag" ? 1 : 0;
   EXPECT_GE(bags, known);
+}
+
+TEST_F(KeepingTest, WhatCouldNotBeWrittenIsNamedWhenTheNodeIsStopped) {
+  publish(1, 2);
+  fs::rename(store_, folder_ / "away");
+  const Experiment last = example1Experiments(3).back();
+  publisher_.publish(toMessage(last));
+  ASSERT_TRUE(waitFor([this] { return !client_->status().store_problem.empty(); }));
+  const std::string logged = node_.interrupt().errors;
+  EXPECT_NE(logged.find("lost: experiment '" + last.id + "'"), std::string::npos) << logged;
+  fs::rename(folder_ / "away", store_);
+}
+
+// The largest orders that a configuration may have: minutes of work, if nobody stops it.
+TEST_F(KeepingTest, AnInterruptEndsTheLargestRequestAtOnce) {
+  publish(1, 25);
+  auto answer = std::async(std::launch::async, [this] {
+    EXPECT_THROW(configure("{nominal_model: {nb: 50, na: 50, nc: 50, nd: 50, delay: 1}}"),
+                 std::runtime_error)
+        << "the node ends before it can answer";
+  });
+  ASSERT_TRUE(waitFor([this] {
+    const auto running = client_->status().running;
+    return std::count(running.begin(), running.end(), "answering ~configure") == 1;
+  }));
+  const auto began = std::chrono::steady_clock::now();
+  node_.interrupt();
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(5));
+  answer.wait();
 }
 
 }  // namespace

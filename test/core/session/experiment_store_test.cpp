@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -229,7 +230,9 @@ TEST(StoreWriter, GoesOnInMemoryAndWritesWhatIsPendingOnceItCan) {
   const auto experiments = numberedExperiments(4);
   const std::string store = folder / "store", away = folder / "away";
   {
-    StoreWriter writer(store, csvExperimentFiles(), LimitOptions(), [] {});
+    StoreWriter writer(store, csvExperimentFiles(), LimitOptions(),
+                       {[](const StoreStatus&) {},
+                        [](const std::vector<std::string>&) { FAIL() << "all was written"; }});
     writer.load();
     writer.keep(experiments[0]);
     ASSERT_TRUE(waitFor([&] { return writer.status().stored == 1; }));
@@ -247,6 +250,27 @@ TEST(StoreWriter, GoesOnInMemoryAndWritesWhatIsPendingOnceItCan) {
     EXPECT_EQ(writer.status().last_id, experiments[3].experiment->id);
   }
   EXPECT_EQ(ExperimentStore(store, csvExperimentFiles()).load(kMany).kept.size(), 4U);
+}
+
+TEST(StoreWriter, NamesAtItsEndWhatItCouldNotWrite) {
+  const TemporaryFolder folder;
+  const auto experiments = numberedExperiments(3);
+  std::vector<std::string> lost;
+  std::atomic<bool> failed{false};
+  {
+    StoreWriter writer(folder / "store", csvExperimentFiles(), LimitOptions(),
+                       {[&](const StoreStatus& status) { failed = failed || status.failing; },
+                        [&](const std::vector<std::string>& files) { lost = files; }});
+    writer.load();
+    writer.keep(experiments[0]);
+    ASSERT_TRUE(waitFor([&] { return writer.status().stored == 1; }));
+    fs::rename(folder / "store", folder / "away");
+    writer.keep(experiments[1]);
+    writer.keep(experiments[2]);
+    ASSERT_TRUE(waitFor([&] { return failed.load(); }));
+  }
+  ASSERT_EQ(lost.size(), 2U);
+  EXPECT_EQ(lost[0], "experiment '" + experiments[1].experiment->id + "'");
 }
 
 }  // namespace
