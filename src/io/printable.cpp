@@ -41,6 +41,14 @@ std::string printable(const std::string& text) {
   return shown;
 }
 
+std::string printableText(const std::string& text) {
+  std::string shown;
+  std::size_t begin = 0;
+  for (std::size_t end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
+    shown += printable(text.substr(begin, end - begin)) + "\n";
+  return shown + printable(text.substr(begin));
+}
+
 bool isPrintable(const std::string& text) { return printable(text) == text; }
 
 }  // namespace uncertainty_identification

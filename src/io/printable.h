@@ -8,6 +8,9 @@ namespace uncertainty_identification {
 /// that are no UTF-8, are written as \xNN.
 std::string printable(const std::string& text);
 
+/// The same for a text of several lines, whose line breaks stay.
+std::string printableText(const std::string& text);
+
 /// Whether printable() would leave the text as it is.
 bool isPrintable(const std::string& text);
 

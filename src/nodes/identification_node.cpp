@@ -6,6 +6,7 @@
 
 #include "ros/identification_server.h"
 #include "ros/parameters.h"
+#include "ros/start_checks.h"
 
 int main(int argc, char** argv) {
   namespace ui = uncertainty_identification;
@@ -13,7 +14,9 @@ int main(int argc, char** argv) {
   // Created outside the try block: ROS logs nothing without a node handle.
   const ros::NodeHandle node, private_node("~");
   try {
-    const ui::IdentificationServer server(node, private_node, ui::loadParameters(private_node));
+    const ui::Configuration parameters = ui::loadParameters(private_node);
+    ui::requireFolders(parameters);
+    const ui::IdentificationServer server(node, private_node, parameters);
     ros::spin();
   } catch (const std::exception& error) {
     ROS_FATAL_STREAM(error.what());

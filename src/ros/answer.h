@@ -3,16 +3,18 @@
 #include <cstdint>
 #include <string>
 
+#include "io/printable.h"
 #include "session/refused_error.h"
 
 namespace uncertainty_identification {
 
-/// An answer with a code and a message; its other fields have their default values.
+/// An answer with a code and a message; its other fields have their default values. Bytes of the
+/// message that are no UTF-8, as names from requests may hold, are escaped.
 template <typename Response>
 Response answerOf(std::uint8_t code, const std::string& message) {
   Response response;
   response.code = code;
-  response.message = message;
+  response.message = printableText(message);
   return response;
 }
 

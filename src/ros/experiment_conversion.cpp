@@ -1,5 +1,7 @@
 #include <map>
 
+#include "data/text.h"
+#include "io/printable.h"
 #include "ros/message_conversions.h"
 #include "ros/number_list.h"
 #include "uncertainty_identification/errors.h"
@@ -8,7 +10,7 @@ namespace uncertainty_identification {
 namespace {
 
 [[noreturn]] void fail(const messages::Experiment& message, const std::string& finding) {
-  throw DataError("experiment '" + message.id + "': " + finding);
+  throw DataError("experiment '" + printable(message.id) + "': " + finding);
 }
 
 Eigen::VectorXd toVector(const std::vector<double>& list) {
@@ -26,36 +28,35 @@ void requireName(const messages::Experiment& message, const std::string& what,
                  const std::string& name) {
   constexpr std::size_t kLongest = 200;
   if (name.size() <= kLongest) return;
-  throw DataError("experiment '" + message.id.substr(0, kLongest) + "': " + what + " has " +
-                  std::to_string(name.size()) + " characters; at most " + std::to_string(kLongest) +
-                  " are allowed");
+  throw DataError("experiment '" + printable(message.id.substr(0, kLongest)) + "': " + what +
+                  " has " + std::to_string(name.size()) + " characters; at most " +
+                  std::to_string(kLongest) + " are allowed");
 }
 
 /// The first and the last sample must have stamps.
 void requireTimes(const messages::Experiment& message) {
   if (!(message.sample_time > 0))
-    fail(message,
-         "sample_time is " + std::to_string(message.sample_time) + " s; it must be above 0");
+    fail(message, "sample_time is " + text(message.sample_time) + " s; it must be above 0");
   toStamp(
       message.header.stamp.toSec() + message.sample_time * static_cast<double>(message.u.size()),
-      "experiment '" + message.id + "', time of its end");
+      "experiment '" + printable(message.id) + "', time of its end");
 }
 
 void addCovariate(const messages::Experiment& message, const messages::Covariate& covariate,
                   Experiment& experiment) {
   requireName(message, "a covariate's name", covariate.name);
-  const std::string name = "covariate '" + covariate.name + "'";
+  const std::string own = printable(covariate.name), name = "covariate '" + own + "'";
   if (covariate.name.empty()) fail(message, "a covariate has no name; give each a name of its own");
-  if (experiment.scalars.count(covariate.name) + experiment.signals.count(covariate.name) > 0)
+  if (experiment.scalars.count(own) + experiment.signals.count(own) > 0)
     fail(message, name + " is given twice");
   if (covariate.kind == messages::Covariate::CONSTANT) {
     if (covariate.values.size() != 1)
       fail(message, name + " is constant but has " + std::to_string(covariate.values.size()) +
                         " values; give one");
-    experiment.scalars[covariate.name] = covariate.values.front();
+    experiment.scalars[own] = covariate.values.front();
   } else if (covariate.kind == messages::Covariate::SIGNAL) {
     requireLength(message, name, covariate.values.size(), false);
-    experiment.signals[covariate.name] = toVector(covariate.values);
+    experiment.signals[own] = toVector(covariate.values);
   } else {
     fail(message, name + " is of kind " + std::to_string(covariate.kind) +
                       "; allowed: 0 (CONSTANT), 1 (SIGNAL)");
@@ -112,7 +113,7 @@ Experiment fromMessage(const messages::Experiment& message, const LimitOptions& 
   requireLength(message, "valid", message.valid.size(), true);
   requireLength(message, "stamp_offset", message.stamp_offset.size(), true);
   Experiment experiment;
-  experiment.id = message.id;
+  experiment.id = printable(message.id);
   experiment.sample_time = message.sample_time;
   experiment.start_time = message.header.stamp.toSec();
   experiment.u = toVector(message.u);

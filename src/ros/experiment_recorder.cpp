@@ -5,6 +5,7 @@
 
 #include "ros/deserialise.h"
 #include "ros/message_conversions.h"
+#include "ros/start_checks.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
@@ -27,16 +28,14 @@ ExperimentRecorder::ExperimentRecorder(const ros::NodeHandle& node,
                                        const Configuration& configuration, Listener listener,
                                        Patience patience)
     : node_(node), configuration_(configuration), policy_(std::move(listener), patience) {
+  requireTopics(configuration,
+                [this](const std::string& topic) { return node_.resolveName(topic); });
   std::set<std::string> topics;
-  try {
-    reset();
-    if (router_) {
-      for (const auto& use : router_->uses()) topics.insert(use.topic);
-    } else {
-      topics.insert(node_.resolveName(experimentTopic(configuration, private_node)));
-    }
-  } catch (const ros::InvalidNameException& error) {
-    throw ConfigurationError(std::string("a topic of the configuration: ") + error.what());
+  reset();
+  if (router_) {
+    for (const auto& use : router_->uses()) topics.insert(use.topic);
+  } else {
+    topics.insert(node_.resolveName(experimentTopic(configuration, private_node)));
   }
   for (const auto& topic : topics) subscribe(topic);
   timer_ =
@@ -84,6 +83,7 @@ std::vector<TopicActivity> ExperimentRecorder::activity() {
     for (const auto& use : router_->uses()) {
       activity.push_back({use.topic, use.key, use.role});
       activity.back().left_out = use.left_out;
+      activity.back().not_finite = use.not_finite;
     }
   } else {
     activity.push_back({topics_.begin()->first, "experiment.topic", TopicRole::marker});
@@ -119,6 +119,11 @@ void ExperimentRecorder::receive(const std::string& topic, const Event& event) {
                    {buffer_.data(), buffer_.size()},
                    event.getReceiptTime().toSec(),
                    event.getPublisherName()});
+    if (const std::string over = std::exchange(topics_[topic].refused, ""); !over.empty())
+      policy_.solved(over);
+  } catch (const ConfigurationError& error) {
+    topics_[topic].refused = error.what();
+    policy_.report(error.what());
   } catch (const Error& error) {
     policy_.report(error.what());
   }

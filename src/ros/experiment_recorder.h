@@ -24,7 +24,7 @@ class ExperimentRecorder {
   using Patience = RecorderPolicy::Patience;
 
   /// Relative topic names resolve in the namespace of `node`; in experiment.mode message the
-  /// default topic is ~experiment. Throws ConfigurationError when the name of a topic is not valid.
+  /// default topic is ~experiment. Throws ConfigurationError where requireTopics() does.
   ExperimentRecorder(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                      const Configuration& configuration, Listener listener,
                      Patience patience = Patience::until_silence);
@@ -54,6 +54,7 @@ class ExperimentRecorder {
     ros::Subscriber subscriber;
     ArrivalCounter arrivals;
     bool had_publisher = false;  // since it was subscribed to
+    std::string refused;         // why its last message was of a wrong type; empty: it was not
   };
 
   void subscribe(const std::string& topic);

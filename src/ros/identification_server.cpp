@@ -62,7 +62,8 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                    warn(problem);
                    status_.addProblem(problem);
                  },
-                 [this](bool running) { status_.setRunning(running); }}),
+                 [this](bool running) { status_.setRunning(running); },
+                 [this](const std::string& problem) { status_.removeProblem(problem); }}),
       identify_thread_(private_node),
       query_thread_(private_node),
       diagnostics_(node, private_node,

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "io/printable.h"
 #include "ros/answer.h"
 #include "ros/identification_server.h"
 #include "ros/keeping_requests.h"
@@ -59,9 +60,9 @@ StoreWriter::Listener IdentificationServer::storeListener() {
 /// Logs a warning as such when it is the first one of its cause.
 void IdentificationServer::warn(const std::string& message) {
   if (warned_.isNew(message))
-    ROS_WARN_STREAM(message);
+    ROS_WARN_STREAM(printableText(message));
   else
-    ROS_DEBUG_STREAM(message);
+    ROS_DEBUG_STREAM(printableText(message));
 }
 
 /// Of a node with a store, the stored experiments are those on the disk.
@@ -137,14 +138,15 @@ messages::RejectExperiment::Response IdentificationServer::rejectExperiment(
     return answerOf<Response>(Response::REFUSED,
                               "reason: found " + std::to_string(request.reason.size()) +
                                   " characters; allowed: up to " + std::to_string(kLongest));
-  const std::string reason = request.reason.empty() ? "rejected on request" : request.reason;
-  const auto number = worker_.reject(request.id, reason);
+  const std::string reason =
+      request.reason.empty() ? "rejected on request" : printable(request.reason);
+  const auto number = worker_.reject(printable(request.id), reason);
   if (!number)
     return answerOf<Response>(
         Response::NOT_FOUND,
         "there is no experiment '" + request.id.substr(0, kLongest) +
             "' to reject; ~list_experiments names the experiments that are identified from");
-  if (store_) store_->reject(*number, {request.id, reason});
+  if (store_) store_->reject(*number, {printable(request.id), reason});
   return answerOf<Response>(Response::OK,
                             "experiment '" + request.id + "' is left out from now on");
 }

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "io/printable.h"
 #include "ros/answer.h"
 #include "ros/message_conversions.h"
 #include "ros/request.h"
@@ -29,7 +30,7 @@ LoadedData dataOf(const Request& request, const Configuration& configuration,
     try {
       data.experiments.push_back(fromMessage(experiment, configuration.limits));
     } catch (const DataError& error) {
-      data.rejected.push_back({experiment.id, error.what()});
+      data.rejected.push_back({printable(experiment.id), error.what()});
     }
   }
   append(loadRequestedBags(request.bags, bag_directory, configuration, progress), data);

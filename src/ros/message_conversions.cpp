@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "data/text.h"
 #include "ros/number_list.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
@@ -91,7 +92,7 @@ std::uint8_t toMessage(Termination termination) {
 
 ros::Time toStamp(double seconds, const std::string& what) {
   if (!(seconds >= 0 && seconds < 4294967295.0))
-    throw DataError(what + ": " + std::to_string(seconds) +
+    throw DataError(what + ": " + text(seconds) +
                     " s does not fit a ROS stamp, which counts seconds from 0 to 2^32 - 1");
   return ros::Time(seconds);
 }

@@ -44,6 +44,10 @@ void summarise(const TopicActivity& topic, bool experiment_runs, Status& status)
     status.mergeSummaryf(levelOfSilence(topic.role, experiment_runs), "silence on %s for %.1f s",
                          nameOf(topic).c_str(), topic.age);
   }
+  if (topic.not_finite > 0) {
+    status.mergeSummaryf(Level::WARN, "%ld samples of %s were not finite (NaN or infinite)",
+                         topic.not_finite, nameOf(topic).c_str());
+  }
   if (topic.left_out > 0) {
     status.mergeSummaryf(Level::WARN, "%ld messages of %s were left out", topic.left_out,
                          nameOf(topic).c_str());
@@ -61,6 +65,7 @@ void diagnoseSignals(const std::vector<TopicActivity>& topics, bool experiment_r
     status.addf(topic.key + " age [s]", "%.3g", topic.age);
     status.add(topic.key + " messages", topic.messages);
     status.add(topic.key + " left out", topic.left_out);
+    status.add(topic.key + " not finite", topic.not_finite);
   }
   if (status.level == Level::OK)
     status.message = experiment_runs ? "an experiment is being recorded" : "signals arrive";

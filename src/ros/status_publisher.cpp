@@ -1,7 +1,9 @@
 #include "ros/status_publisher.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "io/printable.h"
 #include "ros/message_conversions.h"
 
 namespace uncertainty_identification {
@@ -23,9 +25,9 @@ messages::IdentificationStatus toMessage(const NodeStatus& node, const RecorderS
   messages::IdentificationStatus message;
   message.state = stateOf(node, recorder);
   message.termination = toMessage(worker.termination);
-  message.message = worker.message;
+  message.message = printableText(worker.message);
   message.store_problem = node.store_problem;
-  message.problems = recorder.problems;
+  for (const auto& problem : recorder.problems) message.problems.push_back(printableText(problem));
   for (const Activity& activity : node.running) {
     message.running.push_back(activity.what);
     message.running_since.push_back(ros::Time(activity.since));
@@ -62,6 +64,13 @@ void StatusPublisher::setRunning(bool running) {
 void StatusPublisher::addProblem(const std::string& problem) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (recorder_.problems.size() < kMaxProblems) recorder_.problems.push_back(problem);
+  publishLocked();
+}
+
+void StatusPublisher::removeProblem(const std::string& problem) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  auto& problems = recorder_.problems;
+  problems.erase(std::remove(problems.begin(), problems.end(), problem), problems.end());
   publishLocked();
 }
 

@@ -45,6 +45,7 @@ class StatusPublisher {
 
   void setRunning(bool running);
   void addProblem(const std::string& problem);
+  void removeProblem(const std::string& problem);
   void forgetProblems();
 
  private:

@@ -2,8 +2,11 @@
 
 #include <std_msgs/Bool.h>
 
+#include <cmath>
 #include <utility>
 
+#include "data/text.h"
+#include "io/printable.h"
 #include "ros/deserialise.h"
 #include "ros/messages.h"
 #include "uncertainty_identification/errors.h"
@@ -27,7 +30,7 @@ TopicRouter::TopicRouter(const Configuration& configuration, const TopicResolver
   }
   if (configuration.experiment.mode == ExperimentMode::topic)
     marker_topic_ = resolve(configuration.experiment.topic);
-  marker_count_ = {"experiment.topic", marker_topic_, TopicRole::marker, 0, ""};
+  marker_count_ = {"experiment.topic", marker_topic_, TopicRole::marker};
 }
 
 void TopicRouter::addRoute(TopicRole role, const std::string& key, const SignalOptions& signal,
@@ -35,13 +38,13 @@ void TopicRouter::addRoute(TopicRole role, const std::string& key, const SignalO
                            std::function<void(StampedValue)> deliver) {
   const std::string topic = resolve(signal.topic);
   routes_.push_back(
-      {SignalDecoder(topic, signal.field), signal, std::move(deliver), {key, topic, role, 0, ""}});
+      {SignalDecoder(topic, signal.field), signal, std::move(deliver), {key, topic, role}});
 }
 
 std::vector<TopicRouter::Use> TopicRouter::uses() const {
   std::vector<Use> uses;
   const auto add = [&uses](const Count& count) {
-    uses.push_back({count.topic, count.key, count.role, count.left_out});
+    uses.push_back({count.topic, count.key, count.role, count.left_out, count.not_finite});
   };
   for (const auto& route : routes_) add(route.count);
   if (!marker_topic_.empty()) add(marker_count_);
@@ -54,6 +57,7 @@ void TopicRouter::add(const std::string& topic, const RawMessage& message) {
     try {
       StampedValue sample = route.decoder.decode(message);
       sample.value = route.signal.scaled(sample.value);
+      if (!std::isfinite(sample.value)) countNotFinite(route.count, sample.value);
       route.deliver(sample);
     } catch (const DataError& error) {
       countLeftOut(route.count, error.what());
@@ -72,7 +76,7 @@ void TopicRouter::addMarker(const RawMessage& message) {
       cutter_.addMarker(message.receipt, deserialise<std_msgs::Bool>(message).data != 0);
     } else if (message.type == ros::message_traits::datatype<messages::ExperimentMarker>()) {
       const auto marker = deserialise<messages::ExperimentMarker>(message);
-      cutter_.addMarker(marker.header.stamp.toSec(), marker.active != 0, marker.id);
+      cutter_.addMarker(marker.header.stamp.toSec(), marker.active != 0, printable(marker.id));
     } else {
       throw ConfigurationError("topic '" + marker_topic_ + "' of type " + message.type +
                                " cannot mark experiments (experiment.topic); it must be "
@@ -84,6 +88,14 @@ void TopicRouter::addMarker(const RawMessage& message) {
     ++marker_count_.left_out;
     throw;
   }
+}
+
+/// What becomes of such samples is up to the checks: an output counts as missing.
+void TopicRouter::countNotFinite(Count& count, double value) {
+  if (count.not_finite++ > 0) return;
+  problems_.push_back(count.key + ": a sample of topic '" + count.topic + "' is " + text(value) +
+                      "; as an output it counts as missing, as an input or covariate it makes the "
+                      "experiment unusable; check the sensor");
 }
 
 void TopicRouter::countLeftOut(Count& count, const std::string& reason) {

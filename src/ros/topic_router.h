@@ -29,7 +29,8 @@ class TopicRouter {
   struct Use {
     std::string topic, key;
     TopicRole role;
-    long left_out;  ///< number of messages left out so far
+    long left_out;    ///< number of messages left out so far
+    long not_finite;  ///< number of samples so far that were NaN or infinite
   };
 
   /// The topics to listen to. A topic with several purposes has one entry for each.
@@ -46,7 +47,8 @@ class TopicRouter {
   /// Topics whose samples are stamped with the time of receipt.
   std::vector<std::string> stampedOnReceipt() const;
 
-  /// Returns why messages were left out since the last call. Each signal is reported only once.
+  /// Returns why messages were left out since the last call, and which signals have had samples
+  /// that are not finite. Each signal is reported only once.
   std::vector<std::string> takeProblems();
 
   /// One sentence for each signal with messages that were left out: how many, and why the first
@@ -58,7 +60,8 @@ class TopicRouter {
     std::string key, topic;
     TopicRole role;
     long left_out = 0;
-    std::string reason;  // why the first one was left out
+    long not_finite = 0;
+    std::string reason{};  // why the first one was left out
   };
   struct Route {
     SignalDecoder decoder;
@@ -70,6 +73,7 @@ class TopicRouter {
   void addRoute(TopicRole role, const std::string& key, const SignalOptions& signal,
                 const TopicResolver& resolve, std::function<void(StampedValue)> deliver);
   void addMarker(const RawMessage& message);
+  void countNotFinite(Count& count, double value);
   void countLeftOut(Count& count, const std::string& reason);
 
   ExperimentCutter cutter_;

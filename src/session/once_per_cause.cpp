@@ -30,6 +30,12 @@ bool OncePerCause::isNew(const std::string& warning) {
   return causes_.size() < kMost && causes_.insert(cause).second;
 }
 
+void OncePerCause::forget(const std::string& warning) {
+  const std::string cause = causeOf(warning);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  causes_.erase(cause);
+}
+
 void OncePerCause::forget() {
   const std::lock_guard<std::mutex> lock(mutex_);
   causes_.clear();

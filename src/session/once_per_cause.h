@@ -14,6 +14,9 @@ class OncePerCause {
   /// After 100 different causes the answer is always false, so that memory stays bounded.
   bool isNew(const std::string& warning);
 
+  /// The cause of this warning is new again.
+  void forget(const std::string& warning);
+
   /// From now on every cause is new.
   void forget();
 

@@ -38,4 +38,9 @@ void RecorderPolicy::report(const std::string& problem) {
   if (reported_.isNew(problem)) listener_.problem(problem);
 }
 
+void RecorderPolicy::solved(const std::string& problem) {
+  reported_.forget(problem);
+  listener_.solved(problem);
+}
+
 }  // namespace uncertainty_identification

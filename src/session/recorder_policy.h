@@ -22,6 +22,8 @@ class RecorderPolicy {
     std::function<void(FinishedExperiment)> finished;
     std::function<void(const std::string&)> problem;  ///< a message for the user; each cause once
     std::function<void(bool)> running;  ///< whether an experiment is running, when that changes
+    /// This problem is over.
+    std::function<void(const std::string&)> solved = [](const std::string&) {};
   };
 
   /// After an experiment has ended, late samples of both signals are waited for. This states how
@@ -55,6 +57,9 @@ class RecorderPolicy {
 
   /// Tells the listener a problem unless one of the same cause was told before (OncePerCause).
   void report(const std::string& problem);
+
+  /// Tells the listener that a problem is over. If it comes again it is told again.
+  void solved(const std::string& problem);
 
   /// Whether an experiment is being recorded.
   bool running() const { return running_; }

@@ -14,9 +14,10 @@ struct TopicActivity {
   std::string topic;
   std::string key;  ///< what it is read for, in words: "input", "covariate 'temp'"
   TopicRole role = TopicRole::marker;
-  long messages = 0;  ///< received
-  long left_out = 0;  ///< of these, not used because they were broken or of a wrong type
-  double rate = 0;    ///< [Hz] since the activity was asked for last
+  long messages = 0;    ///< received
+  long left_out = 0;    ///< of these, not used because they were broken or of a wrong type
+  long not_finite = 0;  ///< samples that were NaN or infinite
+  double rate = 0;      ///< [Hz] since the activity was asked for last
   double age = std::numeric_limits<double>::infinity();  ///< [s] since the newest message
   double interval = 0;  ///< [s] smoothed time between messages; 0 before the second message
 };

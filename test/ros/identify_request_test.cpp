@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "io/printable.h"
 #include "io/read_file.h"
 #include "ros/bag_writer.h"
 #include "ros/message_conversions.h"
@@ -68,6 +69,23 @@ TEST_F(IdentifyRequestTest, WithoutAModelInTimeTheAnswerSaysSo) {
   EXPECT_NE(response.message.find("time limit of 0.2 s"), std::string::npos) << response.message;
   request.experiments.resize(3);
   EXPECT_EQ(answer(request).code, IdentifyResponse::DATA_ERROR) << "300 samples, 200 parameters";
+}
+
+TEST_F(IdentifyRequestTest, NamesThatAreNoTextAreEscaped) {
+  auto request = requestWith(example1Experiments(10));
+  request.experiments[0].id = "run \xFF";
+  request.experiments[1].id = "\xC0";
+  request.experiments[1].sample_time = -1e300;
+  const auto response = answer(request);
+  ASSERT_EQ(response.code, IdentifyResponse::OK) << response.message;
+  EXPECT_TRUE(isPrintable(response.result.window_first)) << response.result.window_first;
+  const auto tree = nlohmann::json::parse(response.result.result_json);
+  const std::string reason = tree["experiments"]["rejected"][0]["reason"];
+  EXPECT_NE(reason.find("experiment '\\xC0': sample_time is -1e+300 s"), std::string::npos)
+      << reason;
+  request.experiments.clear();
+  request.bags = {"\xFF.bag"};
+  EXPECT_TRUE(isPrintable(answer(request).message)) << answer(request).message;
 }
 
 TEST_F(IdentifyRequestTest, BagsAreReadBelowTheDirectory) {

@@ -11,7 +11,7 @@ using Level = diagnostic_msgs::DiagnosticStatus;
 using Status = diagnostic_updater::DiagnosticStatusWrapper;
 
 TopicActivity flowing(TopicRole role, const std::string& key) {
-  return {"/" + key, key, role, 1000, 0, 100.0, 0.01, 0.01};
+  return {"/" + key, key, role, 1000, 0, 0, 100.0, 0.01, 0.01};
 }
 
 std::vector<TopicActivity> flowing() {
@@ -125,6 +125,14 @@ TEST(DiagnoseTiming, TellsOfTheNewestExperiment) {
   worker.timing.output.lost = 3;
   EXPECT_EQ(diagnosed(worker).level, Level::WARN);
   EXPECT_NE(diagnosed(worker).message.find("3 messages of the output were lost"),
+            std::string::npos);
+}
+
+TEST(DiagnoseSignals, TellsOfSamplesThatAreNotFinite) {
+  auto topics = flowing();
+  topics[1].not_finite = 4;
+  EXPECT_EQ(level(topics, false), Level::WARN);
+  EXPECT_NE(signals(topics, false).message.find("4 samples of output (/output) were not finite"),
             std::string::npos);
 }
 

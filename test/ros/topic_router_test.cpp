@@ -94,6 +94,33 @@ TEST_F(TopicRouterTest, ArrivalsAndLossesOfMessagesWithHeadersAreKept) {
   EXPECT_EQ(recordings[0].output.lost, 0);
 }
 
+TEST_F(TopicRouterTest, SamplesThatAreNotFiniteAreCountedAndToldOnce) {
+  for (const double value : {1.0, std::nan(""), HUGE_VAL, 2.0, -HUGE_VAL})
+    add("/sensor/measurement", number(value), 10);
+  const auto problems = router_.takeProblems();
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_NE(problems[0].find("output: a sample of topic '/sensor/measurement' is nan"),
+            std::string::npos)
+      << problems[0];
+  for (const auto& use : router_.uses()) EXPECT_EQ(use.not_finite, use.key == "output" ? 3 : 0);
+}
+
+TEST_F(TopicRouterTest, AMarkerWhoseNameIsNoTextIsEscaped) {
+  messages::ExperimentMarker marker;
+  marker.header.stamp = ros::Time(10);
+  marker.id = "run \xFF";
+  marker.active = 1;
+  add("/experiment/active", marker, 10);
+  add("/sensor/measurement", number(1), 11);
+  add("/actuator/command", sample(11, 1), 11);
+  marker.header.stamp = ros::Time(12);
+  marker.active = 0;
+  add("/experiment/active", marker, 12);
+  const auto recordings = finished();
+  ASSERT_EQ(recordings.size(), 1U);
+  EXPECT_EQ(recordings[0].id, "run \\xFF");
+}
+
 TEST_F(TopicRouterTest, ClocksAreNotMixedWithinASignal) {
   add("/actuator/command", sample(10, 1), 500);
   add("/actuator/command", number(2), 11);

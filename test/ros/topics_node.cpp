@@ -87,6 +87,8 @@ TEST_F(TopicsTest, ATopicOfAnotherTypeIsReportedAndLeftOut) {
   }
   signals_.advertise();
   expectThatTheNodeStillRecords();
+  EXPECT_TRUE(waitFor([&] { return client_.told().find("std_msgs/String") == std::string::npos; }))
+      << "the right type has returned";
 }
 
 TEST_F(TopicsTest, MessagesOfTheWrongSizeAreLeftOut) {

@@ -22,5 +22,10 @@ TEST(Printable, KeepsTextAndEscapesTheRest) {
   EXPECT_FALSE(isPrintable(std::string(1, '\0')));
 }
 
+TEST(PrintableText, KeepsLineBreaksAlone) {
+  EXPECT_EQ(printableText("a\n\xFF b\r\n"), "a\n\\xFF b\\x0D\n");
+  EXPECT_EQ(printableText(""), "");
+}
+
 }  // namespace
 }  // namespace uncertainty_identification
