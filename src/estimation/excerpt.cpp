@@ -15,6 +15,13 @@ Experiment excerpt(const Experiment& whole, int first, int count) {
   return piece;
 }
 
+int longestOf(const std::vector<Experiment>& experiments) {
+  int longest = 0;
+  for (const Experiment& experiment : experiments)
+    longest = std::max(longest, experiment.samples());
+  return longest;
+}
+
 Eigen::VectorXd bridgedOutput(const Experiment& experiment) {
   Eigen::VectorXd y = experiment.y;
   int last = -1;

@@ -13,6 +13,9 @@ constexpr int kEnoughSamples = 15000;
 /// `count` samples of an experiment from sample `first` on, without its per-sample covariates.
 Experiment excerpt(const Experiment& whole, int first, int count);
 
+/// Samples of the longest of them.
+int longestOf(const std::vector<Experiment>& experiments);
+
 /// The output with its gaps bridged by linear interpolation, for starts that need every sample.
 Eigen::VectorXd bridgedOutput(const Experiment& experiment);
 std::vector<Experiment> bridged(std::vector<Experiment> experiments);

@@ -186,15 +186,16 @@ class Selection {
   }
 
   /// The smallest model whose simulation is nearly as good as the best one's. Models with a pole on
-  /// the unit circle are left out if a clearly stable one simulates about as well: their good fit
-  /// comes from a free response that never decays.
-  static std::size_t smallestGood(const std::vector<Fitted>& models) {
+  /// the unit circle, or an oscillation that no experiment sees decay, are left out if a clearly
+  /// stable one simulates about as well: their good fit comes from a free response.
+  std::size_t smallestGood(const std::vector<Fitted>& models) const {
     constexpr double kTolerance = 0.5;  // [%] improvement that justifies a larger model
     constexpr double kStable = 0.9995;
     constexpr double kForStability = 5;  // [%] of fit
-    const auto isClearlyStable = [](const Fitted& model) {
-      return model.parameters.size() > 0 &&
-             isStable(model.parameters.segment(model.options.nb, model.options.na), kStable);
+    const auto isClearlyStable = [this](const Fitted& model) {
+      if (model.parameters.size() == 0) return false;
+      const VectorXd a = model.parameters.segment(model.options.nb, model.options.na);
+      return isStable(a, kStable) && oscillationsDecay(a, longestOf(fitted_));
     };
     double best = kWorst, best_stable = kWorst;
     for (const Fitted& model : models) {

@@ -1,7 +1,9 @@
 #include <algorithm>
 
+#include "estimation/excerpt.h"
 #include "estimation/selection.h"
 #include "identification/steps.h"
+#include "math/polynomial.h"
 
 /// The automatic choice of the orders of Go.
 namespace uncertainty_identification {
@@ -19,6 +21,26 @@ Configuration chooseOrders(const Problem& problem, Journal* journal) {
       [journal](double share) { return journal->progress.report(Phase::orders, share); });
   chosen.nominal_model.orders_auto = false;
   return chosen;
+}
+
+void choosePlant(Problem* problem, Journal* journal) {
+  const Configuration asked = problem->configuration;
+  const std::size_t before = journal->candidates.size();
+  const int longest = longestOf(problem->data.experiments);
+  problem->configuration = chooseOrders(*problem, journal);
+  problem->plant = fitPlant(*problem, journal);
+  if (!asked.nominal_model.orders_auto || !problem->plant) return;
+  const int largest = problem->configuration.nominal_model.max_order;
+  while (problem->configuration.nominal_model.na > 1 && !journal->progress.searchEnds() &&
+         !oscillationsDecay(problem->plant->polynomials.a, longest)) {
+    const int smaller = problem->configuration.nominal_model.na - 1;
+    journal->candidates.resize(before);
+    problem->configuration = asked;
+    problem->configuration.nominal_model.max_order = smaller;
+    problem->configuration = chooseOrders(*problem, journal);
+    problem->plant = fitPlant(*problem, journal);
+  }
+  problem->configuration.nominal_model.max_order = largest;
 }
 
 }  // namespace uncertainty_identification

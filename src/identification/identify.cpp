@@ -1,7 +1,9 @@
 #include "identification/identify.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "estimation/excerpt.h"
 #include "estimation/stopwatch.h"
@@ -43,11 +45,28 @@ void adopt(const ModelChoice& choice, Problem* problem) {
   if (!choice.plant_is_fixed) problem->plant.reset();
 }
 
+/// Takes over what was chosen of another problem of the same data.
+void takeOver(const Problem& other, Problem* problem) {
+  problem->configuration = other.configuration;
+  problem->plant = other.plant;
+  problem->start = other.start;
+}
+
+/// The model of the chosen structure around the plant that was fitted alone.
+FittedModel fitAround(const Problem& around, const Configuration& asked, Problem* problem,
+                      Journal* journal) {
+  takeOver(around, problem);
+  adopt(chooseAroundPlant(around, asked, journal), problem);
+  problem->plant = describePlant(*problem, journal);
+  return fitModel(*problem, journal);
+}
+
 /// The model of the chosen structure. Where Go was fitted jointly, but alone simulates the data
-/// better, the model around the plant that was fitted alone.
+/// better, the model around the plant that was fitted alone, if there is one.
 FittedModel fitChosen(const Configuration& asked, Problem* problem, Journal* journal) {
   const Problem around = *problem;
-  const std::size_t before = journal->candidates.size();
+  const std::vector<Candidate> candidates = journal->candidates;
+  const std::vector<std::string> warnings = journal->warnings;
   adopt(chooseModel(*problem, asked, journal), problem);
   if (problem->plant) problem->plant = describePlant(*problem, journal);
   FittedModel fitted = fitModel(*problem, journal);
@@ -55,16 +74,20 @@ FittedModel fitChosen(const Configuration& asked, Problem* problem, Journal* jou
   if (!could_be_alone ||
       simulatesAsWellAsAlone(*problem, *fitted.model, fitted.optimum.point, *around.plant, journal))
     return fitted;
-  journal->candidates.resize(before);
+  const Problem jointly = *problem;
+  std::vector<Candidate> of_joint = std::exchange(journal->candidates, candidates);
+  std::vector<std::string> warned = std::exchange(journal->warnings, warnings);
+  FittedModel alone = fitAround(around, asked, problem, journal);
+  if (!std::isfinite(alone.optimum.log_likelihood)) {
+    takeOver(jointly, problem);
+    journal->candidates = std::move(of_joint);
+    journal->warnings = std::move(warned);
+    return fitted;
+  }
   journal->warnings.push_back(
       "Go was fitted to its simulation alone: fitted together with the noise and the differences "
       "between the experiments it simulates worse, so the plant is probably not linear");
-  problem->configuration = around.configuration;
-  problem->plant = around.plant;
-  problem->start = around.start;
-  adopt(chooseAroundPlant(around, asked, journal), problem);
-  problem->plant = describePlant(*problem, journal);
-  return fitModel(*problem, journal);
+  return alone;
 }
 
 std::string timeLimitText(const Request& request) {
@@ -98,8 +121,7 @@ Estimate identifyFrom(const Request& request, const std::vector<Experiment>& exp
                       const std::vector<Experiment>& validation, Journal* journal) {
   const CheckedData data = checkData(request.configuration, experiments, journal);
   Problem problem = problemOf(request, data, journal);
-  problem.configuration = chooseOrders(problem, journal);
-  problem.plant = fitPlant(problem, journal);
+  choosePlant(&problem, journal);
   FittedModel fitted = fitChosen(request.configuration, &problem, journal);
   if (journal->progress.searchEnds()) markAsHurried(request, &fitted.optimum);
   Estimate estimate = describe(problem, fitted, journal);

@@ -45,6 +45,11 @@ Configuration limitDeadTime(const Problem& problem);
 /// The configuration with orders of the nominal model chosen, where they are automatic.
 Configuration chooseOrders(const Problem& problem, Journal* journal);
 
+/// Chooses the orders of the nominal model where they are automatic, and fits Go to its simulation
+/// where the configuration asks for it. A Go with an oscillation that no experiment sees decay
+/// explains noise by its initial states; smaller orders are chosen then.
+void choosePlant(Problem* problem, Journal* journal);
+
 /// Go fitted to its free simulation; none where the configuration fits it together with the rest.
 /// Throws DataError where there is no start.
 std::optional<FittedPlant> fitPlant(const Problem& problem, Journal* journal);

@@ -67,6 +67,15 @@ Eigen::VectorXcd roots(const Eigen::VectorXd& monic) {
   return companion.eigenvalues();
 }
 
+bool oscillationsDecay(const Eigen::VectorXd& monic, int samples) {
+  const double slowest = std::pow(0.05, 1.0 / samples);
+  for (const std::complex<double>& root : roots(monic)) {
+    const bool oscillates = std::abs(root.imag()) > 1e-9 || root.real() < 0;
+    if (oscillates && std::abs(root) > slowest) return false;
+  }
+  return true;
+}
+
 Eigen::VectorXd stabilised(const Eigen::VectorXd& monic, double radius) {
   if (isStable(monic, radius)) return monic;
   Eigen::VectorXcd product = Eigen::VectorXcd::Zero(monic.size() + 1);

@@ -21,6 +21,10 @@ Eigen::VectorXd fromReflection(const Eigen::VectorXd& reflection,
 /// Whether all roots of the monic polynomial lie inside the circle of `radius`.
 bool isStable(const Eigen::VectorXd& monic, double radius = 1.0);
 
+/// Whether every oscillation of 1/p, that of a complex pair or a negative root, decays to 5 %
+/// within `samples`.
+bool oscillationsDecay(const Eigen::VectorXd& monic, int samples);
+
 /// Mirrors roots outside `radius` at the circle, so that 1/p is stable.
 Eigen::VectorXd stabilised(const Eigen::VectorXd& monic, double radius = 0.999);
 

@@ -41,9 +41,9 @@ Drawn draw(Constraint constraint, int components, int dimension) {
   return drawn;
 }
 
-using Shape = std::tuple<Constraint, int, int>;
+using ParametrisationShape = std::tuple<Constraint, int, int>;
 
-class Coordinates : public testing::TestWithParam<Shape> {
+class Coordinates : public testing::TestWithParam<ParametrisationShape> {
  protected:
   Drawn drawn_ = draw(std::get<0>(GetParam()), std::get<1>(GetParam()), std::get<2>(GetParam()));
   test::CoreSetup setup_{drawn_.configuration, drawn_.system.experiments};

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
+#include "identification/identify.h"
 #include "identification/steps.h"
+#include "math/polynomial.h"
 #include "support/core_setup.h"
 #include "support/identify_example1.h"
 
@@ -56,6 +59,26 @@ TEST(MeanPlant, HasTheMeanOfTheErrorModelInItsNumerator) {
   EXPECT_DOUBLE_EQ(mean.b[0], b[0] * (1 + eta[0]));
   EXPECT_DOUBLE_EQ(mean.b[1], b[0] * eta[1]);
   EXPECT_EQ(mean.a, fit.start().polynomials.a);
+}
+
+/// A disturbance that oscillates throughout one record looks like the free response of a mode that
+/// never decays, and would be simulated as such.
+TEST(OrdersOfAPlant, DoNotIncludeADisturbanceThatOscillates) {
+  Experiment record;
+  record.id = "record";
+  record.sample_time = 1;
+  record.u = record.y = Eigen::VectorXd::Zero(600);
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  for (int k = 0; k < record.u.size(); ++k) record.u[k] = normal(random);
+  for (int k = 1; k < record.u.size(); ++k)
+    record.y[k] = 0.9 * record.y[k - 1] + 0.5 * record.u[k - 1];
+  for (int k = 0; k < record.u.size(); ++k)
+    record.y[k] += 1.5 * std::sin(0.5 * k + 1) + 0.05 * normal(random);
+  const Estimate estimate = identify({}, {record}, {});
+  for (const std::complex<double>& root : roots(estimate.nominal_model.a))
+    EXPECT_TRUE(root.imag() == 0 || std::abs(root) < 0.995) << root;
+  EXPECT_NEAR(estimate.nominal_model.b.sum() / (1 + estimate.nominal_model.a.sum()), 5, 0.5);
 }
 
 }  // namespace

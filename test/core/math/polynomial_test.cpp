@@ -92,6 +92,17 @@ TEST(IsStable, AtARadius) {
   EXPECT_FALSE(isStable(vectorOf({0.0, 1.0})));
 }
 
+/// Five per cent are left after n samples of a root of radius 0.05^(1/n).
+TEST(Polynomial, OscillationsDecayWhereTheirRootsAreInside) {
+  const double radius = std::pow(0.05, 1.0 / 100);
+  const auto pair = [](double r) { return vectorOf({-2 * r * std::cos(0.3), r * r}); };
+  EXPECT_TRUE(oscillationsDecay(pair(radius * 0.999), 100));
+  EXPECT_FALSE(oscillationsDecay(pair(radius * 1.001), 100));
+  EXPECT_FALSE(oscillationsDecay(vectorOf({0.99}), 100));  // alternates
+  EXPECT_TRUE(oscillationsDecay(vectorOf({-1.0}), 100));   // integrates
+  EXPECT_TRUE(oscillationsDecay(VectorXd(), 100));
+}
+
 TEST(IsStable, AgreesWithTheRoots) {
   int stable = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
