@@ -26,20 +26,20 @@ Configuration chooseOrders(const Problem& problem, Journal* journal) {
 void choosePlant(Problem* problem, Journal* journal) {
   const Configuration asked = problem->configuration;
   const std::size_t before = journal->candidates.size();
-  const int longest = longestOf(problem->data.experiments);
-  problem->configuration = chooseOrders(*problem, journal);
-  problem->plant = fitPlant(*problem, journal);
-  if (!asked.nominal_model.orders_auto || !problem->plant) return;
-  const int largest = problem->configuration.nominal_model.max_order;
-  while (problem->configuration.nominal_model.na > 1 && !journal->progress.searchEnds() &&
-         !oscillationsDecay(problem->plant->polynomials.a, longest)) {
-    const int smaller = problem->configuration.nominal_model.na - 1;
+  const NominalModelOptions& chosen = problem->configuration.nominal_model;
+  const auto choose = [&](int max_order) {
     journal->candidates.resize(before);
     problem->configuration = asked;
-    problem->configuration.nominal_model.max_order = smaller;
+    problem->configuration.nominal_model.max_order = max_order;
     problem->configuration = chooseOrders(*problem, journal);
     problem->plant = fitPlant(*problem, journal);
-  }
+  };
+  choose(asked.nominal_model.max_order);
+  if (!asked.nominal_model.orders_auto || !problem->plant) return;
+  const int largest = chosen.max_order, longest = longestOf(problem->data.experiments);
+  while (chosen.na > 1 && !journal->progress.searchEnds() &&
+         !oscillationsDecay(problem->plant->polynomials.a, longest))
+    choose(chosen.na - 1);
   problem->configuration.nominal_model.max_order = largest;
 }
 

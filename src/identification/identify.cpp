@@ -65,8 +65,7 @@ FittedModel fitAround(const Problem& around, const Configuration& asked, Problem
 /// better, the model around the plant that was fitted alone, if there is one.
 FittedModel fitChosen(const Configuration& asked, Problem* problem, Journal* journal) {
   const Problem around = *problem;
-  const std::vector<Candidate> candidates = journal->candidates;
-  const std::vector<std::string> warnings = journal->warnings;
+  const std::size_t candidates = journal->candidates.size(), warnings = journal->warnings.size();
   adopt(chooseModel(*problem, asked, journal), problem);
   if (problem->plant) problem->plant = describePlant(*problem, journal);
   FittedModel fitted = fitModel(*problem, journal);
@@ -75,9 +74,12 @@ FittedModel fitChosen(const Configuration& asked, Problem* problem, Journal* jou
       simulatesAsWellAsAlone(*problem, *fitted.model, fitted.optimum.point, *around.plant, journal))
     return fitted;
   const Problem jointly = *problem;
-  std::vector<Candidate> of_joint = std::exchange(journal->candidates, candidates);
-  std::vector<std::string> warned = std::exchange(journal->warnings, warnings);
+  std::vector<Candidate> of_joint = journal->candidates;
+  std::vector<std::string> warned = journal->warnings;
+  journal->candidates.resize(candidates);
+  journal->warnings.resize(warnings);
   FittedModel alone = fitAround(around, asked, problem, journal);
+  // Beside the long free response of an integrator, rounding may leave nothing of a small residual.
   if (!std::isfinite(alone.optimum.log_likelihood)) {
     takeOver(jointly, problem);
     journal->candidates = std::move(of_joint);

@@ -116,7 +116,9 @@ class ChecksumComparison {
   void requireMatch() const {
     if (has_one_ && stated_ != sum_)
       throw FileError("bag '" + bag_.path() +
-                      "' does not match its checksum: it was changed after it was written");
+                      "' does not match its checksum: it was changed after it was written; use a "
+                      "copy or, if you changed it yourself, leave out the topic " +
+                      kChecksumTopic + " (rosbag filter)");
   }
 
  private:
