@@ -97,14 +97,30 @@ class Chooser {
       columns_.time = configured("time.column", time.column);
     else if (time.unit != TimeUnit::index)
       columns_.time = knownTime();
-    columns_.per_second = secondsOf(time);
+    columns_.has_dates = columns_.time != kAbsent && header_.is_stamp[columns_.time];
+    if (columns_.has_dates)
+      requireNoUnit(time);
+    else
+      columns_.per_second = secondsOf(time);
+  }
+
+  void requireNoUnit(const TimeOptions& time) const {
+    if (time.unit == TimeUnit::automatic) return;
+    throw ConfigurationError("time.unit: '" + header_.path + "' holds dates or times of day in '" +
+                             header_.names[columns_.time] +
+                             "', which have no unit; leave time.unit out, or choose another column "
+                             "by time.column");
   }
 
   std::size_t knownTime() const {
     if (const std::size_t t = find("t"); t != kAbsent) return t;
-    std::vector<std::string> candidates;
+    std::vector<std::string> candidates, stamps;
     for (const std::string& name : header_.names)
       if (timeName(name)) candidates.push_back(name);
+    for (std::size_t i = 0; candidates.empty() && i < header_.names.size(); ++i)
+      if (header_.is_stamp[i]) stamps.push_back(header_.names[i]);
+    if (stamps.size() == 1) return find(stamps.front());
+    candidates.insert(candidates.end(), stamps.begin(), stamps.end());
     if (candidates.size() == 1) return find(candidates.front());
     refuseFile(header_.path,
                (candidates.empty() ? "no column is known to be the time t"

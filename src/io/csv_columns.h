@@ -16,6 +16,7 @@ struct CsvHeader {
   std::vector<std::string> names;  ///< of the columns; one without a name is empty
   std::vector<std::string> units;  ///< of the row below the names, without brackets; empty: none
   std::vector<bool> is_text;       ///< the first rows hold texts in this column and no number
+  std::vector<bool> is_stamp;      ///< most of them hold a date or a time of day
 };
 
 /// A column that is read, and the linear map to what is stored.
@@ -34,6 +35,7 @@ struct CsvColumns {
   std::size_t time = CsvSignal::kAbsent;        ///< absent: the rows are counted
   double per_second = 1;                        ///< what a second is in the time column
   bool unit_is_assumed = false;                 ///< nothing says that these are seconds
+  bool has_dates = false;                       ///< the time column holds dates or times of day
   CsvSignal input, output;
   std::vector<CsvSignal> covariates;
   std::vector<std::string> remarks;  ///< what was assumed beyond the names t, u and y

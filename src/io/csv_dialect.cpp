@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
+
+#include "io/grouped_number.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -119,16 +122,51 @@ std::vector<CsvCell> CsvDialect::split(const std::string& line) const {
 }
 
 bool CsvDialect::number(const CsvCell& cell, double& value) {
-  if (point_ != '\0') return parseNumber(cell, point_, value);
+  if (point_ != '\0') return parseNumber(cell, point_, value) || grouped(cell, value);
   const char point = holds(cell, ',') ? ',' : '.';
-  if (!parseNumber(cell, point, value)) return false;
+  if (!parseNumber(cell, point, value)) return grouped(cell, value);
   if (holds(cell, point)) point_ = point;
   return true;
 }
 
+bool CsvDialect::grouped(const CsvCell& cell, double& value) {
+  const std::optional<GroupedNumber> number = groupedNumber(cell.str());
+  if (!number) return false;
+  if (thousands_ != '\0' ? number->separator != thousands_ : !number->isClear()) return false;
+  char point = number->point;
+  if (point == '\0' && number->separator == ',') point = '.';
+  if (point == '\0' && number->separator == '.') point = ',';
+  if (point != '\0' && point_ != '\0' && point != point_) return false;
+  if (point != '\0') point_ = point;
+  thousands_ = number->separator;
+  value = number->value;
+  return true;
+}
+
+void CsvDialect::learn(const CsvCell& cell) {
+  const std::optional<GroupedNumber> number = groupedNumber(cell.str());
+  double ignored = 0;
+  if (number && number->point != '\0') grouped(cell, ignored);
+}
+
+std::string CsvDialect::remedyFor(const CsvCell& cell) const {
+  const std::string found = cell.str();
+  if (const std::optional<GroupedNumber> number = groupedNumber(found)) {
+    const bool open = !number->isClear() && thousands_ == '\0';
+    return (open ? std::string("; it could be a decimal fraction or separate thousands")
+                 : "; its thousands and decimals are not separated as in the other numbers") +
+           ": write numbers without separators of thousands";
+  }
+  double ignored = 0;
+  if (separator_ == ',' && parseNumber(cell, ',', ignored))
+    return "; numbers with decimal commas need another separator, such as ;";
+  return "";
+}
+
 bool looksNumeric(const CsvCell& cell) {
   double value = 0;
-  return parseNumber(cell, '.', value) || parseNumber(cell, ',', value);
+  return parseNumber(cell, '.', value) || parseNumber(cell, ',', value) ||
+         groupedNumber(cell.str());
 }
 
 CsvDialect findDialect(const std::string& header, const std::vector<std::string>& rows) {

@@ -33,16 +33,30 @@ class CsvDialect {
 
   /// Reads a number, whatever the locale of the program; false if the cell holds anything else.
   /// Where the comma does not separate, the first number with a point or a comma decides which of
-  /// the two is the decimal point of the file, and the other is no part of a number any more.
+  /// the two is the decimal point of the file. Separators of thousands are passed over once a
+  /// number such as 1,234.5 or 1.234.567 has shown which character they are; "1,234" alone could
+  /// also be a decimal fraction.
   bool number(const CsvCell& cell, double& value);
+
+  /// Lets a number with separators of thousands and a decimal point settle what these are.
+  void learn(const CsvCell& cell);
+
+  /// What to do about a cell that is no number, "; ..."; empty where nothing special is known.
+  std::string remedyFor(const CsvCell& cell) const;
 
   bool hasDecimalComma() const { return point_ == ','; }
 
+  /// The character between thousands; 0: none has been seen.
+  char thousands() const { return thousands_; }
+
  private:
+  bool grouped(const CsvCell& cell, double& value);
+
   char separator_, point_;  // point_ is 0 while it is not known
+  char thousands_ = '\0';
 };
 
-/// Whether the cell is a number with a decimal point or comma.
+/// Whether the cell is a number with a decimal point or comma, and perhaps separated thousands.
 bool looksNumeric(const CsvCell& cell);
 
 /// The separator with which most of the `rows` have as many cells as the header; among equals tab,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/csv_stamp.h"
 #include "io/csv_time_names.h"
 
 namespace uncertainty_identification {
@@ -25,8 +26,10 @@ bool anyNumber(const std::vector<CsvCell>& cells) {
   return std::any_of(cells.begin(), cells.end(), looksNumeric);
 }
 
+/// Whether a line holds samples: most of its cells are numbers, dates or times of day.
 bool mostAreNumbers(const std::vector<CsvCell>& cells) {
-  return 2 * std::count_if(cells.begin(), cells.end(), looksNumeric) >=
+  const auto is_value = [](const CsvCell& cell) { return looksNumeric(cell) || parseStamp(cell); };
+  return 2 * std::count_if(cells.begin(), cells.end(), is_value) >=
          static_cast<std::ptrdiff_t>(cells.size());
 }
 
@@ -127,14 +130,29 @@ class HeadFinder {
     std::vector<bool>& is_text = head_.header.is_text;
     is_text.assign(head_.header.names.size(), false);
     std::vector<bool> is_number = is_text;
+    std::vector<long> stamps(is_text.size(), 0);  // less the number of other cells
     for (std::size_t r = row_; r < table_.size(); ++r) {
       const std::vector<CsvCell> cells = head_.dialect.split(table_[r].text);
       for (std::size_t i = 0; i < std::min(cells.size(), is_text.size()); ++i) {
         if (cells[i].empty()) continue;
         (looksNumeric(cells[i]) ? is_number : is_text)[i] = true;
+        stamps[i] += parseStamp(cells[i]) ? 1 : -1;
       }
     }
-    for (std::size_t i = 0; i < is_text.size(); ++i) is_text[i] = is_text[i] && !is_number[i];
+    for (std::size_t i = 0; i < is_text.size(); ++i) {
+      is_text[i] = is_text[i] && !is_number[i];
+      head_.header.is_stamp.push_back(stamps[i] > 0);
+    }
+    learnThousands();
+  }
+
+  /// A later number may tell how an earlier one is meant.
+  void learnThousands() {
+    for (std::size_t r = row_; r < table_.size(); ++r) {
+      const std::vector<CsvCell> cells = head_.dialect.split(table_[r].text);
+      for (std::size_t i = 0; i < std::min(cells.size(), head_.header.is_text.size()); ++i)
+        if (!head_.header.is_text[i]) head_.dialect.learn(cells[i]);
+    }
   }
 
   CsvHead head_;

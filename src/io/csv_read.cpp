@@ -125,6 +125,20 @@ Recording asRecording(const CsvTable& table, const CsvFile& file) {
   return recording;
 }
 
+/// Tells how many outputs are missing. Where input and output have rows of their own, an empty cell
+/// is no missing output.
+void tellMissing(const CsvTable& table, LoadedData& data) {
+  const long empty = table.rows_without_input > 0 ? 0 : table.empty_outputs;
+  const long missing = table.bad_outputs + empty;
+  if (missing == 0) return;
+  std::string kinds =
+      table.bad_outputs > 0 ? std::to_string(table.bad_outputs) + " NaN or infinite" : "";
+  if (empty > 0) kinds += (kinds.empty() ? "" : ", ") + std::to_string(empty) + " empty";
+  data.warnings.push_back(named(table.id) + ": " + std::to_string(missing) + " of " +
+                          std::to_string(table.y.size()) + " outputs are no numbers (" + kinds +
+                          ") and count as missing");
+}
+
 void addTable(const CsvTable& table, CsvFile& file, const Configuration& configuration,
               LoadedData& data) {
   const SampleGrid grid = fitSampleGrid(table.t);
@@ -133,6 +147,7 @@ void addTable(const CsvTable& table, CsvFile& file, const Configuration& configu
     data.warnings.push_back(named(table.id) + ": " + std::to_string(table.rows_without_input) +
                             " of " + std::to_string(table.t.size()) +
                             " rows have no input, which is held between the others");
+  tellMissing(table, data);
   if (const auto division = divisionOf(table, grid.period, configuration, data))
     addDivided(table, file, *division, configuration, data);
   else if (table.rows_without_input == 0 && fitsGrid(grid, configuration))
@@ -157,10 +172,13 @@ LoadedData readCsv(const std::string& path, const Configuration& configuration) 
   if (!file.remarks.empty()) data.warnings.push_back(assumptions(file));
   for (CsvTable& table : file.tables) {
     const std::string problem = problemOf(table, file);
+    const std::size_t first = data.experiments.size();
     if (problem.empty())
       addTable(table, file, configuration, data);
     else
       data.rejected.push_back({table.id, named(table.id) + ": " + problem});
+    for (std::size_t i = first; i < data.experiments.size(); ++i)
+      data.experiments[i].start_time += table.start;
     table = CsvTable();  // frees the rows, so that a large file is not in memory twice
   }
   return data;

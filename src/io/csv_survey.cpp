@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::size_t kMostColumns = 500;  // that are read
 
+const char* const kDates = "dates";
+
 std::string inQuotes(const std::string& name) { return "'" + name + "'"; }
 
 /// Finds out how one file is read, and reads it.
@@ -45,17 +47,20 @@ class CsvSurveyor {
   void remark(const std::string& what) { survey_.remarks.push_back(what); }
 
   std::vector<std::string> timeCandidates() {
-    std::vector<std::string> called_t, known;
+    std::vector<std::string> called_t, known, stamps;
     for (std::size_t i = 0; i < header_.names.size(); ++i) {
       const std::string& name = header_.names[i];
       const bool is_t = splitUnit(name).base == "t";
       if (!is_t && !timeName(name)) continue;
-      if (header_.is_text[i])
+      if (header_.is_text[i] && !header_.is_stamp[i])
         remark("the column " + inQuotes(name) +
-               " holds texts; dates and times of day are not read");
+               " holds texts that are neither numbers nor dates or times of day");
       else
         (is_t ? called_t : known).push_back(name);
     }
+    for (std::size_t i = 0; known.empty() && i < header_.names.size(); ++i)
+      if (header_.is_stamp[i]) stamps.push_back(header_.names[i]);
+    known.insert(known.end(), stamps.begin(), stamps.end());
     return called_t.empty() ? known : called_t;
   }
 
@@ -125,7 +130,8 @@ class CsvSurveyor {
     if (columns.time != CsvSignal::kAbsent) time.column = header_.names[columns.time];
     time.assumed = columns.unit_is_assumed;
     time.unit = "index";
-    if (probe_.time.unit != TimeUnit::index)
+    if (columns.has_dates) time.unit = kDates;
+    if (!columns.has_dates && probe_.time.unit != TimeUnit::index)
       for (const char* unit : {"s", "ms", "us", "ns"})
         if (*perSecond(unit) == columns.per_second) time.unit = unit;
     if (columns.experiment != CsvSignal::kAbsent)

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 
 #include "data/text.h"
+#include "io/csv_dates.h"
 #include "io/csv_header.h"
 
 namespace uncertainty_identification {
@@ -35,6 +37,8 @@ class Parser {
     file_.has_experiments = columns_.experiment != kNoColumn;
     if (columns_.time != kNoColumn) file_.time_name = names_[columns_.time];
     file_.unit_is_assumed = columns_.unit_is_assumed;
+    if (columns_.has_dates)
+      dates_.emplace(CsvTimeColumn{path, columns_.time, head_.dialect, head_.first_row});
     for (const CsvSignal& each : columns_.covariates) file_.covariate_names.push_back(each.name);
   }
 
@@ -50,7 +54,10 @@ class Parser {
           file_.path + ": the file has a header but no rows; write one line per sample";
     }
     file_.remarks = std::move(columns_.remarks);
+    if (dates_) finishDates();
     if (head_.dialect.hasDecimalComma()) file_.remarks.push_back("commas are decimal points");
+    if (const char thousands = head_.dialect.thousands())
+      file_.remarks.push_back(std::string("thousands are separated by '") + thousands + "'");
     return std::move(file_);
   }
 
@@ -68,26 +75,36 @@ class Parser {
       table.problem = place() + ": found " + std::to_string(cells_.size()) + " cells under " +
                       std::to_string(names_.size()) +
                       " columns; write one cell per column, an empty one for a missing output" +
-                      (cells_.size() > names_.size() && head_.dialect.separator() == ','
-                           ? "; numbers with decimal commas need another separator, such as ;"
-                           : "");
+                      (cells_.size() > names_.size() ? remedyForMoreCells() : "");
       return;
     }
     readTime(table);
     const double u = number(columns_.input, table);
     if (std::isnan(u) && isNothing(cells_[columns_.input.column])) ++table.rows_without_input;
     table.u.push_back(u);
-    table.y.push_back(number(columns_.output, table));
+    table.y.push_back(output(table));
     for (std::size_t i = 0; i < columns_.covariates.size(); ++i)
       table.covariates[i].push_back(number(columns_.covariates[i], table));
     if (columns_.marker != kNoColumn) readMarker(table);
   }
 
+  std::string remedyForMoreCells() const {
+    const char separator = head_.dialect.separator();
+    if (separator == ',')
+      return "; numbers with decimal commas need another separator, such as ;, and numbers with "
+             "commas between thousands need quotes";
+    return separator == ' ' ? "; numbers and dates with blanks in them need quotes" : "";
+  }
+
   void readTime(CsvTable& table) {
+    if (dates_) return readDate(table);
     double value = static_cast<double>(table.t.size());
     if (columns_.time != kNoColumn && !head_.dialect.number(cells_[columns_.time], value)) {
       table.problem = place(columns_.time) + ": found '" + cells_[columns_.time].str() +
-                      "'; write a number, or choose another column by time: {column: NAME}";
+                      "'; write a number, or choose another column by time: {column: NAME}" +
+                      (parseStamp(cells_[columns_.time])
+                           ? "; dates and times of day are read if the whole column holds them"
+                           : head_.dialect.remedyFor(cells_[columns_.time]));
       return;
     }
     const double t = value / columns_.per_second;
@@ -105,13 +122,42 @@ class Parser {
     }
   }
 
+  void readDate(CsvTable& table) {
+    const CsvCell& cell = cells_[columns_.time];
+    std::string problem;
+    const double t = dates_->seconds(cell, last_, problem);
+    if (problem.empty() && !table.t.empty() && t <= table.t.back())
+      problem = "the stamp " + cell.str() + (t == table.t.back() ? " repeats" : " goes back from") +
+                " the one before; stamps must rise within an experiment; name experiments in the "
+                "column experiment, or in another one by experiment: {column: NAME}";
+    if (problem.empty())
+      table.t.push_back(t);
+    else
+      table.problem = place(columns_.time) + ": " + problem;
+  }
+
+  void finishDates() {
+    for (std::size_t i = 0; i < file_.tables.size(); ++i) file_.tables[i].start = dates_->start(i);
+    if (const std::string how = dates_->remark(); !how.empty())
+      file_.remarks.push_back("the time is '" + file_.time_name + "', read " + how);
+  }
+
+  /// NaN for what is not measured.
+  double output(CsvTable& table) {
+    const double y = number(columns_.output, table);
+    if (std::isfinite(y)) return y;
+    ++(isNothing(cells_[columns_.output.column]) ? table.empty_outputs : table.bad_outputs);
+    return std::nan("");
+  }
+
   double number(const CsvSignal& signal, CsvTable& table) {
     const CsvCell& cell = cells_[signal.column];
     double value = 0;
     if (head_.dialect.number(cell, value)) return signal.scale * value + signal.offset;
     if (!isNothing(cell) && table.problem.empty()) {
       table.problem = place(signal.column) + ": found '" + cell.str() +
-                      "'; write a number, or leave the cell empty if it was not measured";
+                      "'; write a number, or leave the cell empty if it was not measured" +
+                      head_.dialect.remedyFor(cell);
     }
     return std::nan("");
   }
@@ -159,6 +205,7 @@ class Parser {
   const std::vector<std::string>& names_;  ///< of the columns
   CsvColumns columns_;
   CsvFile file_;
+  std::optional<CsvDates> dates_;                       ///< where the stamps are no numbers
   std::vector<CsvCell> cells_;                          ///< of the current line
   std::unordered_map<std::string, std::size_t> index_;  ///< of the tables, by id
   std::size_t last_ = 0;                                ///< table of the last row

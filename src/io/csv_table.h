@@ -16,6 +16,9 @@ struct CsvTable {
   std::vector<std::int8_t>
       markers;                  ///< mode topic: 1 running, 0 not, -1 not said; empty: no column
   long rows_without_input = 0;  ///< the input was sampled in other rows only
+  long empty_outputs = 0;       ///< rows without an output
+  long bad_outputs = 0;         ///< rows whose output is NaN or infinite; `y` is NaN there
+  double start = 0;             ///< [s] what `t` begins at, where the stamps are dates
   long first_line = 1;          ///< line of the first row, from 1
   std::string problem;          ///< why it cannot be used; empty: it can
 };

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <functional>
 
@@ -113,6 +114,41 @@ std::vector<Dialect> times() {
           {"t,time,u,y\n0,5,1.5,10\n0.5,6,-2,20.25\n1,7,3,-0.5\n"}};
 }
 
+/// The rows with these texts as stamps.
+std::string stamped(const std::string& header, const std::string& first, const std::string& second,
+                    const std::string& third) {
+  const char separator = header[header.find_first_of(",;")];
+  const std::vector<std::string> values = {"1.5,10", "-2,20.25", "3,-0.5"};
+  std::string content = header + "\n";
+  std::size_t row = 0;
+  for (const std::string& stamp : {first, second, third}) {
+    std::string rest = values[row++];
+    std::replace(rest.begin(), rest.end(), ',', separator);
+    content += stamp + separator + rest + "\n";
+  }
+  return content;
+}
+
+std::vector<Dialect> dates() {
+  const std::string header = "t,u,y", day = "2024-05-01 12:00:0";
+  return {
+      {stamped(header, "2024-05-01T12:00:00.250", "2024-05-01T12:00:00.750",
+               "2024-05-01T12:00:01.250")},
+      {stamped("timestamp,u,y", day + "0", day + "0.5", day + "1")},
+      {stamped("Date/Time;u;y", "01.05.2024 12:00:00,0", "01.05.2024 12:00:00,5",
+               "01.05.2024 12:00:01,0")},
+      {stamped(header, day + "0Z", day + "0.5Z", "2024-05-01 14:00:01+02:00")},
+      {stamped("datetime;u;y", "31/05/2024 23:59:59.5", "01/06/2024 00:00:00.0",
+               "01/06/2024 00:00:00.5")},
+      {stamped(header, "5/31/2024 11:59:59.5 AM", "5/31/2024 12:00:00.0 PM",
+               "5/31/2024 12:00:00.5 PM")},
+      {stamped(header, "01-May-2024 23:59:59.5", "02-May-2024 00:00:00", "02-May-2024 00:00:00.5")},
+      {stamped(header, "12:00:00.0", "12:00:00.5", "12:00:01.0")},
+      {stamped(header, "59:59.0", "59:59.5", "1:00:00.0")},
+      {"date,time,u,y\n2024-05-01,23:59:59.5,1.5,10\n2024-05-02,00:00:00,-2,20.25\n"
+       "2024-05-02,00:00:00.5,3,-0.5\n"}};
+}
+
 std::vector<Dialect> values() {
   return {{"t,mode,u,y\n0,idle,1.5,10\n0.5,run,-2,20.25\n1,run,3,-0.5\n"},
           {"date;t;u;y\n01.02.2024;0;1,5;10\n01.02.2024;0,5;-2;20,25\n01.02.2024;1;3;-0,5\n"},
@@ -120,6 +156,23 @@ std::vector<Dialect> values() {
           {"t,u,y,temp\n0,1.5,10,NA\n0.5,-2,20.25,null\n1,3,-0.5,5\n"},
           {"run,t,u,y\na,0,1.5,10\na,0.5,-2,20.25\na,1,3,-0.5\n",
            [](Configuration& c) { c.experiment.column = "run"; }}};
+}
+
+/// The values are 1,000 times as large as those expected.
+std::vector<Dialect> thousands() {
+  const Configure small = [](Configuration& configuration) {
+    configuration.input.scale = configuration.output.scale = 0.001;
+  };
+  return {{"t,u,y\n0,\"1,500.0\",\"10,000\"\n0.5,\"-2,000\",\"20,250\"\n1,\"3,000\",-500\n", small},
+          {"t,u,y\n0,\"1,500\",\"10,000\"\n0.5,\"-2,000\",\"20,250\"\n1,\"3,000.0\",-500\n", small},
+          {"t;u;y\n0;1.500,0;10.000\n0,5;-2.000;20.250\n1;3.000;-500\n", small},
+          {"t;u;y\n0;1,500.0;10,000\n0.5;-2,000;20,250\n1;3,000;-500\n", small},
+          {"t,u,y\n0,1 500,10 000.0\n0.5,-2 000,20 250\n1,3 000,-500\n", small},
+          {"t;u;y\n0;1\xC2\xA0"
+           "500;10\xC2\xA0"
+           "000,0\n0,5;-2000;20250\n1;3000;-500\n",
+           small},
+          {"t\tu\ty\n0\t1'500\t10'000\n0.5\t-2'000\t20'250\n1\t3'000\t-500\n", small}};
 }
 
 std::vector<Dialect> refused() {
@@ -136,9 +189,15 @@ std::vector<Dialect> refused() {
       {"t,u,y\n0,0,1,5,10\n0,5,-2,20,25\n", {}, "line 2: found 5 cells under 3 columns"},
       {"t,u,y\n0,0,1,5,10\n0,5,-2,20,25\n", {}, "decimal commas need another separator"},
       {"t;u;y\n0;1,5;10\n0,5;-2;20.25\n", {}, "line 3, column y: found '20.25'"},
-      {"t;u;y\n0;1.234,5;10\n0,5;-2;20\n", {}, "line 2, column u: found '1.234,5'"},
+      {"t;u;y\n0;1.5;10\n0.5;1.234,5;20\n", {}, "line 2, column u: found '1.5'"},
+      {"t;u;y\n0;1,5;10\n0,5;1.234;20\n", {}, "line 3, column u: found '1.234'"},
+      {"t;u;y\n0;1,5;10\n0,5;1.234;20\n", {}, "write numbers without separators of thousands"},
+      {"t,u,y\n0,1.5,10\n1,\"1,234\",20\n", {}, "line 3, column u: found '1,234'"},
+      {"t,u,y\n0,1.5,10\n1,1,234.5,20\n", {}, "commas between thousands need quotes"},
+      {"t u y\n0 1.5 10\n1 1 234.5 20\n", {}, "line 3: found 4 cells under 3 columns"},
       {"t,u,y\nseconds since start,V,m\n" + kRows, {}, "line 2, column t: found 'seconds since"},
-      {"t,u,y\n12:00:00.5,1,2\n12:00:01,1,2\n", {}, "line 2, column t: found '12:00:00.5'"},
+      {"t,u,y\n12:00,1,2\n12:01,1,2\n", {}, "line 2, column t: found '12:00', which could be"},
+      {"t,u,y\n0,1,2\n12:00:01,1,2\n", {}, "line 3, column t: found '12:00:01'; write a number"},
       {"t_ms,u,y\ns,V,m\n" + kRows, {}, "ms by its name and s by the row below it"},
       {"t,u,u,y\n0,1,1,2\n1,2,2,3\n", {}, "no two columns may have the same name"},
       {"\xFF\xFEt", {}, "save it as CSV in UTF-8"},
@@ -175,6 +234,8 @@ TEST_P(LoadedCsv, HasTheSamples) {
 INSTANTIATE_TEST_SUITE_P(Separators, LoadedCsv, testing::ValuesIn(separators()));
 INSTANTIATE_TEST_SUITE_P(Headers, LoadedCsv, testing::ValuesIn(headers()));
 INSTANTIATE_TEST_SUITE_P(Times, LoadedCsv, testing::ValuesIn(times()));
+INSTANTIATE_TEST_SUITE_P(Dates, LoadedCsv, testing::ValuesIn(dates()));
+INSTANTIATE_TEST_SUITE_P(Thousands, LoadedCsv, testing::ValuesIn(thousands()));
 INSTANTIATE_TEST_SUITE_P(Cells, LoadedCsv, testing::ValuesIn(values()));
 
 class RefusedCsv : public CsvDialects {};

@@ -67,13 +67,45 @@ TEST(CsvDialect, TheFirstFractionDecidesOnTheDecimalPoint) {
   EXPECT_EQ(value, 1.2345678901234567e-3);
   EXPECT_FALSE(comma.number(cellOf("1.25"), value));
   EXPECT_FALSE(comma.number(cellOf("1.2345678901234567"), value));
-  EXPECT_FALSE(comma.number(cellOf("1.000,5"), value));
   EXPECT_TRUE(point.number(cellOf("1.25"), value));
   EXPECT_FALSE(point.number(cellOf("1,25"), value));
   EXPECT_FALSE(point.hasDecimalComma());
-  EXPECT_FALSE(open.number(cellOf("1,000.5"), value));
   EXPECT_FALSE(open.number(cellOf("a,b"), value));
   EXPECT_TRUE(open.number(cellOf("1.5"), value));  // what is no number decides nothing
+}
+
+TEST(CsvDialect, ClearNumbersShowWhatSeparatesThousands) {
+  CsvDialect american(','), german(';'), swiss(';'), french('\t');
+  const auto read = [](CsvDialect& dialect, const std::string& text) {
+    double value = std::nan("");
+    return dialect.number(cellOf(text), value) ? value : std::nan("");
+  };
+  EXPECT_TRUE(std::isnan(read(american, "\"1,234\"")));  // or 1.234
+  EXPECT_EQ(read(american, "\"1,234.5\""), 1234.5);
+  EXPECT_EQ(read(american, "\"-1,234\""), -1234);
+  EXPECT_TRUE(std::isnan(read(american, "\"1,23\"")));
+  EXPECT_EQ(read(german, "1.234.567"), 1234567);
+  EXPECT_EQ(read(german, "1.234"), 1234);
+  EXPECT_EQ(read(german, "0,125"), 0.125);
+  EXPECT_TRUE(std::isnan(read(german, "0.125")));
+  EXPECT_TRUE(std::isnan(read(german, "1,234.5")));
+  EXPECT_EQ(read(swiss, "+12'345.5"), 12345.5);
+  EXPECT_EQ(read(french,
+                 "12\xE2\x80\xAF"
+                 "345\xC2\xA0"
+                 "678,5"),
+            12345678.5);
+  EXPECT_EQ(read(french, "1 234"), 1234);
+  EXPECT_EQ(french.thousands(), ' ');
+}
+
+TEST(CsvDialect, NumbersThatCouldBeReadTwiceAreExplained) {
+  const CsvDialect comma(','), semicolon(';');
+  EXPECT_NE(comma.remedyFor(cellOf("\"1,234\"")).find("without separators of thousands"),
+            std::string::npos);
+  EXPECT_NE(comma.remedyFor(cellOf("\"1,5\"")).find("need another separator"), std::string::npos);
+  EXPECT_EQ(comma.remedyFor(cellOf("abc")), "");
+  EXPECT_EQ(semicolon.remedyFor(cellOf("1,5V")), "");
 }
 
 TEST(CsvDialect, LinesAreSplitOutsideQuotes) {
@@ -100,9 +132,9 @@ TEST(CsvDialect, TheSeparatorIsTheOneThatMostRowsAgreeWith) {
 }
 
 TEST(CsvDialect, NumbersWithEitherPointLookNumeric) {
-  for (const char* text : {"1", "1.5", "1,5", "-2e3", "nan"})
+  for (const char* text : {"1", "1.5", "1,5", "-2e3", "nan", "1.000,5", "1 000", "1'000.5"})
     EXPECT_TRUE(looksNumeric(cellOf(text))) << text;
-  for (const char* text : {"", "V", "1.000,5", "12:30"})
+  for (const char* text : {"", "V", "1.00,5", "12:30", "1,000.000,5", "10 00"})
     EXPECT_FALSE(looksNumeric(cellOf(text))) << text;
 }
 

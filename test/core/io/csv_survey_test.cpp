@@ -65,9 +65,18 @@ TEST_F(CsvSurvey, CountsRowsWithoutTime) {
   EXPECT_EQ(found.times[0].unit, "index");
   EXPECT_EQ(found.times[0].column, "");
   EXPECT_TRUE(test::anyMentions(found.remarks, "the rows are counted"));
-  const Survey dated = survey("timestamp,a\n2024-01-01 10:00,2\n2024-01-01 10:01,4\n");
-  EXPECT_EQ(dated.times[0].unit, "index");
-  EXPECT_TRUE(test::anyMentions(dated.remarks, "dates and times of day are not read"));
+  const Survey worded = survey("timestamp,a\nnoon,2\nevening,4\n");
+  EXPECT_EQ(worded.times[0].unit, "index");
+  EXPECT_TRUE(test::anyMentions(worded.remarks, "neither numbers nor dates or times of day"));
+}
+
+TEST_F(CsvSurvey, ReadsDates) {
+  const Survey found = survey("when,a\n2024-01-01 10:00,2\n2024-01-01 10:01,4\n");
+  EXPECT_EQ(found.times[0].column, "when");
+  EXPECT_EQ(found.times[0].unit, "dates");
+  EXPECT_FALSE(found.times[0].assumed);
+  EXPECT_EQ(found.streams[0].stamps.period, 60);
+  EXPECT_EQ(names(found), Names{"a"});
 }
 
 TEST_F(CsvSurvey, TakesTheFirstOfSeveralTimes) {

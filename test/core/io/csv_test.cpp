@@ -118,6 +118,24 @@ TEST_F(Csv, EmptyAndNanOutputsAreMissing) {
   EXPECT_EQ(experiment.y(4), 8);
 }
 
+TEST_F(Csv, MissingOutputsAreCounted) {
+  std::string rows = "t,u,y\n";
+  for (int k = 0; k < 100; ++k)
+    rows += std::to_string(k) + "," + std::to_string(k % 7) +
+            (k < 3     ? ",nan\n"
+             : k == 3  ? ",-inf\n"
+             : k == 50 ? ",\n"
+                       : ",1\n");
+  const LoadedData data = read(rows);
+  ASSERT_EQ(data.experiments.size(), 1u);
+  EXPECT_EQ(data.experiments[0].validSamples(), 95);
+  ASSERT_EQ(data.warnings.size(), 1u);
+  EXPECT_TRUE(mentions(data.warnings[0],
+                       "5 of 100 outputs are no numbers (4 NaN or infinite, 1 empty) and count as "
+                       "missing"))
+      << data.warnings[0];
+}
+
 TEST_F(Csv, EmptyCovariatesAreHeld) {
   const LoadedData data =
       read("t,u,y,temp,off,load\n0,1,1,,,3\n1,2,2,20,,\n2,3,3,,,\n3,4,4,22,,\n");
@@ -299,7 +317,8 @@ TEST_F(Csv, RoundTripIsExactToTheLastBit) {
   const LoadedData data = readCsv(path_);
   ASSERT_EQ(data.experiments.size(), written.size());
   EXPECT_TRUE(data.rejected.empty());
-  EXPECT_TRUE(data.warnings.empty());
+  ASSERT_EQ(data.warnings.size(), 1u);
+  EXPECT_TRUE(mentions(data.warnings[0], "4 of 300 outputs are no numbers (4 empty)"));
   for (std::size_t i = 0; i < written.size(); ++i) {
     const Experiment& found = data.experiments[i];
     EXPECT_EQ(found.id, written[i].id);
