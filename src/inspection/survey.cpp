@@ -23,6 +23,7 @@ Channel& channelLike(const Channel& other, Survey& all) {
       });
   if (found != all.channels.end()) return *found;
   all.channels.push_back({other.name, other.column, other.topic, other.field, other.unit});
+  all.channels.back().numbered_field = other.numbered_field;
   return all.channels.back();
 }
 

@@ -42,12 +42,14 @@ struct Channel {
   std::vector<StampedSignal> records = {};  ///< one of each record of the survey; may be empty
   long not_finite = 0;  ///< values left out of the records: NaN and infinite ones
   long empty = 0;       ///< rows without a value
+  /// Of an element that is called by its name: the field with its number instead.
+  std::string numbered_field = {};
 };
 
 /// Files of columns: how their time was read.
 struct SurveyedTime {
   std::string column;       ///< empty: the rows were counted
-  std::string unit;         ///< s, ms, us, ns or index
+  std::string unit;         ///< s, ms, us, ns, index or dates
   bool assumed = false;     ///< nothing in the files says that it is this unit
   std::string experiments;  ///< the column that names the experiments; empty: none does
 };

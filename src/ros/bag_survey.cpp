@@ -7,6 +7,7 @@
 #include <set>
 
 #include "inspection/signal_names.h"
+#include "io/printable.h"
 #include "ros/bag_file.h"
 #include "ros/message_decoder.h"
 #include "uncertainty_identification/errors.h"
@@ -98,7 +99,30 @@ class TopicSurveyor {
     std::uint32_t count = 0;
     while (count <= kMostElements && existsIn(element(count), message)) ++count;
     if (count > kMostElements) return;
-    for (std::uint32_t index = 0; index < count; ++index) addPath(element(index), message);
+    const std::vector<std::string> names = namesIn(element(0), count, message);
+    for (std::uint32_t index = 0; index < count; ++index) {
+      if (names.empty()) {
+        addPath(element(index), message);
+        continue;
+      }
+      const bool is_number = names[index].find_first_not_of("0123456789") == std::string::npos;
+      const std::string name = is_number ? "'" + names[index] + "'" : names[index];
+      addPath(field.substr(0, bracket) + "[" + name + "]" + field.substr(bracket + 3), message,
+              element(index));
+    }
+  }
+
+  /// The names of the elements; empty where the message has none that tell each of them apart.
+  std::vector<std::string> namesIn(const std::string& field, std::uint32_t count,
+                                   const BagMessage& message) const {
+    if (count == 0) return {};
+    const std::vector<std::string> names = decoderOf(field)->elementNames(message.bytes);
+    const std::set<std::string> different(names.begin(), names.end());
+    const bool usable = std::all_of(names.begin(), names.end(), [](const std::string& name) {
+      return !name.empty() && isPrintable(name) && name.find_first_of("[]'\"") == std::string::npos;
+    });
+    if (names.size() != count || different.size() != count || !usable) return {};
+    return names;
   }
 
   bool existsIn(const std::string& field, const BagMessage& message) const {
@@ -109,13 +133,15 @@ class TopicSurveyor {
     }
   }
 
-  void addPath(const std::string& field, const BagMessage& message) {
+  void addPath(const std::string& field, const BagMessage& message,
+               const std::string& numbered = "") {
     if (fields_.size() >= kMostFields) return;
     FieldReader reader{decoderOf(field), {}};
     if (!holds(*reader.decoder, message)) return;
     reader.channel.name = stream_.name + " " + field;
     reader.channel.topic = stream_.name;
     reader.channel.field = field;
+    reader.channel.numbered_field = numbered;
     reader.channel.unit = unitOfName(field);
     reader.channel.records.resize(1);
     fields_.push_back(std::move(reader));

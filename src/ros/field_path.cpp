@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <optional>
-#include <sstream>
 
 #include "configuration/edit_distance.h"
 #include "io/tree.h"
@@ -17,30 +16,47 @@ constexpr std::size_t kListed = 15;  // number of fields that an error message l
 struct Component {
   std::string name;
   std::optional<std::uint32_t> index;
+  std::string element;  // instead of the index
+
+  bool isElement() const { return index.has_value() || !element.empty(); }
 };
 
-// "effort[0]" -> {"effort", 0}; no value if the text does not have that form.
-std::optional<Component> parseComponent(const std::string& text) {
-  const auto bracket = text.find('[');
-  Component component{text.substr(0, bracket), {}};
-  if (component.name.empty()) return std::nullopt;
-  if (bracket == std::string::npos) return component;
-  if (text.back() != ']') return std::nullopt;
-  const std::string index = text.substr(bracket + 1, text.size() - bracket - 2);
-  if (index.empty() || index.size() > 9 ||
-      index.find_first_not_of("0123456789") != std::string::npos)
+// What stands in the brackets: a number, or a name, which may be in quotes. No value for any other.
+std::optional<Component> elementOf(const std::string& array, const std::string& inside) {
+  if (inside.empty()) return std::nullopt;
+  Component component{array, {}, {}};
+  const bool quoted = inside.size() > 2 && inside.front() == inside.back() &&
+                      (inside.front() == '\'' || inside.front() == '"');
+  if (quoted)
+    component.element = inside.substr(1, inside.size() - 2);
+  else if (inside.find_first_not_of("0123456789") != std::string::npos)
+    component.element = inside;
+  else if (inside.size() > 9)
     return std::nullopt;
-  component.index = static_cast<std::uint32_t>(std::stoul(index));
+  else
+    component.index = static_cast<std::uint32_t>(std::stoul(inside));
   return component;
 }
 
+// "a.effort[left.wheel]" -> {"a"}, {"effort", "left.wheel"}; no value if the text does not have
+// that form.
 std::optional<std::vector<Component>> parsePath(const std::string& path) {
   std::vector<Component> components;
-  std::istringstream stream(path);
-  for (std::string text; std::getline(stream, text, '.');) {
-    const auto component = parseComponent(text);
-    if (!component) return std::nullopt;
+  std::size_t at = 0;
+  for (bool more = true; more;) {
+    std::size_t end = std::min(path.find_first_of(".[", at), path.size());
+    std::optional<Component> component = Component{path.substr(at, end - at), {}, {}};
+    if (end < path.size() && path[end] == '[') {
+      const std::size_t close = path.find(']', end);
+      if (close == std::string::npos) return std::nullopt;
+      component = elementOf(component->name, path.substr(end + 1, close - end - 1));
+      end = close + 1;
+    }
+    if (!component || component->name.empty()) return std::nullopt;
     components.push_back(*component);
+    more = end < path.size();
+    if (more && path[end] != '.') return std::nullopt;
+    at = end + 1;
   }
   return components;
 }
@@ -89,14 +105,18 @@ std::optional<FieldPath> follow(const MessageDefinition& definition,
     const auto field = std::find_if(type->fields.begin(), type->fields.end(),
                                     [&](const auto& f) { return f.name == component.name; });
     if (field == type->fields.end()) return std::nullopt;
-    if ((field->array != ArrayKind::none) != component.index.has_value()) return std::nullopt;
-    if (field->array == ArrayKind::fixed && *component.index >= field->length) return std::nullopt;
+    if ((field->array != ArrayKind::none) != component.isElement()) return std::nullopt;
+    const std::uint32_t index = component.index.value_or(0);
+    if (field->array == ArrayKind::fixed && index >= field->length) return std::nullopt;
+    const auto names = namesField(*type);
+    if (!component.element.empty() && !names) return std::nullopt;
     const bool last = i + 1 == components.size();
     if (last != field->numeric()) return std::nullopt;
-    path.steps.push_back(
-        {static_cast<std::size_t>(field - type->fields.begin()), component.index.value_or(0)});
+    path.steps.push_back({static_cast<std::size_t>(field - type->fields.begin()), index,
+                          component.element, component.element.empty() ? 0 : *names});
     path.text += (path.text.empty() ? "" : ".") + component.name;
-    if (component.index) path.text += "[" + std::to_string(*component.index) + "]";
+    if (component.isElement())
+      path.text += "[" + (component.index ? std::to_string(index) : component.element) + "]";
     type = field->type == FieldType::message ? &definition.contained(*field) : nullptr;
   }
   return path.steps.empty() ? std::nullopt : std::optional(path);
@@ -114,19 +134,40 @@ FieldPath resolveAutomatic(const MessageDefinition& definition, const std::strin
       listFields(definition, "") + "; name one of them under 'field'");
 }
 
+// What the message of an error adds for a path that names an element.
+std::string aboutNames(const std::optional<std::vector<Component>>& components) {
+  const bool names_one =
+      components && std::any_of(components->begin(), components->end(),
+                                [](const Component& each) { return !each.element.empty(); });
+  return names_one ? "; an element can be called by its name only where the message has an array "
+                     "'name' (string[]) beside the array, otherwise write its number"
+                   : "";
+}
+
 }  // namespace
+
+std::optional<std::size_t> namesField(const MessageType& type) {
+  for (std::size_t i = 0; i < type.fields.size(); ++i) {
+    const MessageField& field = type.fields[i];
+    const bool is_list = field.type == FieldType::string && field.array == ArrayKind::variable;
+    if (is_list && field.name == "name") return i;
+  }
+  return std::nullopt;
+}
 
 FieldPath resolveFieldPath(const MessageDefinition& definition, const std::string& path,
                            const std::string& topic) {
   if (path == "auto") return resolveAutomatic(definition, topic);
-  if (const auto components = parsePath(path)) {
+  const auto components = parsePath(path);
+  if (components) {
     if (const auto found = follow(definition, *components, 0)) return *found;
     const std::string alias = components->empty() ? "" : components->front().name;
     if (alias == lastPart(topic) || alias == snakeCase(lastPart(definition.root().name)))
       if (const auto found = follow(definition, *components, 1)) return *found;
   }
   throw ConfigurationError("topic '" + topic + "' of type " + definition.root().name +
-                           " has no numeric field '" + path + "'; " + listFields(definition, path));
+                           " has no numeric field '" + path + "'; " + listFields(definition, path) +
+                           aboutNames(components));
 }
 
 }  // namespace uncertainty_identification

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "ros/field_path.h"
 #include "ros/message_definition.h"
@@ -25,7 +26,9 @@ void requireComplete(const MessageDefinition& definition, SerialisedMessage mess
 /// never reads beyond the end of a message, whatever bytes it contains.
 class MessageDecoder {
  public:
-  /// `path` names a numeric field, such as "twist.twist.linear.x" or "effort[0]". All builtin types
+  /// `path` names a numeric field, such as "twist.twist.linear.x", "effort[0]" or, where the array
+  /// `name` of the same message lists the names of the elements, "effort[wheel_left]": its place is
+  /// looked up in each message, and a number as name stands in quotes. All builtin types
   /// but string are numeric; time and duration are read in seconds. The path "auto" means the only
   /// numeric field outside a std_msgs/Header. The path may begin with the last part of the topic's
   /// or the type's name if there is no field of that name: "joint_states.effort[0]" reads
@@ -35,8 +38,13 @@ class MessageDecoder {
                  const std::string& topic);
 
   /// The value of the field; 1 for true. Throws DataError when the message is shorter than its
-  /// definition needs or has no array element of that index.
+  /// definition needs, has no array element of that index or name (the message of the error lists
+  /// the names), or has more or fewer names than elements.
   double value(SerialisedMessage message) const;
+
+  /// The names that this message gives to the elements of the array in the path, in their order;
+  /// empty: it has none. Throws DataError as above.
+  std::vector<std::string> elementNames(SerialisedMessage message) const;
 
   /// Whether messages have a stamp because they begin with a std_msgs/Header.
   bool hasStamp() const { return definition_->hasHeader(); }

@@ -34,8 +34,10 @@ std::optional<std::size_t> givenChannel(const Survey& survey, const SignalOption
   for (std::size_t i = 0; i < survey.channels.size(); ++i) {
     const Channel& channel = survey.channels[i];
     const bool by_column = !channel.column.empty() && channel.column == signal.column;
-    const bool by_field = !channel.topic.empty() && channel.topic == absolute(signal.topic) &&
-                          isMeant(channel.field, signal.field);
+    const bool by_field =
+        !channel.topic.empty() && channel.topic == absolute(signal.topic) &&
+        (isMeant(channel.field, signal.field) ||
+         (!channel.numbered_field.empty() && isMeant(channel.numbered_field, signal.field)));
     if (by_column || by_field) return i;
   }
   return std::nullopt;
