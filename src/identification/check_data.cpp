@@ -1,5 +1,6 @@
 #include "data/experiment_checks.h"
 #include "identification/steps.h"
+#include "inspection/closed_loop.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
@@ -21,6 +22,8 @@ CheckedData checkData(const Configuration& configuration,
     throw DataError(experiments.empty()
                         ? "no experiments were given"
                         : "no usable experiment is left:" + reasonsOf(checked.rejected));
+  if (auto warning = closedLoopWarning(followingOf(data.experiments), "the input", "the output"))
+    journal->warnings.push_back(std::move(*warning));
   data.blocks = makeBlocks(data.experiments);
   return data;
 }

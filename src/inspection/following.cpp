@@ -14,8 +14,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index kOrder = 10;            // [samples] of its past that predict a signal
-constexpr Index kLags = 20;             // at which signals may answer
+constexpr int kOrder = 10;              // [samples] of its past that predict a signal
+constexpr int kLags = 20;               // at which signals may answer
 constexpr Index kLate = 40;             // up to which lags show what chance does
 constexpr double kPerPeriod = 10;       // samples a period of the output's bandwidth
 constexpr double kMostSamples = 40000;  // of a record
@@ -116,19 +116,43 @@ double laggedProduct(const std::vector<VectorXd>& later, const std::vector<Vecto
   return sum;
 }
 
-/// The largest correlation within kLags, its lag, and the sizes at the lags beyond.
+/// Correlation of later(t) with earlier(t - lag) for lags from 0 to `most`.
+std::vector<double> correlations(const std::vector<VectorXd>& later,
+                                 const std::vector<VectorXd>& earlier, Index most) {
+  const double scale = std::sqrt(energyOf(later) * energyOf(earlier));
+  std::vector<double> found;
+  for (Index lag = 0; lag <= most; ++lag)
+    found.push_back(laggedProduct(later, earlier, lag) / scale);
+  return found;
+}
+
+/// Takes off a correlation of u with an earlier y what the answer of y to u makes of a correlation
+/// of u with its own past. There is one beyond kOrder where u holds its values for longer. Where
+/// this explains nothing, as of a chirp, which is never new, the correlation stays.
+void takeOffOwnPast(const std::vector<double>& y_after_u, const std::vector<double>& u_after_u,
+                    std::vector<double>& u_after_y) {
+  for (std::size_t lag = 1; lag < u_after_y.size(); ++lag) {
+    double own = 0;
+    for (std::size_t delay = 0; delay <= kLags; ++delay)
+      if (lag + delay > kOrder && std::abs(u_after_u[lag + delay]) > kMatters)
+        own += y_after_u[delay] * u_after_u[lag + delay];
+    const double rest = u_after_y[lag] - own;
+    if (std::abs(rest) < std::abs(u_after_y[lag])) u_after_y[lag] = rest;
+  }
+}
+
+/// The largest correlation within kLags, its lag, and the largest at the lags beyond.
 struct LargestCorrelation {
   double size = 0;
   Index lag = 0;
-  std::vector<double> late = {};
+  double late = 0;
 };
 
-LargestCorrelation largestOf(const std::vector<VectorXd>& later,
-                             const std::vector<VectorXd>& earlier, Index first, double scale) {
+LargestCorrelation largestOf(const std::vector<double>& found, Index first) {
   LargestCorrelation largest;
   for (Index lag = first; lag <= kLate; ++lag) {
-    const double size = std::abs(laggedProduct(later, earlier, lag)) / scale;
-    if (lag > kLags) largest.late.push_back(size);
+    const double size = std::abs(found[static_cast<std::size_t>(lag)]);
+    if (lag > kLags) largest.late = std::max(largest.late, size);
     if (lag > kLags || size <= largest.size) continue;
     largest.size = size;
     largest.lag = lag;
@@ -161,17 +185,17 @@ Following followingOf(const Channel& input, const Channel& output, double output
   if (samples < kFewest * kLate) return following;
   const std::vector<VectorXd> u = novelties(records, &CommonRecord::u);
   const std::vector<VectorXd> y = novelties(records, &CommonRecord::y);
-  const double scale = std::sqrt(energyOf(u) * energyOf(y));
-  if (!(scale > 0)) return following;
-  const LargestCorrelation after = largestOf(y, u, 0, scale), before = largestOf(u, y, 1, scale);
-  const double late = std::max(*std::max_element(after.late.begin(), after.late.end()),
-                               *std::max_element(before.late.begin(), before.late.end()));
+  if (!(energyOf(u) * energyOf(y) > 0)) return following;
+  const std::vector<double> y_after_u = correlations(y, u, kLate);
+  std::vector<double> u_after_y = correlations(u, y, kLate);
+  takeOffOwnPast(y_after_u, correlations(u, u, kLate + kLags), u_after_y);
+  const LargestCorrelation after = largestOf(y_after_u, 0), before = largestOf(u_after_y, 1);
   following.measured = true;
   following.after = after.size;
   following.delay = static_cast<double>(after.lag) * following.period;
   following.before = before.size;
   following.lead = static_cast<double>(before.lag) * following.period;
-  following.chance = std::max(2 / std::sqrt(samples), late);
+  following.chance = std::max({2 / std::sqrt(samples), after.late, before.late});
   return following;
 }
 

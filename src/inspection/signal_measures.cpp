@@ -87,6 +87,8 @@ const StampedSignal* longestRecord(const Channel& channel) {
   return longest == channel.records.end() ? nullptr : &*longest;
 }
 
+}  // namespace
+
 std::optional<double> bandHertz(const Channel& channel) {
   const StampedSignal* record = longestRecord(channel);
   if (record == nullptr || record->values.size() < kShortest) return std::nullopt;
@@ -100,8 +102,6 @@ std::optional<double> bandHertz(const Channel& channel) {
   if (!(signal.maxCoeff() > signal.minCoeff())) return std::nullopt;
   return bandwidth(signal) / period;
 }
-
-}  // namespace
 
 SignalMeasures measure(const Channel& channel) {
   SignalMeasures measures;

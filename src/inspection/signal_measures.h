@@ -29,4 +29,7 @@ struct SignalMeasures {
 
 SignalMeasures measure(const Channel& channel);
 
+/// SignalMeasures::band of the longest record; nothing where it is too short or does not move.
+std::optional<double> bandHertz(const Channel& channel);
+
 }  // namespace uncertainty_identification

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "data/text.h"
+#include "inspection/closed_loop.h"
 #include "inspection/suggestion.h"
 #include "io/inspection_tables.h"
 #include "io/printable.h"
@@ -52,17 +53,11 @@ std::string loopText(const InspectedData& data, const SignalPair& pair) {
   const Following& following = pair.following;
   if (!following.measured) return "";
   const std::string u = nameIn(data, pair.input), y = nameIn(data, pair.output);
-  if (!following.inputFollows()) return "Closed loop: no sign that " + u + " follows " + y + ".";
-  const std::string how = u + " follows " + y + " after about " + rounded(following.lead) +
-                          " s (correlation " + twoDigits(following.before) + ")";
-  if (following.before > following.after)
-    return "Careful: " + how +
-           ", more than the other way round: input and output may be exchanged, or a controller "
-           "computes the input.";
-  return "Closed loop: perhaps, as " + how +
-         "; a controller that computes the input biases the model. Record with a known excitation, "
-         "or "
-         "identify from its setpoint.";
+  if (const auto warning = closedLoopWarning(following, u, y))
+    return (following.before > following.after ? "Careful: " : "Closed loop: perhaps, as ") +
+           *warning + ".";
+  return "Closed loop: no sign that " + u + " follows " + y +
+         "; a controller is not seen where noise is small beside the excitation.";
 }
 
 std::string othersText(const InspectedData& data) {

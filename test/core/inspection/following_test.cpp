@@ -75,6 +75,20 @@ TEST(Following, OfUnrelatedSignalsIsChance) {
   EXPECT_FALSE(found.inputFollows());
 }
 
+// What ten samples of the past do not predict of such an input depends on what was new in it
+// before.
+TEST(Following, AnInputThatHoldsItsValuesIsNotTakenForAController) {
+  std::vector<double> held, answer;
+  std::mt19937_64 random(5);
+  for (int k = 0; k < 2000; ++k) {
+    answer.push_back(k == 0 ? 0 : 0.5 * answer.back() + held.back());
+    held.push_back(k % 17 == 0 ? (random() % 2 == 0 ? 1 : -1) : held.back());
+  }
+  const Following found = followingOf(channelOf(held), channelOf(answer), 0, kPeriod);
+  EXPECT_TRUE(found.outputFollows());
+  EXPECT_FALSE(found.inputFollows()) << found.before << " after " << found.after;
+}
+
 TEST(Following, IsNotMeasuredWithoutSamplesInCommon) {
   const Loop open = simulatedLoop(0, 0.1, 1, 60);
   EXPECT_FALSE(followingOf(open.u, open.y, 0, kPeriod).measured) << "too few";
