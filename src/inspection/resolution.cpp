@@ -10,6 +10,7 @@ constexpr double kSingle = 3e-7;      // relative rounding of single precision, 
 constexpr double kNearWhole = 0.1;    // [steps] a multiple may differ from a whole number
 constexpr double kAgreeing = 0.95;    // share of the differences that must be multiples
 constexpr double kTypicalSteps = 30;  // [steps] median difference above which a match says little
+constexpr double kDense = 3;          // [roundings] median difference of values without gaps
 constexpr std::size_t kCompared = 5000;  // differences
 
 /// Share of the differences that are whole multiples, and the step that fits them best.
@@ -29,16 +30,30 @@ StepMatch matchOf(const std::vector<double>& differences, double step) {
   return {agreeing / static_cast<double>(differences.size()), steps > 0 ? length / steps : 0};
 }
 
+/// Whether levels lie hardly farther apart than the rounding that was merged. Then the values
+/// differ by less than that all along: a counter of millions, or noise on a large offset.
+bool areDense(const std::vector<double>& levels, double rounding) {
+  if (levels.size() < 3) return false;
+  std::vector<double> differences;
+  differences.reserve(levels.size());
+  for (std::size_t i = 1; i < levels.size(); ++i) differences.push_back(levels[i] - levels[i - 1]);
+  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
+  std::nth_element(differences.begin(), middle, differences.end());
+  return *middle < kDense * rounding;
+}
+
 }  // namespace
 
 std::vector<double> levelsOf(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  std::vector<double> levels;
-  if (values.empty()) return levels;
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  if (values.empty()) return values;
   const double rounding = kSingle * std::max(std::abs(values.front()), std::abs(values.back()));
+  std::vector<double> levels;
   for (const double value : values)
     if (levels.empty() || value - levels.back() > rounding) levels.push_back(value);
-  return levels;
+  const bool merged = levels.size() < values.size();
+  return merged && areDense(levels, rounding) ? values : levels;
 }
 
 double resolutionOf(const std::vector<double>& levels) {

@@ -28,6 +28,24 @@ TEST(Levels, CountValuesOnceThatDifferByTheRoundingOfSinglePrecision) {
   EXPECT_EQ(levelsOf({0.1, 0.1001, 0.2}).size(), 3u);
 }
 
+TEST(Levels, OfACounterOfMillionsAreAllItsCounts) {
+  std::vector<double> counts(4000000);
+  for (std::size_t k = 0; k < counts.size(); ++k) counts[k] = static_cast<double>(k);
+  const Levels levels = levelsOf(counts);
+  EXPECT_EQ(levels.size(), counts.size());
+  EXPECT_DOUBLE_EQ(resolutionOf(levels), 1);
+  for (double& count : counts) count *= 1e-3;  // as a time in seconds
+  EXPECT_NEAR(resolutionOf(levelsOf(counts)), 1e-3, 1e-9);
+}
+
+TEST(Levels, OfNoiseOnALargeOffsetHaveNoResolution) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal(101325, 5);
+  std::vector<double> pressures(200000);
+  for (double& pressure : pressures) pressure = normal(random);
+  EXPECT_EQ(resolutionOf(levelsOf(pressures)), 0);
+}
+
 TEST(Resolution, OfALatticeIsItsStepWhereverItStarts) {
   EXPECT_DOUBLE_EQ(resolutionOf({0, 0.25, 0.5, 0.75}), 0.25);
   EXPECT_NEAR(resolutionOf({273.15, 273.65, 274.15, 275.65}), 0.5, 1e-9);
