@@ -25,7 +25,7 @@ bool isSameFile(const fs::path& left, const fs::path& right) {
 }
 
 bool isData(const fs::path& path) {
-  return path.extension() == ".csv" || path.extension() == ".bag";
+  return path.extension() == ".csv" || path.extension() == ".tsv" || path.extension() == ".bag";
 }
 
 void requireOther(const std::string& path, const std::string& input) {
@@ -61,6 +61,15 @@ void requireWritable(const std::string& path, const std::vector<std::string>& in
   if (access(folder.c_str(), W_OK | X_OK) != 0) {
     throw FileError(path + ": cannot be written: " + folder + ": " + std::strerror(errno));
   }
+}
+
+void requireDistinct(const std::vector<std::string>& outputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (!isDeviceOrPipe(outputs[i]) && isSameFile(outputs[i], outputs[j]))
+        throw FileError(outputs[i] +
+                        ": is named for two outputs, of which one would replace the other; name "
+                        "two files");
 }
 
 void makeEmptyFolder(const std::string& path) {

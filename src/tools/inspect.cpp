@@ -25,9 +25,12 @@ int run(const po::variables_map& arguments) {
     throw ui::ConfigurationError("no DATA given; see inspect --help");
   const auto paths = arguments["data"].as<std::vector<std::string>>();
   const bool has_config = arguments.count("config") > 0;
+  std::vector<std::string> outputs;
   for (const char* output : {"write", "html"})
-    if (arguments.count(output) > 0)
-      ui::requireWritable(arguments[output].as<std::string>(), ui::inputArguments(arguments));
+    if (arguments.count(output) > 0) outputs.push_back(arguments[output].as<std::string>());
+  for (const std::string& output : outputs)
+    ui::requireWritable(output, ui::inputArguments(arguments));
+  ui::requireDistinct(outputs);
   const ui::Configuration configuration =
       has_config ? ui::loadConfiguration(arguments["config"].as<std::string>())
                  : ui::Configuration();

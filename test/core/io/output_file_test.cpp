@@ -42,6 +42,20 @@ TEST_F(OutputFile, IsNoneOfTheInputsHoweverItIsSpelled) {
   }
 }
 
+TEST_F(OutputFile, IsNamedOnce) {
+  const auto refusal_of = [](const std::vector<std::string>& outputs) {
+    return messageOf<FileError>([&] { requireDistinct(outputs); });
+  };
+  const std::string file = folder_ / "new.yaml", same = folder_ / "data/../new.yaml";
+  EXPECT_NE(refusal_of({file, same}).find(same + ": is named for two outputs"), std::string::npos);
+  std::ofstream(folder_ / "page.html") << "x";
+  fs::create_hard_link(folder_ / "page.html", folder_ / "link.html");
+  EXPECT_NE(refusal_of({folder_ / "page.html", file, folder_ / "link.html"}), "no exception");
+  EXPECT_EQ(refusal_of({file, folder_ / "page.html"}), "no exception");
+  EXPECT_EQ(refusal_of({"/dev/null", "/dev/null"}), "no exception");
+  EXPECT_EQ(refusal_of({}), "no exception");
+}
+
 TEST_F(OutputFile, MayLieBesideTheInputs) {
   std::ofstream(folder_ / "data/result.json") << "{}";
   EXPECT_EQ(refusal(folder_ / "data/result.json", {data_, folder_ / "data"}), "no exception");

@@ -150,6 +150,15 @@ TEST_F(Inspect, ReplacesNoInputAndWritesNothingThatWouldNotWork) {
   EXPECT_EQ(runTool("inspect", {"--write", data, data}).status, 2);
   EXPECT_EQ(runTool("inspect", {"--write", data, folder_.path()}).status, 2);
   EXPECT_EQ(readFile(data), before);
+  const std::string both = folder_ / "both.html";
+  const ProcessResult twice = runTool("inspect", {"--write", both, "--html", both, data});
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_TRUE(mentions(twice.errors, "is named for two outputs")) << twice.errors;
+  EXPECT_FALSE(std::filesystem::exists(both));
+  const std::string tabs = write("tabs.tsv", before);
+  EXPECT_EQ(runTool("inspect", {"--html", tabs, folder_.path()}).status, 2);
+  EXPECT_EQ(readFile(tabs), before);
+  std::filesystem::remove(tabs);
   const std::string still = write("still.csv", "t,u,y\n0,1,2\n1,1,2\n2,1,2\n");
   const ProcessResult refused = runTool("inspect", {"--write", folder_ / "c.yaml", still});
   EXPECT_EQ(refused.status, 1);
