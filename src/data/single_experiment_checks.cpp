@@ -59,8 +59,11 @@ std::optional<Eigen::Index> firstNonFinite(const Eigen::VectorXd& values) {
 
 void checkFinite(const Experiment& experiment, Findings& findings) {
   if (const auto k = firstNonFinite(experiment.u)) {
+    const auto bad = experiment.u.size() - experiment.u.array().isFinite().count();
     findings.reject("the input is " + text(experiment.u(*k)) + " at " + place(experiment, *k) +
-                    "; record a finite input throughout");
+                    ", and NaN or infinite in " + std::to_string(bad) + " of " +
+                    std::to_string(experiment.u.size()) +
+                    " samples; record a finite input throughout");
   }
   for (int k = 0; k < experiment.samples(); ++k) {
     if (!experiment.isValid(k) || std::isfinite(experiment.y(k))) continue;
@@ -96,6 +99,13 @@ void checkCovariates(const Experiment& experiment, const std::vector<std::string
 
 void checkCounts(const Experiment& experiment, const LimitOptions& limits, Findings& findings) {
   const int samples = experiment.samples(), measured = experiment.validSamples();
+  if (measured == 0) {
+    findings.reject(
+        "none of its " + std::to_string(samples) +
+        " outputs is a number: they are NaN, infinite, empty or were not received; check "
+        "the sensor, and that the right column or field is read");
+    return;
+  }
   if (measured < limits.min_samples) {
     findings.reject("it has " + std::to_string(measured) +
                     " measured samples, fewer than limits.min_samples " +

@@ -57,6 +57,7 @@ void TopicRouter::add(const std::string& topic, const RawMessage& message) {
     try {
       StampedValue sample = route.decoder.decode(message);
       sample.value = route.signal.scaled(sample.value);
+      ++route.count.received;
       if (!std::isfinite(sample.value)) countNotFinite(route.count, sample.value);
       route.deliver(sample);
     } catch (const DataError& error) {
@@ -118,6 +119,11 @@ std::vector<std::string> TopicRouter::stampedOnReceipt() const {
 std::vector<std::string> TopicRouter::warnings() const {
   std::vector<std::string> warnings;
   const auto add = [&warnings](const Count& count) {
+    if (count.not_finite > 0)
+      warnings.push_back(count.key + ": " + std::to_string(count.not_finite) + " of " +
+                         std::to_string(count.received) + " samples of topic '" + count.topic +
+                         "' are NaN or infinite; as an output they count as missing, as an input "
+                         "or covariate they make the experiment unusable");
     if (count.left_out == 0) return;
     warnings.push_back(count.key + ": " + std::to_string(count.left_out) + " messages of topic '" +
                        count.topic + "' were left out; the first because " + count.reason);

@@ -51,8 +51,8 @@ class TopicRouter {
   /// that are not finite. Each signal is reported only once.
   std::vector<std::string> takeProblems();
 
-  /// One sentence for each signal with messages that were left out: how many, and why the first
-  /// one.
+  /// One sentence for each signal with messages that were left out (how many, and why the first
+  /// one), and one for each with samples that are NaN or infinite.
   std::vector<std::string> warnings() const;
 
  private:
@@ -61,6 +61,7 @@ class TopicRouter {
     TopicRole role;
     long left_out = 0;
     long not_finite = 0;
+    long received = 0;     // samples, whatever their value
     std::string reason{};  // why the first one was left out
   };
   struct Route {

@@ -103,6 +103,11 @@ TEST_F(TopicRouterTest, SamplesThatAreNotFiniteAreCountedAndToldOnce) {
             std::string::npos)
       << problems[0];
   for (const auto& use : router_.uses()) EXPECT_EQ(use.not_finite, use.key == "output" ? 3 : 0);
+  const auto warnings = router_.warnings();
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("output: 3 of 5 samples of topic '/sensor/measurement' are NaN"),
+            std::string::npos)
+      << warnings[0];
 }
 
 TEST_F(TopicRouterTest, AMarkerWhoseNameIsNoTextIsEscaped) {
