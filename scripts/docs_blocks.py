@@ -7,7 +7,7 @@ import subprocess
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), ".."))
 PROGRAMS = os.path.join(ROOT, "build/devel/lib/uncertainty_identification")
 PATH = PROGRAMS + ":" + os.environ["PATH"]
-COMMENT = r"<!-- (not run|synopsis|file|printed|keeps running|before)(?:: (.*))? -->"
+COMMENT = r"<!-- (synopsis|printed|(?:not run|file|keeps running|before)(?=: ))(?:: (.+))? -->"
 FENCES = {"sh": "commands", "bash": "commands", "yaml": "configuration"}
 
 
