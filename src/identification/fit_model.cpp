@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "estimation/linearisation.h"
@@ -57,6 +58,15 @@ void optimise(const Problem& problem, OptimisationOptions options, int passes,
   fitted->optimum = std::move(next);
 }
 
+/// A few steps only: while the points of linearisation move, so does the optimum.
+OptimisationOptions fewSteps(const Problem& problem, OptimisationOptions options,
+                             const Optimum& before) {
+  constexpr int kFew = 5;
+  if (problem.configuration.estimation.algorithm != Algorithm::em)
+    options.max_iterations = std::min(options.max_iterations, before.iterations + kFew);
+  return options;
+}
+
 /// Alternates between optimising and linearising about the new posterior means until these, or the
 /// likelihood, no longer move: about a kink, as a dead time has at each sample, points may move to
 /// and fro. The estimate then maximises the likelihood linearised about its own posterior
@@ -66,25 +76,28 @@ void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& opt
   constexpr int kMostRounds = 50, kStill = 3;
   constexpr double kImmaterial = 0.01;  // [nats]
   optimise(problem, options, journal->passes, fitted);
+  bool complete = true;  // not with a few steps only
   for (int round = 0, still = 0; fitted->model->isLocallyLinear(); ++round) {
     const double before = fitted->optimum.log_likelihood;
     Optimum& optimum = fitted->optimum;
     if (journal->progress.searchEnds() || optimum.iterations >= options.max_iterations) return;
     Linearisation next =
         nextLinearisation(*fitted->model, *fitted->likelihood, optimum.point, points);
-    if (next.move < kFixedPointTolerance) return;
-    if (round == kMostRounds) {
+    const bool arrived = next.move < kFixedPointTolerance || still >= kStill;
+    if (arrived && complete) return;
+    if (round >= kMostRounds && complete) {
       optimum.termination = Termination::stalled;
       optimum.message =
           "the points about which the model is linearised did not converge; the experiments may "
           "be too short to determine their own parameters";
       return;
     }
+    complete = arrived || round >= kMostRounds;
     points = std::move(next.points);
     useModel(problem, std::move(next.model), fitted, journal);
-    optimise(problem, options, journal->passes, fitted);
+    optimise(problem, complete ? options : fewSteps(problem, options, optimum), journal->passes,
+             fitted);
     still = std::abs(fitted->optimum.log_likelihood - before) < kImmaterial ? still + 1 : 0;
-    if (still == kStill) return;
   }
 }
 

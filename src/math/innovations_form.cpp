@@ -28,21 +28,8 @@ MatrixXd observerTransition(const VectorXd& d) {
   return F;
 }
 
-InnovationsForm::InnovationsForm(const VectorXd& c, const VectorXd& d)
-    : F(observerTransition(d)),
-      K(c - d),
-      P(MatrixXd::Zero(d.size(), d.size())),
-      gain(VectorXd::Zero(d.size())) {}
-
 MatrixXd InnovationsForm::stationaryCovariance() const {
   return solveLyapunov(F, K * K.transpose());
-}
-
-void InnovationsForm::step(bool measured) {
-  S = P(0, 0) + 1;
-  gain = (F * P.col(0) + K) / S;
-  P = (F * P * F.transpose() + K * K.transpose()).eval();
-  if (measured) P -= S * gain * gain.transpose();
 }
 
 }  // namespace uncertainty_identification

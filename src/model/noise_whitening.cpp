@@ -4,39 +4,18 @@
 #include <cmath>
 
 #include "math/innovations_form.h"
+#include "model/kalman_gains.h"
 #include "model/pack.h"
 
 namespace uncertainty_identification {
 namespace {
 
+using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Derivative of the Riccati recursion of InnovationsForm in the direction (dF, dK).
-struct RiccatiDerivative {
-  VectorXd dd, dK;  ///< derivatives of d (F = [-d | shift]) and K
-  MatrixXd dP;
-  double dS = 0;
-  VectorXd dgain;
-
-  /// Must be called before `base.step()`, while `base` still holds P of this step. Computes the
-  /// derivatives of S and gain.
-  void step(const InnovationsForm& base, bool measured) {
-    const MatrixXd& P = base.P;
-    const double S = P(0, 0) + 1;
-    const VectorXd gain = (base.F * P.col(0) + base.K) / S;
-    dS = dP(0, 0);
-    dgain = (base.F * dP.col(0) - dd * P(0, 0) + dK - gain * dS) / S;
-    const MatrixXd moved = -dd * (P.row(0) * base.F.transpose());  // dF P F'
-    MatrixXd next = base.F * dP * base.F.transpose() + moved + moved.transpose() +
-                    dK * base.K.transpose() + base.K * dK.transpose();
-    if (measured) {
-      next -=
-          S * (dgain * gain.transpose() + gain * dgain.transpose()) + dS * gain * gain.transpose();
-    }
-    dP = next;
-  }
-};
+/// In place of a parameter: the value itself, not a derivative.
+constexpr int kValue = -1;
 
 struct View {
   int order, samples, first, varying;
@@ -109,104 +88,71 @@ NoiseWhitening::NoiseWhitening(const VectorXd& c, const VectorXd& d, NoiseStart 
       nc_(static_cast<int>(c.size())),
       nd_(static_cast<int>(d.size())),
       first_(std::min(first, block.samples)),
-      start_(start),
       c_(padded(c, order_)),
       d_(padded(d, order_)),
       block_(block),
-      derivatives_(derivatives),
       log_jacobian_(Lanes::Zero()) {
   effective_samples_ = block.weight.rightCols(block.samples - first_).rowwise().sum();
-  if (derivatives_)
+  if (derivatives)
     log_jacobian_derivatives_.assign(static_cast<std::size_t>(nc_ + nd_), Lanes::Zero());
-  if (order_ == 0 || (start_ == NoiseStart::zero && !block.gaps)) return;
-
-  gains_.assign(static_cast<std::size_t>(order_), Signals(kLanes, block.samples));
-  for (int i = 0; i < order_; ++i) gains_[static_cast<std::size_t>(i)].setConstant(c_[i]);
-  scale_.setOnes(kLanes, block.samples);
-  if (derivatives_) {
-    gain_derivatives_.resize(static_cast<std::size_t>(nc_ + nd_));
-    for (int j = 0; j < nc_ + nd_; ++j) {
-      auto& of_parameter = gain_derivatives_[static_cast<std::size_t>(j)];
-      of_parameter.assign(static_cast<std::size_t>(order_), Signals::Zero(kLanes, block.samples));
-      if (j < nc_) of_parameter[static_cast<std::size_t>(j)].setOnes();
-    }
-    scale_derivatives_.assign(static_cast<std::size_t>(nc_ + nd_),
-                              Signals::Zero(kLanes, block.samples));
-  }
-  MatrixXd P0;
-  std::vector<MatrixXd> dP0;
-  prepareStart(&P0, &dP0);
-  for (int lane = 0; lane < block.lanes; ++lane) recursion(lane, P0, dP0);
-}
-
-void NoiseWhitening::prepareStart(MatrixXd* P0, std::vector<MatrixXd>* dP0) const {
-  const InnovationsForm form(c_, d_);
-  const MatrixXd& F = form.F;
-  const VectorXd& K = form.K;
-  *P0 = start_ == NoiseStart::stationary ? form.stationaryCovariance() : form.P;
-  if (!derivatives_) return;
-  for (int j = 0; j < nc_ + nd_; ++j) {
-    dP0->push_back(MatrixXd::Zero(order_, order_));
-    if (start_ != NoiseStart::stationary) continue;
-    const bool of_c = j < nc_;
-    const VectorXd dd =
-        of_c ? VectorXd(VectorXd::Zero(order_)) : VectorXd(VectorXd::Unit(order_, j - nc_));
-    const VectorXd dK = of_c ? VectorXd(VectorXd::Unit(order_, j)) : VectorXd(-dd);
-    const MatrixXd moved = -dd * (P0->row(0) * F.transpose());
-    dP0->back() =
-        solveLyapunov(F, moved + moved.transpose() + dK * K.transpose() + K * dK.transpose());
-  }
-}
-
-void NoiseWhitening::recursion(int lane, const MatrixXd& P0, const std::vector<MatrixXd>& dP0) {
-  if (lane > 0 &&
-      !block_.gaps) {  // without gaps all lanes share the gains of the first, which is the longest
-    for (Signals& gain : gains_) gain.row(lane) = gain.row(0);
-    scale_.row(lane) = scale_.row(0);
-    const int end = std::min(varying_, block_.lengths[static_cast<std::size_t>(lane)]);
-    const int count = std::max(end - first_, 0);
-    log_jacobian_[lane] = scale_.row(0).segment(first_, count).log().sum();
-    for (std::size_t j = 0; j < scale_derivatives_.size(); ++j) {
-      for (Signals& gain : gain_derivatives_[j]) gain.row(lane) = gain.row(0);
-      scale_derivatives_[j].row(lane) = scale_derivatives_[j].row(0);
-      log_jacobian_derivatives_[j][lane] = (scale_derivatives_[j].row(0).segment(first_, count) /
-                                            scale_.row(0).segment(first_, count))
-                                               .sum();
-    }
+  if (order_ == 0 || (start == NoiseStart::zero && !block.gaps)) return;
+  const NoisePolynomials noise{c_, d_, derivatives ? nc_ : 0, derivatives ? nd_ : 0, start};
+  if (!block.gaps) {
+    shareGains(kalmanGains(noise, block, 0, first_, true));
     return;
   }
-  InnovationsForm base(c_, d_);
-  base.P = P0;
-  std::vector<RiccatiDerivative> tangents;
-  for (int j = 0; derivatives_ && j < nc_ + nd_; ++j) {
-    const VectorXd unit = VectorXd::Unit(order_, j < nc_ ? j : j - nc_);
-    const VectorXd dd = j < nc_ ? VectorXd(0 * unit) : unit;
-    tangents.push_back(
-        {dd, j < nc_ ? unit : VectorXd(-unit), dP0[static_cast<std::size_t>(j)], 0, VectorXd()});
-  }
-  const int end = block_.lengths[static_cast<std::size_t>(lane)];
-  for (int t = first_; t < end; ++t) {
-    const bool measured = block_.weight(lane, t) != 0;
-    for (std::size_t j = 0; j < tangents.size(); ++j) tangents[j].step(base, measured);
-    base.step(measured);
-    scale_(lane, t) = 1 / std::sqrt(base.S);
-    double change = base.P.cwiseAbs().maxCoeff();
-    for (int i = 0; i < order_; ++i)
-      gains_[static_cast<std::size_t>(i)](lane, t) = base.gain[i] + d_[i];
-    if (measured) log_jacobian_[lane] -= 0.5 * std::log(base.S);
-    for (std::size_t j = 0; j < tangents.size(); ++j) {
-      const RiccatiDerivative& tangent = tangents[j];
-      for (int i = 0; i < order_; ++i) {
-        gain_derivatives_[j][static_cast<std::size_t>(i)](lane, t) =
-            tangent.dgain[i] + tangent.dd[i];
-      }
-      scale_derivatives_[j](lane, t) = -0.5 * tangent.dS / (base.S * std::sqrt(base.S));
-      if (measured) log_jacobian_derivatives_[j][lane] -= 0.5 * tangent.dS / base.S;
-      change = std::max(change, tangent.dP.cwiseAbs().maxCoeff());
+  for (int lane = 0; lane < block.lanes; ++lane)
+    setGains(lane, kalmanGains(noise, block, lane, first_, false));
+}
+
+/// Without gaps all lanes share the gains of the first, which is the longest.
+void NoiseWhitening::shareGains(const MatrixXd& gains) {
+  varying_ = static_cast<int>(gains.cols());
+  for (Index row = 0; row < gains.rows(); ++row)
+    gains_.push_back(gains.row(row).array().replicate(kLanes, 1));
+  for (int lane = 0; lane < block_.lanes; ++lane) {
+    const int end = std::min(varying_, block_.lengths[static_cast<std::size_t>(lane)]);
+    const bool as_before = lane > 0 && end == varying_;
+    if (!as_before) {
+      addLogJacobian(lane, end);
+      continue;
     }
-    varying_ = std::max(varying_, t + 1);
-    if (!block_.gaps && change < 1e-17) break;  // P = 0: the initial state is forgotten
+    log_jacobian_[lane] = log_jacobian_[0];
+    for (Lanes& derivative : log_jacobian_derivatives_) derivative[lane] = derivative[0];
   }
+}
+
+/// The first lane, which is the longest, decides how many samples are kept.
+void NoiseWhitening::setGains(int lane, const MatrixXd& gains) {
+  if (lane == 0) {
+    varying_ = static_cast<int>(gains.cols());
+    gains_.assign(static_cast<std::size_t>(gains.rows()), Signals::Zero(kLanes, varying_));
+  }
+  for (std::size_t row = 0; row < gains_.size(); ++row)
+    gains_[row].row(lane).head(gains.cols()) = gains.row(static_cast<Index>(row)).array();
+  addLogJacobian(lane, static_cast<int>(gains.cols()));
+}
+
+/// Of the measured samples before `end`.
+void NoiseWhitening::addLogJacobian(int lane, int end) {
+  for (int t = first_; t < end; ++t) {
+    if (block_.weight(lane, t) == 0) continue;
+    const double scale = scaleOf(kValue)(lane, t);
+    log_jacobian_[lane] += std::log(scale);
+    for (std::size_t j = 0; j < log_jacobian_derivatives_.size(); ++j)
+      log_jacobian_derivatives_[j][lane] += scaleOf(static_cast<int>(j))(lane, t) / scale;
+  }
+}
+
+const Signals& NoiseWhitening::scaleOf(int parameter) const {
+  return gains_[static_cast<std::size_t>((order_ + 1) * (parameter + 1) + order_)];
+}
+
+std::vector<const double*> NoiseWhitening::gainsOf(int parameter) const {
+  std::vector<const double*> gains;
+  for (int i = 0; i < order_ && varying_ > 0; ++i)
+    gains.push_back(gains_[static_cast<std::size_t>((order_ + 1) * (parameter + 1) + i)].data());
+  return gains;
 }
 
 void NoiseWhitening::apply(const Signals& v, Signals* e) const { apply(v, e, nullptr); }
@@ -217,8 +163,7 @@ void NoiseWhitening::apply(const Signals& v, Signals* e, std::vector<Signals>* d
     e->rightCols(v.cols() - first_) = (v * block_.weight).rightCols(v.cols() - first_);
     return;
   }
-  std::vector<const double*> gains;
-  for (const Signals& gain : gains_) gains.push_back(gain.data());
+  const std::vector<const double*> gains = gainsOf(kValue);
   const View view{order_,
                   static_cast<int>(v.cols()),
                   first_,
@@ -226,7 +171,7 @@ void NoiseWhitening::apply(const Signals& v, Signals* e, std::vector<Signals>* d
                   c_.data(),
                   d_.data(),
                   gains.data(),
-                  packs(scale_),
+                  varying_ > 0 ? packs(scaleOf(kValue)) : nullptr,
                   packs(block_.weight),
                   block_.gaps};
   Signals nu(kLanes, v.cols()), effective(kLanes, v.cols()), state(kLanes, order_ + 1);
@@ -235,12 +180,8 @@ void NoiseWhitening::apply(const Signals& v, Signals* e, std::vector<Signals>* d
   derivatives->resize(static_cast<std::size_t>(nc_ + nd_));
   for (int j = 0; j < nc_ + nd_; ++j) {
     const auto at = static_cast<std::size_t>(j);
-    std::vector<const double*> dgains;
-    const Pack* dscale = nullptr;
-    if (varying_ > 0) {
-      for (const Signals& gain : gain_derivatives_[at]) dgains.push_back(gain.data());
-      dscale = packs(scale_derivatives_[at]);
-    }
+    const std::vector<const double*> dgains = gainsOf(j);
+    const Pack* dscale = varying_ > 0 ? packs(scaleOf(j)) : nullptr;
     (*derivatives)[at].setZero(kLanes, v.cols());
     whitenDerivative(view, j < nc_, j < nc_ ? j : j - nc_, dgains.data(), dscale, packs(nu),
                      packs(effective), packs(&(*derivatives)[at]), packs(&state));

@@ -43,19 +43,21 @@ class NoiseWhitening {
   int parameters() const { return nc_ + nd_; }
 
  private:
-  void recursion(int lane, const Eigen::MatrixXd& P0, const std::vector<Eigen::MatrixXd>& dP0);
-  void prepareStart(Eigen::MatrixXd* P0, std::vector<Eigen::MatrixXd>* dP0) const;
+  void shareGains(const Eigen::MatrixXd& gains);
+  void addLogJacobian(int lane, int end);
+  void setGains(int lane, const Eigen::MatrixXd& gains);
+
+  /// 1/sqrt(S_t), or its derivative with respect to a parameter; -1: the value itself.
+  const Signals& scaleOf(int parameter) const;
+
+  /// The signals g_i(t), or their derivatives; none if the gains do not vary.
+  std::vector<const double*> gainsOf(int parameter) const;
 
   int order_, nc_, nd_, first_;
-  NoiseStart start_;
   Eigen::VectorXd c_, d_;  ///< padded to order_
   const Block& block_;
-  bool derivatives_;
   int varying_ = 0;             ///< number of samples after which the gains have converged
-  std::vector<Signals> gains_;  ///< order_ signals of `varying_` samples: g_i(t)
-  Signals scale_;               ///< 1/sqrt(S_t)
-  std::vector<std::vector<Signals>> gain_derivatives_;  ///< [parameter][i]
-  std::vector<Signals> scale_derivatives_;              ///< [parameter]
+  std::vector<Signals> gains_;  ///< rows of kalmanGains() while the gains vary, for each lane
   Lanes log_jacobian_, effective_samples_;
   std::vector<Lanes> log_jacobian_derivatives_;
 };
