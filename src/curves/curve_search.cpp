@@ -5,6 +5,7 @@
 
 #include "curves/fit_comparison.h"
 #include "curves/held_out.h"
+#include "curves/prediction_check.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -249,6 +250,17 @@ bool isBetter(const CurveSearchResult& other, const CurveSearchResult& than) {
   return ratio < (other.causes.size() > than.causes.size() ? 0.7 : 0.9);
 }
 
+/// Whether the causes, which leave much unexplained, simulate better and do not predict better. In
+/// a closed loop the input holds the controller's answers to disturbances, from which the simulation
+/// drifts away: a dead zone that takes them out, or a friction that holds the simulation back, gains.
+bool isControllersAnswer(const SimulationData& data, const SimulationData& held,
+                         const CurveSearchLimits& limits, const CurveSearchResult& found) {
+  if (heldOutFit(held, Eigen::VectorXd::Constant(1, found.held_error)) > limits.clear_fit)
+    return false;
+  const PredictionGain gain = predictionGain(data, held, found.base.model, found.fit.model);
+  return gain.share < limits.least_prediction_gain || gain.t < limits.least_prediction_t;
+}
+
 }  // namespace
 
 CurveSearchResult searchCurves(const SimulationData& data, const SimulationData& held,
@@ -270,9 +282,11 @@ CurveSearchResult searchCurves(const SimulationData& data, const SimulationData&
   const double base_error = heldOutErrors(held, best.base.model).sum();
   const bool is_poor =
       heldOutFit(held, Eigen::VectorXd::Constant(1, best.held_error)) < limits.least_fit;
-  if (best.causes.empty() || (!is_poor && best.held_error < (1 - limits.least_gain) * base_error))
+  const bool is_better = !is_poor && best.held_error < (1 - limits.least_gain) * base_error;
+  if (best.causes.empty() || (is_better && !isControllersAnswer(data, held, limits, best)))
     return best;
   // What does not simulate held-out windows better than the linear plant is no cause of its errors.
+  best.refused = is_better ? std::move(best.causes) : std::vector<FoundCurve>();
   best.causes.clear();
   best.fit = best.base;
   best.held_error = base_error;

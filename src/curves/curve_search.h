@@ -30,6 +30,7 @@ struct FoundCurve {
 struct CurveSearchResult {
   WindowFit base, fit;
   std::vector<FoundCurve> causes;  ///< those with a curve are in the order of fit.model.curves
+  std::vector<FoundCurve> refused;  ///< simulate better, but do not predict better; not named
   double held_error = 0;           ///< squared, of all held-out windows
   bool ended_early = false;
 };
@@ -41,6 +42,9 @@ struct CurveSearchLimits {
   double least_gain = 0.08;  ///< of the squared error of unseen windows, and of held-out ones alone
   double least_share = 0.03;  ///< of the base's squared error of unseen windows
   double least_held_t = 1.7;  ///< paired, over held-out windows: 95 %, one-sided
+  double clear_fit = 75;      ///< [%] held out; below it the causes must predict better, too:
+  double least_prediction_gain = 0.02;  ///< of the squared error
+  double least_prediction_t = 2;        ///< paired, over held-out windows
   double least_fit = 30;      ///< [%] held out, with the causes: a poor simulation names nothing
 };
 

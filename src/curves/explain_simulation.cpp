@@ -104,6 +104,17 @@ double fitOf(const SimulationData& held, double squared_error) {
   return heldOutFit(held, Eigen::VectorXd::Constant(1, squared_error));
 }
 
+std::string refusalOf(const std::vector<FoundCurve>& refused) {
+  std::string names;
+  for (const FoundCurve& cause : refused)
+    names += (names.empty() ? "" : ", ") +
+             (cause.is_delay ? "act_delay" : causeNamed(cause.place.place, cause.shape));
+  return names +
+         ": simulates held-out data better, but predicts the next output no better than a linear "
+         "model; where a controller answers to disturbances, or a load differs from time to time, a "
+         "linear plant looks the same. Not named";
+}
+
 void describe(const CurveSearchResult& result, const SimulationData& data,
               const SimulationData& held, SimulationCauses* found) {
   found->order = result.base.model.order;
@@ -112,6 +123,7 @@ void describe(const CurveSearchResult& result, const SimulationData& data,
     found->causes.back().fit_before = fitOf(held, cause.held_before);
     found->causes.back().fit_after = fitOf(held, cause.held_after);
   }
+  if (!result.refused.empty()) found->refused = refusalOf(result.refused);
   found->fit_before = fitOf(held, heldOutErrors(held, result.base.model).sum());
   found->fit_after = fitOf(held, result.held_error);
 }

@@ -19,11 +19,15 @@ int changesOf(const Eigen::VectorXd& signal) {
 
 }  // namespace
 
+int seenSamples(const SimulationData& held, const CurveModel& model) {
+  return std::max({8 * model.order, held.longest / 10, 20});
+}
+
 std::vector<Eigen::VectorXd> heldOutSimulations(const SimulationData& held,
                                                 const CurveModel& model) {
   const std::vector<CurveTable> tables = tablesOf(model);
-  const int seen = std::max({8 * model.order, held.longest / 10, 20});
-  const std::vector<Eigen::VectorXd> initial = initialStates(held, model, seen);
+  const std::vector<Eigen::VectorXd> initial =
+      initialStates(held, model, seenSamples(held, model));
   std::vector<Eigen::VectorXd> outputs;
   for (std::size_t w = 0; w < held.windows.size(); ++w)
     outputs.push_back(simulateFreely(model, tables, held.windows[w], initial[w], false).y);

@@ -23,6 +23,9 @@ Eigen::VectorXd unseenErrors(const WindowFit& fit, const SimulationData& held);
 /// nothing. Empty where every input is a single step, which shows nothing but gain and offset.
 Eigen::VectorXd errorsBeyondGain(const SimulationData& held, const CurveModel& model);
 
+/// Number of first samples of each window that the initial state of its simulation is taken from.
+int seenSamples(const SimulationData& held, const CurveModel& model);
+
 /// Simulated outputs of the held-out windows, in the same way.
 std::vector<Eigen::VectorXd> heldOutSimulations(const SimulationData& held,
                                                 const CurveModel& model);

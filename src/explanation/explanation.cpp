@@ -267,12 +267,12 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
     explanation_.checks_before.push_back(parsimony(base));
     explanation_.checks_after.push_back(check);
   }
+  explanation_.termination =
+      progress_.outOfTime() ? Termination::iteration_limit : Termination::converged;
   conclude(&explanation_);
   describeModels(base, found);
   joinSimulation(&explanation_);
   if (progress_.cancelled()) throw CancelledError("cancelled");
-  explanation_.termination =
-      progress_.outOfTime() ? Termination::iteration_limit : Termination::converged;
   explanation_.seconds = progress_.seconds();
 }
 

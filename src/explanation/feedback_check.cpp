@@ -79,7 +79,7 @@ VectorXd filtered(const VectorXd& filter, const VectorXd& x) {
 double feedbackProbability(const Residuals& residuals, const FitData& data) {
   constexpr Index kLags = 4;                   // at which a loop answers
   constexpr Index kFirstLate = 9, kLate = 16;  // at which it has answered
-  constexpr double kNone = 1, kPeculiar = 0.01;
+  constexpr double kNone = 1, kPeculiar = 1e-3;
   Predictor of_input, of_residual;
   forEachExperiment(residuals, data, [&](const VectorXd& u, const VectorXd& w) {
     of_input.add(u);

@@ -197,6 +197,8 @@ std::vector<std::string> leadingCurves(const SimulationCauses& simulation) {
 
 void joinSimulation(Explanation* explanation) {
   if (!explanation->simulation.skipped.empty()) return;
+  if (!explanation->simulation.refused.empty())
+    explanation->warnings.push_back(explanation->simulation.refused);
   joinCurves(explanation);
   warnOfPoorSimulation(explanation);
 }

@@ -23,6 +23,12 @@ std::string messageOf(Verdict verdict, const std::string& names, const std::stri
   return "";
 }
 
+/// The catalogue may well describe what is wrong.
+std::string unfinished(const std::string& failed) {
+  return "no cause was found before the search ended at explanation.time_limit; these checks fail: " +
+         failed + ". Give it more time (explanation: {time_limit: 120}), or fewer samples";
+}
+
 std::string joined(const std::string& list, const std::string& name) {
   return list.empty() ? name : list + ", " + name;
 }
@@ -69,7 +75,10 @@ void conclude(Explanation* explanation) {
     names = joined(names, cause.description + " (" + cause.name + ")");
   for (const Check& check : explanation->checks_after)
     if (!check.passed) failed = joined(failed, check.name);
-  explanation->message = messageOf(explanation->verdict, names, failed);
+  const bool ended_early = explanation->termination == Termination::iteration_limit;
+  explanation->message = explanation->verdict == Verdict::unknown && ended_early
+                             ? unfinished(failed)
+                             : messageOf(explanation->verdict, names, failed);
 }
 
 }  // namespace uncertainty_identification

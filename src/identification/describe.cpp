@@ -35,7 +35,10 @@ std::vector<ExperimentEstimate> describeExperiments(const Problem& problem,
 ResidualTests testsOf(const Problem& problem, const FittedModel& fitted, Journal* journal) {
   const ModelParameters& point = fitted.optimum.point;
   const std::vector<Block>& blocks = problem.data.blocks;
-  if (!problem.plant) return residualTests(*fitted.model, blocks, point.parameters);
+  const NominalModel& fitted_nominal = fitted.model->nominal();
+  const Polynomials nominal =
+      fitted_nominal.polynomials(point.parameters.head(fitted_nominal.parameterCount()));
+  if (!problem.plant) return residualTests(*fitted.model, blocks, point.parameters, &nominal);
   Problem whole = problem;
   whole.plant.reset();
   whole.nominal_model = {};  // the plant is the configuration's
@@ -47,7 +50,7 @@ ResidualTests testsOf(const Problem& problem, const FittedModel& fitted, Journal
   const auto about =
       linearisedAtPosteriorMeans(*model, blocks, problem.data.count(),
                                  threadsOf(problem.configuration.estimation), at, &journal->passes);
-  return residualTests(about ? *about->model : *model, blocks, at.parameters);
+  return residualTests(about ? *about->model : *model, blocks, at.parameters, &nominal);
 }
 
 }  // namespace

@@ -130,6 +130,7 @@ Estimate identifyFrom(const Request& request, const std::vector<Experiment>& exp
   const InitialState asked = request.configuration.estimation.initial_state;
   estimate.configuration.estimation.initial_state = asked;  // other data may start elsewhere
   estimate.validation = validate(problem, fitted, asked, validation, journal);
+  estimate.trust = trustAfterValidation(std::move(estimate.trust), estimate.validation);
   return estimate;
 }
 

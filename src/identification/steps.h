@@ -124,6 +124,9 @@ std::string variationText(const Estimate& estimate, const LinearModel& model);
 /// scatter of the experiments, a poor simulation, too few experiments.
 Trust trustOf(const Problem& problem, const FittedModel& fitted, const Estimate& estimate);
 
+/// The same after simulating experiments that were not fitted.
+Trust trustAfterValidation(Trust trust, const Validation& validation);
+
 /// How well the model predicts experiments that it was not fitted to.
 Validation validate(const Problem& problem, const FittedModel& fitted, InitialState asked,
                     const std::vector<Experiment>& experiments, Journal* journal);

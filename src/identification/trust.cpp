@@ -13,6 +13,7 @@ namespace {
 constexpr int kFewest = 4;                // experiments that show how plants are distributed
 constexpr double kImprobable = 1e-3;      // p-value
 constexpr double kNoticeable = 0.03;      // correlation that matters, however improbable it is
+constexpr double kNonlinear = 0.002;  // share of the residuals' variance that matters
 constexpr double kLargestErrorRatio = 3;  // of robust and plain standard errors
 constexpr double kLeastFit = 50;          // [%]
 constexpr double kAlmostUnstable = 0.9995;
@@ -40,6 +41,10 @@ void addResidualTests(const ResidualTests& tests, std::vector<std::string>* reas
   if (tests.whiteness_p_value < kImprobable && largest(tests.autocorrelation) > kNoticeable) {
     reasons->push_back("the residuals are not white (p = " + number(tests.whiteness_p_value) +
                        "): the noise model, or the plant, lacks dynamics; try explain");
+  }
+  if (tests.linearity_p_value < kImprobable && tests.nonlinear_share > kNonlinear) {
+    reasons->push_back("the residuals depend on the input as those of a plant that is not linear (p = " +
+                       number(tests.linearity_p_value) + "): try explain, which names the cause");
   }
 }
 
@@ -95,6 +100,16 @@ Trust trustOf(const Problem& problem, const FittedModel& fitted, const Estimate&
         "a pole of the nominal model is at the edge of stability: low frequencies are not "
         "determined");
   return {reasons.empty(), std::move(reasons)};
+}
+
+Trust trustAfterValidation(Trust trust, const Validation& validation) {
+  if (validation.experiments.empty() || validation.simulation_fit_percent_pooled >= kLeastFit)
+    return trust;
+  trust.trusted = false;
+  trust.reasons.push_back(
+      "the simulation of the nominal model explains little of the validation experiments (fit " +
+      number(validation.simulation_fit_percent_pooled) + " %)");
+  return trust;
 }
 
 Trust trustAfterCalibration(Trust trust, const PredictionCalibration& calibration) {

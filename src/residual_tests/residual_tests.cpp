@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "math/distributions.h"
+#include "residual_tests/nonlinear_signals.h"
 #include "residual_tests/recursive_residuals.h"
 #include "residual_tests/test_statistics.h"
 
@@ -23,17 +24,20 @@ struct Sums {
   double residuals = 0;  ///< their number
   TestedProducts past;   ///< of the residuals 1, 2, ... samples earlier, 0 before the first one
   TestedProducts input;  ///< of the inputs 0, 1, ... samples earlier
+  TestedProducts nonlinear;  ///< of what a plant that is not linear would add
   EstimatedParameters parameters;
 
-  Sums(Index lags, Index p)
+  Sums(Index lags, Index signals, Index p)
       : products(VectorXd::Zero(lags + 1)),
         past(lags, p),
         input(lags + 1, p),
+        nonlinear(signals, p),
         parameters{MatrixXd::Zero(p, p), VectorXd::Zero(p)} {}
 
   Index lags() const { return products.size() - 1; }
 
-  void add(const RecursiveResiduals& experiment, const VectorXd& u) {
+  /// `signals`: a row for each signal of `nonlinear`.
+  void add(const RecursiveResiduals& experiment, const VectorXd& u, const MatrixXd& signals) {
     const Index samples = u.size(), K = lags();
     const VectorXd& w = experiment.values;
     const MatrixXd& D = experiment.derivatives;
@@ -43,6 +47,7 @@ struct Sums {
     before.tail(samples) = w;
     for (Index t = 0; t < samples; ++t) {
       if (experiment.valid[t] == 0) continue;
+      nonlinear.add(signals.col(t), w[t], D.row(t).transpose());
       past.add(before.segment(t, K).reverse(), w[t], D.row(t).transpose());
       if (t >= K) input.add(u.segment(t - K, K + 1).reverse(), w[t], D.row(t).transpose());
     }
@@ -53,10 +58,11 @@ struct Sums {
 
   /// F test of a linear regression of the residuals on the test signals, in which the parameters
   /// were estimated too.
-  double pValue(const TestedProducts& tested) const {
+  double pValue(const TestedProducts& tested, double* share = nullptr) const {
     const QuadraticForm of_parameters = parameters.explained();
     const QuadraticForm form = withoutParameters(tested, parameters);
     const double rest = products[0] - of_parameters.value - form.value;
+    if (share != nullptr) *share = form.value / products[0];
     const double degrees = residuals - of_parameters.rank - form.rank;
     if (form.rank < 1 || degrees < 1 || !(rest > 0)) return kNone;
     return fisherTail(form.value / form.rank / (rest / degrees), form.rank, degrees);
@@ -76,6 +82,8 @@ ResidualTests testsOf(const Sums& sums) {
   }
   tests.whiteness_p_value = sums.pValue(sums.past);
   tests.independence_p_value = sums.pValue(sums.input);
+  if (sums.nonlinear.with_residual.size() > 0)
+    tests.linearity_p_value = sums.pValue(sums.nonlinear, &tests.nonlinear_share);
   return tests;
 }
 
@@ -91,16 +99,23 @@ Index lagsOf(const std::vector<Block>& blocks, Index parameters) {
 }  // namespace
 
 ResidualTests residualTests(const Model& model, const std::vector<Block>& blocks,
-                            const VectorXd& parameters) {
-  Sums sums(lagsOf(blocks, parameters.size()), parameters.size());
-  for (const Block& block : blocks) {
+                            const VectorXd& parameters, const Polynomials* nominal) {
+  std::vector<std::vector<Signals>> nonlinear(blocks.size());
+  if (nominal != nullptr) nonlinear = nonlinearSignals(*nominal, blocks);
+  const auto signals = static_cast<Index>(nonlinear.empty() ? 0 : nonlinear.front().size());
+  Sums sums(lagsOf(blocks, parameters.size()), signals, parameters.size());
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const Block& block = blocks[b];
     Response response;
     model.evaluate(block, parameters, true, &response);
     for (int lane = 0; lane < block.lanes; ++lane) {
       const Index samples = block.lengths[static_cast<std::size_t>(lane)];
       VectorXd u = block.u.row(lane).head(samples).transpose();
       u.array() -= u.mean();
-      sums.add(recursiveResiduals(response, block, lane), u);
+      MatrixXd own(signals, samples);
+      for (Index k = 0; k < signals; ++k)
+        own.row(k) = nonlinear[b][static_cast<std::size_t>(k)].row(lane).head(samples).matrix();
+      sums.add(recursiveResiduals(response, block, lane), u, own);
     }
   }
   return testsOf(sums);

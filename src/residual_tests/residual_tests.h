@@ -5,6 +5,7 @@
 #include "model/model.h"
 #include "uncertainty_identification/estimation/estimate.h"
 #include "uncertainty_identification/model/block.h"
+#include "uncertainty_identification/model/nominal_model.h"
 
 namespace uncertainty_identification {
 
@@ -17,8 +18,10 @@ namespace uncertainty_identification {
 ///
 /// `parameters` are all parameters of `model`, estimated from the same data by whatever method: the
 /// tests leave out what a small change of them would change (Neyman's C(alpha) tests). The function
-/// passes once over the samples.
+/// passes once over the samples. With `nominal`, the polynomials of Go and H, it also tests against
+/// what a plant that is not linear would add (nonlinear_signals.h).
 ResidualTests residualTests(const Model& model, const std::vector<Block>& blocks,
-                            const Eigen::VectorXd& parameters);
+                            const Eigen::VectorXd& parameters,
+                            const Polynomials* nominal = nullptr);
 
 }  // namespace uncertainty_identification

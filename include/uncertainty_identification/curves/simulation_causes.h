@@ -56,6 +56,8 @@ struct SimulationCauses {
   std::string skipped;      ///< why nothing was searched; empty: it was
   int order = 0;            ///< of the linear plant without causes
   std::vector<SimulationCause> causes;
+  std::string refused;  ///< what simulates better but does not predict better, and why it is not
+                        ///< named, in a sentence; empty: nothing
   double fit_before = 0, fit_after = 0;   ///< [%] of held-out windows, in free simulation
   std::vector<SimulatedWindow> pictures;  ///< the median and the worst window
   bool ended_early = false;               ///< the time limit ended the search

@@ -91,8 +91,8 @@ struct Validation {
   double log_density_per_experiment = 0;  ///< mean log predictive density [nats]
 };
 
-/// Tests whether the residuals are white and uncorrelated with the input, pooled over all
-/// experiments (residual_tests/residual_tests.h). Empty if there are too few residuals or the tests
+/// Tests whether the residuals are white, uncorrelated with the input, and free of what a plant that
+/// is not linear would add to the output, pooled over all experiments (residual_tests/residual_tests.h). Empty if there are too few residuals or the tests
 /// were not computed.
 struct ResidualTests {
   long samples = 0;                     ///< number of residuals
@@ -101,6 +101,8 @@ struct ResidualTests {
       cross_correlation;  ///< with the input k = 0, 1, ... samples earlier; same standard deviation
   double whiteness_p_value = 0;     ///< of a portmanteau test of the autocorrelation
   double independence_p_value = 0;  ///< of a test of all cross-correlations together
+  double linearity_p_value = 1;     ///< of a test against what a plant that is not linear would add
+  double nonlinear_share = 0;       ///< of the residuals' variance that this would explain
 };
 
 /// The step of one iteration, in the coordinates that the method uses.

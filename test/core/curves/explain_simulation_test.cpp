@@ -65,6 +65,53 @@ TEST(ExplainSimulation, FindsNothingInALinearPlant) {
   }
 }
 
+/// Runs of a servo motor, 8/(s (0.12 s + 1)) rad/V, that a PI controller holds at a setpoint of
+/// steps against a load that comes and goes; the plant gets the voltage through(u).
+std::vector<Experiment> servoRuns(unsigned seed, const std::function<double(double)>& through,
+                                  double load) {
+  constexpr double kStep = 0.05, kDecay = 0.659;  // [s]; exp(-kStep/0.12)
+  constexpr int kServoSamples = 400;
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal;
+  std::vector<Experiment> all(kRuns + kHeld);
+  for (Experiment& run : all) {
+    run.id = "run " + std::to_string(&run - all.data());
+    run.sample_time = kStep;
+    run.u.resize(kServoSamples);
+    run.y.resize(kServoSamples);
+    double angle = 3 + 0.5 * normal(engine), speed = 0, sum = 0, push = 0, setpoint = 3;
+    for (int k = 0; k < kServoSamples; ++k) {
+      if (k % 30 == 0) setpoint = 3 + normal(engine);
+      run.y[k] = angle + 0.003 * normal(engine);
+      const double error = setpoint - run.y[k];
+      sum += 0.4 * kStep * error;
+      run.u[k] = 1.1 * error + sum;
+      push = 0.9 * push + load * std::sqrt(1 - 0.9 * 0.9) * normal(engine);
+      const double next = kDecay * speed + (1 - kDecay) * 8 * (through(run.u[k]) + push);
+      angle += kStep * (speed + next) / 2;
+      speed = next;
+    }
+  }
+  return all;
+}
+
+/// The free simulation of an integrating plant from an input that holds a controller's answers to
+/// the load drifts away, and less with a dead zone, or a friction, that the plant does not have.
+TEST(ExplainSimulation, NamesNothingInALinearServoThatAControllerHoldsAgainstALoad) {
+  for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
+    const SimulationCauses found = explained(servoRuns(seed, same, 0.3));
+    EXPECT_TRUE(found.causes.empty())
+        << "seed " << seed << ": " << found.causes.front().description << ", fit "
+        << found.fit_before << " to " << found.fit_after;
+  }
+}
+
+TEST(ExplainSimulation, NamesADeadZoneOfAServoInAClosedLoop) {
+  const SimulationCauses found = explained(servoRuns(1, deadZone, 0.02));
+  ASSERT_FALSE(found.causes.empty());
+  EXPECT_EQ(found.causes[0].what.name, "act_deadzone");
+}
+
 TEST(ExplainSimulation, NamesADeadZoneWithItsWidthAndCurve) {
   const SimulationCauses found = explained(runs(kRuns + kHeld, 4, deadZone, none));
   ASSERT_EQ(found.causes.size(), 1u);

@@ -51,6 +51,27 @@ class TrustOf : public testing::Test {
   Estimate estimate_;
 };
 
+TEST_F(TrustOf, AValidationThatTheModelDoesNotSimulate) {
+  Validation validation;
+  EXPECT_TRUE(trustAfterValidation(trust(), validation).trusted) << "there is none";
+  validation.experiments = {"held out"};
+  validation.simulation_fit_percent_pooled = 60;
+  EXPECT_TRUE(trustAfterValidation(trust(), validation).trusted);
+  validation.simulation_fit_percent_pooled = 12;
+  const Trust found = trustAfterValidation(trust(), validation);
+  EXPECT_FALSE(found.trusted);
+  ASSERT_EQ(found.reasons.size(), 1u);
+  EXPECT_TRUE(test::mentions(found.reasons[0], "fit 12 %")) << found.reasons[0];
+}
+
+TEST_F(TrustOf, ResidualsOfAPlantThatIsNotLinear) {
+  estimate_.residual_tests.linearity_p_value = 1e-9;
+  estimate_.residual_tests.nonlinear_share = 0.001;
+  EXPECT_TRUE(trusted()) << "of no consequence";
+  estimate_.residual_tests.nonlinear_share = 0.01;
+  expectReason("not linear");
+}
+
 TEST_F(TrustOf, AnEstimateThatDidNotConverge) {
   estimate_.termination = Termination::stalled;
   expectReason("did not converge");
