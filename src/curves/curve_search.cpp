@@ -251,14 +251,15 @@ bool isBetter(const CurveSearchResult& other, const CurveSearchResult& than) {
 }
 
 /// Whether the causes, which leave much unexplained, simulate better and do not predict better. In
-/// a closed loop the input holds the controller's answers to disturbances, from which the simulation
-/// drifts away: a dead zone that takes them out, or a friction that holds the simulation back, gains.
+/// a closed loop the input holds the controller's answers to disturbances, from which the
+/// simulation drifts away: a dead zone that takes them out, or a friction that holds the simulation
+/// back, gains.
 bool isControllersAnswer(const SimulationData& data, const SimulationData& held,
                          const CurveSearchLimits& limits, const CurveSearchResult& found) {
   if (heldOutFit(held, Eigen::VectorXd::Constant(1, found.held_error)) > limits.clear_fit)
     return false;
   const PredictionGain gain = predictionGain(data, held, found.base.model, found.fit.model);
-  return gain.share < limits.least_prediction_gain || gain.t < limits.least_prediction_t;
+  return !(gain.share >= limits.least_prediction_gain && gain.t >= limits.least_prediction_t);
 }
 
 }  // namespace

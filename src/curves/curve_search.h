@@ -29,9 +29,9 @@ struct FoundCurve {
 
 struct CurveSearchResult {
   WindowFit base, fit;
-  std::vector<FoundCurve> causes;  ///< those with a curve are in the order of fit.model.curves
+  std::vector<FoundCurve> causes;   ///< those with a curve are in the order of fit.model.curves
   std::vector<FoundCurve> refused;  ///< simulate better, but do not predict better; not named
-  double held_error = 0;           ///< squared, of all held-out windows
+  double held_error = 0;            ///< squared, of all held-out windows
   bool ended_early = false;
 };
 
@@ -45,7 +45,7 @@ struct CurveSearchLimits {
   double clear_fit = 75;      ///< [%] held out; below it the causes must predict better, too:
   double least_prediction_gain = 0.02;  ///< of the squared error
   double least_prediction_t = 2;        ///< paired, over held-out windows
-  double least_fit = 30;      ///< [%] held out, with the causes: a poor simulation names nothing
+  double least_fit = 30;  ///< [%] held out, with the causes: a poor simulation names nothing
 };
 
 /// Looks for the curves that the free simulation of a small linear model lacks. `held` decides

@@ -26,8 +26,7 @@ int seenSamples(const SimulationData& held, const CurveModel& model) {
 std::vector<Eigen::VectorXd> heldOutSimulations(const SimulationData& held,
                                                 const CurveModel& model) {
   const std::vector<CurveTable> tables = tablesOf(model);
-  const std::vector<Eigen::VectorXd> initial =
-      initialStates(held, model, seenSamples(held, model));
+  const std::vector<Eigen::VectorXd> initial = initialStates(held, model, seenSamples(held, model));
   std::vector<Eigen::VectorXd> outputs;
   for (std::size_t w = 0; w < held.windows.size(); ++w)
     outputs.push_back(simulateFreely(model, tables, held.windows[w], initial[w], false).y);

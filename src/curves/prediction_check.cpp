@@ -17,8 +17,8 @@ using Eigen::VectorXd;
 
 constexpr Index kLags = 8;
 
-/// Regressions of all samples of the windows from `first` on: past outputs, inputs, and the
-/// simulations `before` and `after`; the last column is the output.
+/// Regressions of all samples of the windows from `first` on: a constant, past outputs, inputs, and
+/// the simulations `before` and `after`; the last column is the output.
 struct Regression {
   MatrixXd rows;
   std::vector<Index> begin;  ///< of each window's rows, and the number of rows
@@ -62,7 +62,8 @@ VectorXd errorsOf(const Regression& fitted, const Regression& held, Index column
   VectorXd sums(static_cast<Index>(held.begin.size()) - 1);
   for (Index w = 0; w < sums.size(); ++w) {
     const Index begin = held.begin[static_cast<std::size_t>(w)];
-    sums[w] = error.segment(begin, held.begin[static_cast<std::size_t>(w) + 1] - begin).squaredNorm();
+    sums[w] =
+        error.segment(begin, held.begin[static_cast<std::size_t>(w) + 1] - begin).squaredNorm();
   }
   return sums;
 }

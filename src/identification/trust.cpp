@@ -13,7 +13,7 @@ namespace {
 constexpr int kFewest = 4;                // experiments that show how plants are distributed
 constexpr double kImprobable = 1e-3;      // p-value
 constexpr double kNoticeable = 0.03;      // correlation that matters, however improbable it is
-constexpr double kNonlinear = 0.002;  // share of the residuals' variance that matters
+constexpr double kNonlinear = 0.002;      // share of the residuals' variance that matters
 constexpr double kLargestErrorRatio = 3;  // of robust and plain standard errors
 constexpr double kLeastFit = 50;          // [%]
 constexpr double kAlmostUnstable = 0.9995;
@@ -43,8 +43,9 @@ void addResidualTests(const ResidualTests& tests, std::vector<std::string>* reas
                        "): the noise model, or the plant, lacks dynamics; try explain");
   }
   if (tests.linearity_p_value < kImprobable && tests.nonlinear_share > kNonlinear) {
-    reasons->push_back("the residuals depend on the input as those of a plant that is not linear (p = " +
-                       number(tests.linearity_p_value) + "): try explain, which names the cause");
+    reasons->push_back(
+        "the residuals depend on the input as those of a plant that is not linear (p = " +
+        number(tests.linearity_p_value) + "): try explain, which names the cause");
   }
 }
 

@@ -53,8 +53,8 @@ RiccatiDerivative<Order> derivativeAlong(int j, int nc, const InnovationsForm& f
   MatrixXd dP = MatrixXd::Zero(order, order);
   if (stationary) {
     const MatrixXd moved = -dd * (P0.row(0) * form.F.transpose());
-    dP = solveLyapunov(form.F, moved + moved.transpose() + dK * form.K.transpose() +
-                                   form.K * dK.transpose());
+    dP = solveLyapunov(
+        form.F, moved + moved.transpose() + dK * form.K.transpose() + form.K * dK.transpose());
   }
   return {dd, dK, dP, 0, VectorXd(none)};
 }

@@ -41,15 +41,21 @@ Signals direction(const Signals& x) {
   return steps / (steps.abs() + width);
 }
 
+/// Without its mean: a constant is an offset, not a plant that is not linear.
+Signals centred(const Signals& signal, const Signals& inside) {
+  const double mean = (signal * inside).sum() / std::max(inside.sum(), 1.0);
+  return (signal - mean) * inside;
+}
+
 /// The signals of one block. `u` and `x`, the simulated output, have variance 1 over all blocks.
 std::vector<Signals> signalsOf(const Polynomials& model, const Signals& inside, const Signals& u,
                                const Signals& x) {
-  const std::vector<Signals> at_input{u.square(), u.abs(), u.cube(), x.square(),
+  const std::vector<Signals> at_input{u.square(), u.abs(),  u.cube(),    x.square(),
                                       x.abs(),    x.cube(), direction(x)};
-  std::vector<Signals> all{x.square(), x.cube()};
+  std::vector<Signals> all{centred(x.square(), inside), centred(x.cube(), inside)};
   for (const Signals& signal : at_input) {
     all.emplace_back();
-    filter(model.b, model.a, model.delay, signal * inside, &all.back());
+    filter(model.b, model.a, model.delay, centred(signal, inside), &all.back());
   }
   for (Signals& signal : all) {
     const Signals plain = signal * inside;

@@ -20,10 +20,10 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Sums over all experiments.
 struct Sums {
-  VectorXd products;     ///< of residuals k apart, k = 0, 1, ...
-  double residuals = 0;  ///< their number
-  TestedProducts past;   ///< of the residuals 1, 2, ... samples earlier, 0 before the first one
-  TestedProducts input;  ///< of the inputs 0, 1, ... samples earlier
+  VectorXd products;         ///< of residuals k apart, k = 0, 1, ...
+  double residuals = 0;      ///< their number
+  TestedProducts past;       ///< of the residuals 1, 2, ... samples earlier, 0 before the first one
+  TestedProducts input;      ///< of the inputs 0, 1, ... samples earlier
   TestedProducts nonlinear;  ///< of what a plant that is not linear would add
   EstimatedParameters parameters;
 

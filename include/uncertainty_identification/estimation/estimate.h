@@ -91,9 +91,9 @@ struct Validation {
   double log_density_per_experiment = 0;  ///< mean log predictive density [nats]
 };
 
-/// Tests whether the residuals are white, uncorrelated with the input, and free of what a plant that
-/// is not linear would add to the output, pooled over all experiments (residual_tests/residual_tests.h). Empty if there are too few residuals or the tests
-/// were not computed.
+/// Tests whether the residuals are white, uncorrelated with the input, and those of a linear plant,
+/// pooled over all experiments (residual_tests/residual_tests.h). Empty if there are too few
+/// residuals or the tests were not computed.
 struct ResidualTests {
   long samples = 0;                     ///< number of residuals
   std::vector<double> autocorrelation;  ///< at lags 1, 2, ...; standard deviation 1/sqrt(samples)

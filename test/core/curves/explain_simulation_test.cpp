@@ -100,9 +100,8 @@ std::vector<Experiment> servoRuns(unsigned seed, const std::function<double(doub
 TEST(ExplainSimulation, NamesNothingInALinearServoThatAControllerHoldsAgainstALoad) {
   for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
     const SimulationCauses found = explained(servoRuns(seed, same, 0.3));
-    EXPECT_TRUE(found.causes.empty())
-        << "seed " << seed << ": " << found.causes.front().description << ", fit "
-        << found.fit_before << " to " << found.fit_after;
+    EXPECT_TRUE(found.causes.empty()) << "seed " << seed << ": " << found.causes.front().description
+                                      << ", fit " << found.fit_before << " to " << found.fit_after;
   }
 }
 

@@ -69,7 +69,9 @@ ResidualTests testsThrough(const std::function<double(double)>& curve) {
 TEST(NonlinearSignals, AreFoundBehindACurvedInput) {
   for (const auto& curve : std::vector<std::function<double(double)>>{
            [](double u) { return u + 0.3 * u * u; },
-           [](double u) { return std::abs(u) < 0.5 ? 0 : u > 0 ? u - 0.5 : u + 0.5; },
+           [](double u) { return std::abs(u) < 0.5 ? 0
+                                 : u > 0           ? u - 0.5
+                                                   : u + 0.5; },
            [](double u) { return std::max(-1.0, std::min(u, 1.0)); }}) {
     const ResidualTests tests = testsThrough(curve);
     EXPECT_LT(tests.linearity_p_value, 1e-3);
@@ -86,8 +88,7 @@ TEST(NonlinearSignals, HaveAMeanSquareOfOne) {
   model.a = test::vectorOf({-0.8});
   const auto signals = nonlinearSignals(model, blocks);
   ASSERT_EQ(signals.size(), blocks.size());
-  for (const Signals& signal : signals.front())
-    EXPECT_NEAR(signal.square().sum(), 6 * 200, 1e-6);
+  for (const Signals& signal : signals.front()) EXPECT_NEAR(signal.square().sum(), 6 * 200, 1e-6);
 }
 
 }  // namespace
