@@ -258,8 +258,9 @@ bool isControllersAnswer(const SimulationData& data, const SimulationData& held,
                          const CurveSearchLimits& limits, const CurveSearchResult& found) {
   if (heldOutFit(held, Eigen::VectorXd::Constant(1, found.held_error)) > limits.clear_fit)
     return false;
-  const PredictionGain gain = predictionGain(data, held, found.base.model, found.fit.model);
-  return !(gain.share >= limits.least_prediction_gain && gain.t >= limits.least_prediction_t);
+  const auto gain = predictionGain(data, held, found.base.model, found.fit.model);
+  return gain &&
+         !(gain->share >= limits.least_prediction_gain && gain->t >= limits.least_prediction_t);
 }
 
 }  // namespace

@@ -110,10 +110,9 @@ std::string refusalOf(const std::vector<FoundCurve>& refused) {
     names += (names.empty() ? "" : ", ") +
              (cause.is_delay ? "act_delay" : causeNamed(cause.place.place, cause.shape));
   return names +
-         ": simulates held-out data better, but predicts the next output no better than a linear "
-         "model; where a controller answers to disturbances, or a load differs from time to time, "
-         "a "
-         "linear plant looks the same. Not named";
+         ": simulates held-out data better, but does not clearly predict the next output better "
+         "than a linear model; where a controller answers to disturbances, or a load differs from "
+         "time to time, a linear plant looks the same. Not named";
 }
 
 void describe(const CurveSearchResult& result, const SimulationData& data,

@@ -15,13 +15,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index kLags = 8;
+constexpr Index kLags = 8, kRowsPerColumn = 5;
 
 /// Regressions of all samples of the windows from `first` on: a constant, past outputs, inputs, and
 /// the simulations `before` and `after`; the last column is the output.
 struct Regression {
   MatrixXd rows;
-  std::vector<Index> begin;  ///< of each window's rows, and the number of rows
+  std::vector<Index> begin;  ///< of the rows of each window that has any, and the number of rows
 };
 
 Regression regressionOf(const SimulationData& data, const std::vector<VectorXd>& before,
@@ -34,7 +34,7 @@ Regression regressionOf(const SimulationData& data, const std::vector<VectorXd>&
   Index row = 0;
   for (std::size_t w = 0; w < data.windows.size(); ++w) {
     const SimulationWindow& window = data.windows[w];
-    all.begin.push_back(row);
+    if (all.begin.empty() || row > all.begin.back()) all.begin.push_back(row);
     for (Index t = first; t < window.samples(); ++t) {
       if (window.measured.segment(t - kLags, kLags + 1).minCoeff() == 0) continue;
       const auto until = [&](const VectorXd& x, Index last) {
@@ -44,7 +44,7 @@ Regression regressionOf(const SimulationData& data, const std::vector<VectorXd>&
           until(after[w], 0), window.y[t];
     }
   }
-  all.begin.push_back(row);
+  if (all.begin.empty() || row > all.begin.back()) all.begin.push_back(row);
   all.rows.conservativeResize(row, Eigen::NoChange);
   return all;
 }
@@ -70,17 +70,22 @@ VectorXd errorsOf(const Regression& fitted, const Regression& held, Index column
 
 }  // namespace
 
-PredictionGain predictionGain(const SimulationData& data, const SimulationData& held,
-                              const CurveModel& before, const CurveModel& after) {
-  const Index seen = seenSamples(held, after), kept = seenSamples(data, after);
+std::optional<PredictionGain> predictionGain(const SimulationData& data, const SimulationData& held,
+                                             const CurveModel& before, const CurveModel& after) {
+  const auto seenBy = [&](const SimulationData& windows) -> Index {
+    return std::max(seenSamples(windows, before), seenSamples(windows, after));
+  };
   const Regression fitted = regressionOf(data, heldOutSimulations(data, before),
-                                         heldOutSimulations(data, after), kept),
+                                         heldOutSimulations(data, after), seenBy(data)),
                    unseen = regressionOf(held, heldOutSimulations(held, before),
-                                         heldOutSimulations(held, after), seen);
+                                         heldOutSimulations(held, after), seenBy(held));
   const Index columns = fitted.rows.cols() - 1;
+  const bool enough = fitted.rows.rows() >= kRowsPerColumn * columns &&
+                      unseen.rows.rows() >= columns && unseen.begin.size() > 2;
+  if (!enough) return {};
   const VectorXd without = errorsOf(fitted, unseen, columns - kLags - 1),
                  with = errorsOf(fitted, unseen, columns);
-  return {1 - with.sum() / without.sum(), pairedT(without, with)};
+  return PredictionGain{1 - with.sum() / without.sum(), pairedT(without, with)};
 }
 
 }  // namespace uncertainty_identification

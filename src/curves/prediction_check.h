@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "curves/curve_model.h"
 #include "curves/simulation_data.h"
 
@@ -15,7 +17,8 @@ struct PredictionGain {
 /// outputs, the input and the simulation of `before`. The simulations begin from the first samples
 /// of each window and know no later output. So where the plant is linear they add nothing, be the
 /// input a controller's answer to disturbances or not. Least squares on the windows of `data`.
-PredictionGain predictionGain(const SimulationData& data, const SimulationData& held,
-                              const CurveModel& before, const CurveModel& after);
+/// Absent where too few outputs are measured in succession.
+std::optional<PredictionGain> predictionGain(const SimulationData& data, const SimulationData& held,
+                                             const CurveModel& before, const CurveModel& after);
 
 }  // namespace uncertainty_identification

@@ -25,9 +25,9 @@ std::string messageOf(Verdict verdict, const std::string& names, const std::stri
 
 /// The catalogue may well describe what is wrong.
 std::string unfinished(const std::string& failed) {
-  return "no cause was found before the search ended at explanation.time_limit; these checks "
+  return "no cause was confirmed before the search ended at explanation.time_limit; these checks "
          "fail: " +
-         failed + ". Give it more time (explanation: {time_limit: 120}), or fewer samples";
+         failed + ". Give it more time, or fewer or shorter experiments";
 }
 
 std::string joined(const std::string& list, const std::string& name) {

@@ -45,7 +45,7 @@ void addResidualTests(const ResidualTests& tests, std::vector<std::string>* reas
   if (tests.linearity_p_value < kImprobable && tests.nonlinear_share > kNonlinear) {
     reasons->push_back(
         "the residuals depend on the input as those of a plant that is not linear (p = " +
-        number(tests.linearity_p_value) + "): try explain, which names the cause");
+        number(tests.linearity_p_value) + "): try explain, which looks for the cause");
   }
 }
 
@@ -104,7 +104,7 @@ Trust trustOf(const Problem& problem, const FittedModel& fitted, const Estimate&
 }
 
 Trust trustAfterValidation(Trust trust, const Validation& validation) {
-  if (validation.experiments.empty() || validation.simulation_fit_percent_pooled >= kLeastFit)
+  if (validation.experiments.empty() || !(validation.simulation_fit_percent_pooled < kLeastFit))
     return trust;
   trust.trusted = false;
   trust.reasons.push_back(

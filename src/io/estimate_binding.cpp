@@ -120,8 +120,8 @@ void bind(Archive& archive, ResidualTests& tests) {
   archive("cross_correlation", tests.cross_correlation);
   archive("whiteness_p_value", tests.whiteness_p_value);
   archive("independence_p_value", tests.independence_p_value);
-  archive("linearity_p_value", tests.linearity_p_value);
-  archive("nonlinear_share", tests.nonlinear_share);
+  archive.ifThere("linearity_p_value", tests.linearity_p_value);
+  archive.ifThere("nonlinear_share", tests.nonlinear_share);
 }
 
 void bind(Archive& archive, Trust& trust) {

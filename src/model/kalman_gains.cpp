@@ -70,6 +70,7 @@ MatrixXd gainsOf(const NoisePolynomials& noise, const Block& block, int lane, in
   InnovationsFormOf<Order> base(noise.c, noise.d);
   base.P = P0;
   std::vector<RiccatiDerivative<Order>> tangents;
+  tangents.reserve(static_cast<std::size_t>(parameters));
   for (int j = 0; j < parameters; ++j)
     tangents.push_back(derivativeAlong<Order>(j, noise.nc, form, P0, stationary));
   const Index rows = (order + 1) * (parameters + 1);

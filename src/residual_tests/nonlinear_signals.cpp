@@ -32,12 +32,13 @@ void normalise(double samples, std::vector<Signals>* of_blocks) {
 }
 
 /// The direction in which a signal of variance 1 moves, from -1 to 1.
-Signals direction(const Signals& x) {
+Signals direction(const Signals& x, const Signals& inside) {
   constexpr double kSlow = 0.2;  // of the root mean square of the steps
   Signals before;
   shift(1, x, &before);
-  const Signals steps = x - before;
-  const double width = kSlow * std::sqrt(steps.square().mean()) + 1e-300;
+  const Signals steps = (x - before) * inside;
+  const double width =
+      kSlow * std::sqrt(steps.square().sum() / std::max(inside.sum(), 1.0)) + 1e-300;
   return steps / (steps.abs() + width);
 }
 
@@ -50,8 +51,8 @@ Signals centred(const Signals& signal, const Signals& inside) {
 /// The signals of one block. `u` and `x`, the simulated output, have variance 1 over all blocks.
 std::vector<Signals> signalsOf(const Polynomials& model, const Signals& inside, const Signals& u,
                                const Signals& x) {
-  const std::vector<Signals> at_input{u.square(), u.abs(),  u.cube(),    x.square(),
-                                      x.abs(),    x.cube(), direction(x)};
+  const std::vector<Signals> at_input{
+      u.square(), u.abs(), u.cube(), x.square(), x.abs(), x.cube(), direction(x, inside)};
   std::vector<Signals> all{centred(x.square(), inside), centred(x.cube(), inside)};
   for (const Signals& signal : at_input) {
     all.emplace_back();
@@ -87,6 +88,7 @@ std::vector<std::vector<Signals>> nonlinearSignals(const Polynomials& model,
     all.push_back(signalsOf(model, inside[b], u[b], x[b]));
   for (std::size_t k = 0; !all.empty() && k < all.front().size(); ++k) {
     std::vector<Signals> one;
+    one.reserve(all.size());
     for (std::vector<Signals>& of_block : all) one.push_back(std::move(of_block[k]));
     normalise(samples, &one);
     for (std::size_t b = 0; b < all.size(); ++b) all[b][k] = std::move(one[b]);

@@ -107,8 +107,12 @@ class TopicSurveyor {
       }
       const bool is_number = names[index].find_first_not_of("0123456789") == std::string::npos;
       const std::string name = is_number ? "'" + names[index] + "'" : names[index];
-      addPath(field.substr(0, bracket) + "[" + name + "]" + field.substr(bracket + 3), message,
-              element(index));
+      const std::string named =
+          field.substr(0, bracket) + "[" + name + "]" + field.substr(bracket + 3);
+      if (existsIn(named, message))
+        addPath(named, message, element(index));
+      else  // the names are those of an array further out
+        addPath(element(index), message);
     }
   }
 

@@ -98,17 +98,23 @@ std::vector<Experiment> servoRuns(unsigned seed, const std::function<double(doub
 /// The free simulation of an integrating plant from an input that holds a controller's answers to
 /// the load drifts away, and less with a dead zone, or a friction, that the plant does not have.
 TEST(ExplainSimulation, NamesNothingInALinearServoThatAControllerHoldsAgainstALoad) {
-  for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
+  int refused = 0;
+  for (const unsigned seed : {1u, 2u, 3u, 4u}) {
     const SimulationCauses found = explained(servoRuns(seed, same, 0.3));
     EXPECT_TRUE(found.causes.empty()) << "seed " << seed << ": " << found.causes.front().description
                                       << ", fit " << found.fit_before << " to " << found.fit_after;
+    refused += found.refused.empty() ? 0 : 1;
   }
+  EXPECT_GT(refused, 0) << "where nothing simulates better, these data show nothing";
 }
 
 TEST(ExplainSimulation, NamesADeadZoneOfAServoInAClosedLoop) {
-  const SimulationCauses found = explained(servoRuns(1, deadZone, 0.02));
-  ASSERT_FALSE(found.causes.empty());
-  EXPECT_EQ(found.causes[0].what.name, "act_deadzone");
+  for (const double load : {0.02, 0.1, 0.2}) {
+    const SimulationCauses found = explained(servoRuns(1, deadZone, load));
+    ASSERT_FALSE(found.causes.empty()) << "load " << load << ": " << found.refused;
+    EXPECT_EQ(found.causes[0].what.name, "act_deadzone") << "load " << load;
+    EXPECT_LT(found.fit_after, 75) << "above it, predictions would not be asked for";
+  }
 }
 
 TEST(ExplainSimulation, NamesADeadZoneWithItsWidthAndCurve) {

@@ -55,7 +55,7 @@ TEST(Explain, EndsAtItsTimeLimitAndSaysSo) {
   EXPECT_EQ(found.termination, Termination::iteration_limit);
   EXPECT_TRUE(found.causes.empty());
   EXPECT_EQ(found.verdict, Verdict::unknown) << "the tests of the residuals are made all the same";
-  EXPECT_EQ(found.message.rfind("no cause was found before the search ended", 0), 0u)
+  EXPECT_EQ(found.message.rfind("no cause was confirmed before the search ended", 0), 0u)
       << "the catalogue was not searched to its end: " << found.message;
   EXPECT_TRUE(std::any_of(found.warnings.begin(), found.warnings.end(), [](const auto& warning) {
     return warning.find("explanation.time_limit") != std::string::npos;

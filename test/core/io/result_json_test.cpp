@@ -234,6 +234,13 @@ TEST(ResultJson, IgnoresWhatALaterVersionAdds) {
   EXPECT_EQ(complaint(tree), "");
 }
 
+TEST(ResultJson, OlderResultsHaveNoTestOfLinearity) {
+  json tree = toJson(estimate());
+  tree["residual_tests"].erase("linearity_p_value");
+  tree["residual_tests"].erase("nonlinear_share");
+  EXPECT_EQ(complaint(tree), "");
+}
+
 TEST(ResultJson, OlderConfigurationsTakeDefaults) {
   json tree = toJson(estimate());
   tree["configuration"].erase("limits");
