@@ -99,6 +99,11 @@ void ExperimentCutter::addSample(const std::string& signal, StampedBuffer& buffe
 void ExperimentCutter::addMarker(double stamp, bool active, const std::string& id) {
   if (options_.mode != ExperimentMode::topic) return;
   confirmClock(stamp);
+  if (before_ && ofOldClock(newest_call_, stamp) && stamp >= before_->newest_call_) {
+    before_->addMarker(stamp, active, id);
+    advance();
+    return;
+  }
   if (!acceptStamp("marker", newest_call_, stamp)) return;
   newest_call_ = stamp;
   const bool renamed = marker_active_ && active && !id.empty() && id != marker_id_;
@@ -163,15 +168,14 @@ bool ExperimentCutter::ofOldClock(double newest, double stamp) const {
   return newest == kNever && stamp > old_clock_ && now_ < old_clock_;
 }
 
-/// Starts anew after the clock went back.
+/// Starts anew after the clock went back. Where a marker did not tell it, the marker that ended the
+/// running experiment may still be on its way.
 void ExperimentCutter::resetClock(const std::string& signal, double from, double to) {
   releaseOldClock();
   if (running()) {
-    const std::string& id = windows_.back().id;
-    rejected_.push_back({id, named(id) + ": the clock went back while it was recorded (" + signal +
-                                 " stamps from " + text(from) + " s to " + text(to) +
-                                 " s); record it again without resetting the clock"});
-    windows_.pop_back();
+    torn_ = "the clock went back while it was recorded (" + signal + " stamps from " + text(from) +
+            " s to " + text(to) + " s); record it again without resetting the clock";
+    if (options_.mode != ExperimentMode::topic || signal == "marker") rejectRunning();
   }
   LimitOptions limits;
   limits.max_samples = static_cast<int>(max_samples_);
@@ -191,11 +195,20 @@ void ExperimentCutter::resetClock(const std::string& signal, double from, double
   *this = std::move(next);
 }
 
-/// Releases the closed experiments of the old clock, with the samples that they have.
+void ExperimentCutter::rejectRunning() {
+  const std::string& id = windows_.back().id;
+  rejected_.push_back({id, named(id) + ": " + torn_});
+  windows_.pop_back();
+}
+
+/// Releases the closed experiments of the old clock, with the samples that they have, and rejects
+/// the one whose end has not been told.
 void ExperimentCutter::releaseOldClock() {
   if (!before_) return;
   before_->releaseClosed();
+  if (before_->running()) before_->rejectRunning();
   for (Recording& recording : before_->takeFinished()) finished_.push_back(std::move(recording));
+  for (auto& rejected : before_->takeRejected()) rejected_.push_back(std::move(rejected));
   before_.reset();
 }
 

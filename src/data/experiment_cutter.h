@@ -36,9 +36,11 @@ namespace uncertainty_identification {
 /// that the clock went back (a looped bag, a reset simulation): the running experiment is rejected,
 /// and recording goes on with the new clock. One or two are strays, which are left out and counted
 /// (StampGate). Closed experiments still take samples of the old clock, until input and output have
-/// both shown the new one. Covariates are not waited for. Memory is bounded by
-/// LimitOptions::max_samples: an experiment that reaches them (in any signal) is closed, with a
-/// note, and no more than twice as many samples wait for a late marker or for the other signal.
+/// both shown the new one; a running one can still be ended by a marker of the old clock, until a
+/// marker has shown the new one or that is halfway back. Covariates are not waited for. Memory is
+/// bounded by LimitOptions::max_samples: an experiment that reaches them (in any signal) is closed,
+/// with a note, and no more than twice as many samples wait for a late marker or for the other
+/// signal.
 class ExperimentCutter {
  public:
   ExperimentCutter(const ExperimentOptions& options, const LimitOptions& limits);
@@ -126,7 +128,9 @@ class ExperimentCutter {
   bool acceptStamp(const std::string& signal, double newest, double stamp);
   bool ofOldClock(double newest, double stamp) const;
   void resetClock(const std::string& signal, double from, double to);
+  void rejectRunning();
   void releaseOldClock();
+  bool oldClockAwaited() const;
 
   void advance();
   void openWindow(double start, double end, const std::string& id = "");
@@ -152,8 +156,9 @@ class ExperimentCutter {
   double now_ = kNever;          ///< [s] newest stamp of all
   double old_clock_ = kEndless;  ///< [s] after a reset: later stamps are the old clock's, until the
                                  ///< new one gets there
-  std::unique_ptr<ExperimentCutter> before_;  ///< closed experiments of the old clock, while they
-                                              ///< wait for samples; null: none
+  std::unique_ptr<ExperimentCutter> before_;  ///< experiments of the old clock, while they wait for
+                                              ///< samples or their end; null: none
+  std::string torn_;                          ///< why the running one is rejected if none comes
   double first_window_ = kNever;              ///< [s] mode duration: start of the first window
   double released_until_ = kNever;            ///< [s] end of the last window released
   double activity_ = kNever;  ///< [s] mode gap: newest stamp before which no sample is missing

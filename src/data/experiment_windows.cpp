@@ -10,8 +10,7 @@ namespace uncertainty_identification {
 
 /// Brings the windows up to date with the samples.
 void ExperimentCutter::advance() {
-  const bool both_shown = input_.newest() != kNever && output_.newest() != kNever;
-  if (before_ && (both_shown || !before_->waiting())) releaseOldClock();
+  if (before_ && !oldClockAwaited()) releaseOldClock();
   for (;;) {
     if (options_.mode == ExperimentMode::duration && windows_.empty()) openDurationWindow();
     if (options_.mode == ExperimentMode::gap)
@@ -24,6 +23,13 @@ void ExperimentCutter::advance() {
     releaseFront();
   }
   boundMemory();
+}
+
+/// Whether the old clock may still bring something: the end of the experiment that ran, until a
+/// marker shows the new clock; samples of a closed one, until both signals have shown it.
+bool ExperimentCutter::oldClockAwaited() const {
+  if (before_->running()) return newest_call_ == kNever && now_ < old_clock_;
+  return before_->waiting() && (input_.newest() == kNever || output_.newest() == kNever);
 }
 
 /// Whether so many samples are kept that the front experiment is released without waiting any

@@ -202,6 +202,49 @@ TEST(Cutter, ClosedExperimentsStillTakeStampsOfTheOldClock) {
   EXPECT_EQ(cutter.clockResets(), 1);
 }
 
+/// An experiment from 0 to 2 s whose signals have begun the next pass before its marker fell.
+ExperimentCutter signalsAheadOfTheMarker() {
+  ExperimentCutter cutter(mode(ExperimentMode::topic), {});
+  cutter.addMarker(0, true, "late");
+  feed(cutter, 0, 2);
+  feed(cutter, 0, 0.75);
+  return cutter;
+}
+
+TEST(Cutter, AMarkerOfTheOldClockStillEndsItsExperiment) {
+  ExperimentCutter cutter = signalsAheadOfTheMarker();
+  EXPECT_FALSE(cutter.running());
+  EXPECT_TRUE(cutter.waiting());
+  EXPECT_TRUE(cutter.takeRejected().empty()) << "its end may still come";
+  cutter.addMarker(2, false);
+  const auto finished = cutter.takeFinished();
+  ASSERT_EQ(finished.size(), 1u);
+  EXPECT_EQ(finished[0].id, "late");
+  expectSpan(finished[0].output, 0, 2 - kStep);
+  cutter.addMarker(0, true, "next");
+  feed(cutter, 0.75, 2);
+  cutter.addMarker(2, false);
+  cutter.flush();
+  ASSERT_EQ(cutter.takeFinished().size(), 1u);
+  EXPECT_TRUE(cutter.takeRejected().empty());
+  EXPECT_EQ(cutter.clockResets(), 1);
+}
+
+TEST(Cutter, TheRunningExperimentIsRejectedWhereNoMarkerOfTheOldClockComes) {
+  ExperimentCutter by_marker = signalsAheadOfTheMarker();
+  by_marker.addMarker(0, true, "next");
+  EXPECT_EQ(by_marker.takeRejected().size(), 1u);
+  EXPECT_TRUE(by_marker.running()) << "the next one";
+  ExperimentCutter halfway = signalsAheadOfTheMarker();
+  feed(halfway, 0.75, 1.5);
+  EXPECT_EQ(halfway.takeRejected().size(), 1u);
+  ExperimentCutter silent = signalsAheadOfTheMarker();
+  silent.releaseClosed();
+  const auto rejected = silent.takeRejected();
+  ASSERT_EQ(rejected.size(), 1u);
+  EXPECT_TRUE(mentions(rejected[0].reason, "experiment 'late': the clock went back"));
+}
+
 TEST(Cutter, StampsOfTheOldClockAreLeftOutAfterAReset) {
   ExperimentCutter cutter(mode(ExperimentMode::topic), {});
   feed(cutter, 100, 110);
