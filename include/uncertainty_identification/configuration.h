@@ -122,6 +122,11 @@ struct EstimationOptions {
   /// estimate: one offset common to all experiments; per_experiment: one each; automatic: one each
   /// where the data speak for it.
   Offsets offsets = Offsets::automatic;
+  /// Each so manieth sample is fitted to, the input averaged in between, so that the model has a
+  /// longer sample time; kAutomatic: as the bandwidth of the outputs allows where the orders are
+  /// automatic, no sample time is stated and no effects are, elsewhere 1. An estimate has the
+  /// number used.
+  int thinning = kAutomatic;
   OffsetSide offset_side =
       OffsetSide::output;  ///< where the offset enters (both together are collinear)
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "data/thinning.h"
 #include "estimation/simulation_fit.h"
 #include "model/fixed_plant.h"
 
@@ -113,11 +114,12 @@ void addRuns(const Simulations& all, bool validation, const PredictionCalibratio
   if (count > 1) runs->push_back(all.run(order[count - 1], "worst", validation, calibration));
 }
 
+/// The experiments of these names at the estimate's sample time.
 std::vector<Experiment> chosen(const std::vector<Experiment>& experiments,
-                               const std::set<std::string>& ids) {
+                               const std::set<std::string>& ids, int thinning) {
   std::vector<Experiment> own;
   for (const Experiment& experiment : experiments) {
-    if (ids.count(experiment.id) > 0) own.push_back(experiment);
+    if (ids.count(experiment.id) > 0) own.push_back(thinned(experiment, thinning));
   }
   return own;
 }
@@ -131,8 +133,9 @@ std::vector<SimulatedRun> simulatedRuns(const Estimate& estimate,
   std::set<std::string> used,
       held_out(estimate.validation.experiments.begin(), estimate.validation.experiments.end());
   for (const ExperimentEstimate& experiment : estimate.experiments) used.insert(experiment.id);
-  const std::vector<Experiment> fitted = chosen(training, used);
-  const std::vector<Experiment> others = chosen(validation, held_out);
+  const int thinning = estimate.configuration.estimation.thinning;
+  const std::vector<Experiment> fitted = chosen(training, used, thinning);
+  const std::vector<Experiment> others = chosen(validation, held_out, thinning);
   std::vector<SimulatedRun> runs;
   if (!fitted.empty()) addRuns(Simulations(estimate, fitted), false, calibration, &runs);
   if (!others.empty()) addRuns(Simulations(estimate, others), true, calibration, &runs);

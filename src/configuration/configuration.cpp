@@ -170,6 +170,7 @@ void EstimationOptions::validate() const {
     requireNotNegative(at + "initial_precision", initial_precision);
   if (initial_variance != kAutomatic) requirePositive(at + "initial_variance", initial_variance);
   requireRange(at + "discard_samples", discard_samples, 0, 1000000000);
+  requireRangeOrAutomatic(at + "thinning", thinning, 1, 1000000);
 }
 
 void InitialOptions::validate() const {

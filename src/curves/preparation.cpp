@@ -7,63 +7,20 @@
 #include <set>
 #include <string>
 
-#include "data/bandwidth.h"
+#include "data/bridged_output.h"
+#include "data/thinning.h"
 
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kPerPeriod = 24;
-constexpr double kFewestSamples = 2500;
 constexpr int kShortest = 60, kLongest = 400, kFewestWindows = 10;
 constexpr std::size_t kManyExperiments = 8;
-
-/// The output with missing samples interpolated.
-Eigen::VectorXd filledOutput(const Experiment& experiment) {
-  Eigen::VectorXd y = experiment.y;
-  int last = -1;
-  for (int k = 0; k < experiment.samples(); ++k) {
-    if (!experiment.isValid(k) || !std::isfinite(y[k])) continue;
-    for (int j = last + 1; j < k; ++j)
-      y[j] = last < 0 ? y[k] : y[last] + (y[k] - y[last]) * (j - last) / (k - last);
-    last = k;
-  }
-  for (int j = last + 1; j < experiment.samples(); ++j) y[j] = last < 0 ? 0 : y[last];
-  return y;
-}
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-int thinningFor(const std::vector<Experiment>& experiments) {
-  double samples = 0;
-  std::vector<double> widths;
-  for (const Experiment& experiment : experiments) {
-    samples += experiment.samples();
-    if (experiment.samples() >= 8) widths.push_back(bandwidth(filledOutput(experiment)));
-  }
-  if (widths.empty()) return 1;
-  const double by_bandwidth = 1 / (kPerPeriod * std::max(medianOf(widths), 1e-9));
-  return std::max(1, static_cast<int>(std::min(by_bandwidth, samples / kFewestSamples) + 1e-9));
-}
 
 Scale scaleOf(double sum, double squares, double count, bool remove_mean) {
   const double mean = sum / std::max(count, 1.0);
   const double deviation =
       std::sqrt(std::max(squares / std::max(count, 1.0) - mean * mean, 0.0)) + 1e-12;
   return {remove_mean || std::abs(mean) > 3 * deviation ? mean : 0.0, deviation};
-}
-
-/// Means of `thinning` samples each.
-Eigen::VectorXd averaged(const Eigen::VectorXd& signal, int thinning) {
-  if (thinning == 1) return signal;
-  const Eigen::Index length = signal.size() / thinning;
-  Eigen::VectorXd means(length);
-  for (Eigen::Index k = 0; k < length; ++k)
-    means[k] = signal.segment(k * thinning, thinning).mean();
-  return means;
 }
 
 Eigen::VectorXd scaled(const Eigen::VectorXd& signal, const Scale& scale) {
@@ -101,7 +58,7 @@ SimulationWindow wholeWindow(const Experiment& experiment, const SignalScales& s
   SimulationWindow whole;
   const int samples = experiment.samples();
   whole.u = scaled(experiment.u, scales.u);
-  whole.y = scaled(filledOutput(experiment), scales.y);
+  whole.y = scaled(bridgedOutput(experiment), scales.y);
   whole.measured.resize(samples);
   for (int k = 0; k < samples; ++k) whole.measured[k] = experiment.isValid(k) ? 1 : 0;
   whole.time = Eigen::VectorXd::LinSpaced(samples, 0, 1);
@@ -153,7 +110,7 @@ void group(std::size_t experiments, SimulationData* data) {
 
 WindowPlan planWindows(const std::vector<Experiment>& experiments) {
   WindowPlan plan;
-  plan.thinning = thinningFor(experiments);
+  plan.thinning = thinningByBandwidth(experiments);
   int total = 0, longest = 0;
   for (const Experiment& experiment : experiments) {
     const int samples = experiment.samples() / plan.thinning;
@@ -166,26 +123,6 @@ WindowPlan planWindows(const std::vector<Experiment>& experiments) {
           ? longest
           : std::min(longest, std::min(kLongest, std::max(kShortest, total / kFewestWindows)));
   return plan;
-}
-
-Experiment thinned(const Experiment& experiment, int thinning) {
-  if (thinning <= 1) return experiment;
-  Experiment kept = experiment;
-  kept.sample_time *= thinning;
-  kept.u = averaged(experiment.u, thinning);
-  for (auto& [name, signal] : kept.signals) signal = averaged(signal, thinning);
-  const Eigen::Index samples = kept.u.size();
-  kept.y.resize(samples);
-  if (kept.stamp_offset.size() > 0) kept.stamp_offset.resize(samples);
-  if (!kept.valid.empty()) kept.valid.resize(static_cast<std::size_t>(samples));
-  for (Eigen::Index k = 0; k < samples; ++k) {
-    kept.y[k] = experiment.y[k * thinning];
-    if (kept.stamp_offset.size() > 0) kept.stamp_offset[k] = experiment.stamp_offset[k * thinning];
-    if (!kept.valid.empty())
-      kept.valid[static_cast<std::size_t>(k)] =
-          experiment.valid[static_cast<std::size_t>(k * thinning)];
-  }
-  return kept;
 }
 
 SignalScales scalesOf(const std::vector<Experiment>& experiments,

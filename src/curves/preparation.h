@@ -20,10 +20,6 @@ struct WindowPlan {
 /// least 10 windows of 60 to 400 samples.
 WindowPlan planWindows(const std::vector<Experiment>& experiments);
 
-/// The experiment with each so manieth sample: inputs and covariates averaged in between, outputs
-/// taken at its start, which is exact for inputs that are held.
-Experiment thinned(const Experiment& experiment, int thinning);
-
 /// Scales of the signals of `experiments`. Covariates are those that move in some experiment and
 /// are known in all, those of `held` as well: a second heater may be off for a whole record.
 SignalScales scalesOf(const std::vector<Experiment>& experiments,

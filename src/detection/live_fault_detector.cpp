@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "configuration/require.h"
 #include "data/sample_grid.h"
@@ -34,20 +35,28 @@ LiveFaultDetector::LiveFaultDetector(const Estimate& estimate,
     : options_(configuration.detection),
       detector_(estimate, options_),
       resampling_(configuration.resampling),
-      piece_samples_(std::max(kFewestSamples, configuration.detection.window / 5)),
       active_(configuration.experiment_topic.empty()) {
   configuration.validate();
+  setSampleTime(estimate);
+}
+
+void LiveFaultDetector::setSampleTime(const Estimate& estimate) {
+  thinning_ = std::max(1, estimate.configuration.estimation.thinning);
+  sample_time_ = detector_.sampleTime() / thinning_;
+  piece_samples_ = std::max(kFewestSamples, options_.window * thinning_ / 5);
 }
 
 void LiveFaultDetector::adopt(const Estimate& estimate) {
-  const double before = detector_.sampleTime();
+  const double before = sample_time_;
   detector_ = FaultDetector(estimate, options_);
-  if (detector_.sampleTime() != before) interrupt();
+  setSampleTime(estimate);
+  if (sample_time_ != before) interrupt();
   beginWindows();
 }
 
 /// The next window begins with the next sample.
 void LiveFaultDetector::beginWindows() {
+  group_ = {};
   instants_.clear();
   instants_first_ = 0;
   detector_.reset();
@@ -73,29 +82,28 @@ double LiveFaultDetector::heldInput(const Recording& piece, double instant) cons
 /// are not known, and a new experiment begins.
 void LiveFaultDetector::bridge(const Recording& piece, double until,
                                std::vector<StampedFaultWindow>* found) {
-  const double sample_time = detector_.sampleTime(), begin = *newest_;
-  const double missing = std::round((until - begin) / sample_time) - 1;
+  const double begin = *newest_;
+  const double missing = std::round((until - begin) / sample_time_) - 1;
   if (missing > 2.0 * piece_samples_) {
     interrupt();
     return;
   }
   for (int k = 1; k <= static_cast<int>(missing); ++k) {
-    const double instant = begin + k * sample_time;
-    take(instant, heldInput(piece, instant + stampTolerance(instant, sample_time)), kMissing,
+    const double instant = begin + k * sample_time_;
+    take(instant, heldInput(piece, instant + stampTolerance(instant, sample_time_)), kMissing,
          found);
   }
 }
 
 std::vector<StampedFaultWindow> LiveFaultDetector::add(const Recording& piece) {
-  const double sample_time = detector_.sampleTime();
-  const Experiment samples = resample(piece, sample_time, resampling_);
+  const Experiment samples = resample(piece, sample_time_, resampling_);
   std::vector<StampedFaultWindow> found;
-  if (newest_ && samples.start_time < *newest_ - 0.5 * sample_time) interrupt();
+  if (newest_ && samples.start_time < *newest_ - 0.5 * sample_time_) interrupt();
   if (newest_) bridge(piece, samples.start_time, &found);
   for (int k = 0; k < samples.samples(); ++k) {
-    const double instant = samples.start_time + k * sample_time;
+    const double instant = samples.start_time + k * sample_time_;
     // If the true period is slightly below the sample time, pieces can overlap by one sample.
-    if (newest_ && instant < *newest_ + 0.5 * sample_time) continue;
+    if (newest_ && instant < *newest_ + 0.5 * sample_time_) continue;
     take(instant, samples.u[k], samples.isValid(k) ? samples.y[k] : kMissing, &found);
   }
   last_input_ = piece.input;
@@ -104,7 +112,7 @@ std::vector<StampedFaultWindow> LiveFaultDetector::add(const Recording& piece) {
 
 void LiveFaultDetector::take(double instant, double u, double y,
                              std::vector<StampedFaultWindow>* found) {
-  const double tolerance = stampTolerance(instant, detector_.sampleTime());
+  const double tolerance = stampTolerance(instant, sample_time_);
   while (!markers_.empty() && markers_.front().stamp <= instant + tolerance) {
     active_ = markers_.front().active;
     markers_.pop_front();
@@ -113,6 +121,15 @@ void LiveFaultDetector::take(double instant, double u, double y,
   newest_ = instant;
   newest_input_ = u;
   if (!active_) return;
+  if (group_.count == 0) group_ = {instant, y};
+  group_.input += u;
+  if (++group_.count < thinning_) return;
+  const Group complete = std::exchange(group_, {});
+  test(complete.instant, complete.input / thinning_, complete.y, found);
+}
+
+void LiveFaultDetector::test(double instant, double u, double y,
+                             std::vector<StampedFaultWindow>* found) {
   instants_.push_back(instant);
   const auto window = detector_.add(u, y);
   if (!window) return;

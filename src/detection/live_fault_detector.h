@@ -31,7 +31,9 @@ struct StampedFaultWindow {
 };
 
 /// A fault detector for stamped signals, which arrive in consecutive pieces. Each piece is put on a
-/// uniform grid by resample(). Grid points between two pieces count as not measured.
+/// uniform grid by resample(). Grid points between two pieces count as not measured. Where the
+/// model was fitted to each so manieth sample, so is each so manieth tested
+/// (EstimationOptions::thinning).
 class LiveFaultDetector {
  public:
   /// Throws the same exceptions as FaultDetector.
@@ -54,7 +56,7 @@ class LiveFaultDetector {
   void interrupt();
 
   /// [s] how long a piece should be: a fifth of a window, but at least 10 samples.
-  double pieceDuration() const { return piece_samples_ * detector_.sampleTime(); }
+  double pieceDuration() const { return piece_samples_ * sample_time_; }
 
   const FaultDetector& detector() const { return detector_; }
 
@@ -67,15 +69,27 @@ class LiveFaultDetector {
     bool active;
   };
 
+  /// Samples that are taken together as one of the model's.
+  struct Group {
+    double instant = 0, y = 0;  ///< of the first of them
+    double input = 0;           ///< sum
+    int count = 0;
+  };
+
+  void setSampleTime(const Estimate& estimate);
   void take(double instant, double u, double y, std::vector<StampedFaultWindow>* found);
+  void test(double instant, double u, double y, std::vector<StampedFaultWindow>* found);
   void bridge(const Recording& piece, double until, std::vector<StampedFaultWindow>* found);
   double heldInput(const Recording& piece, double instant) const;
   void beginWindows();
 
   FaultDetectionOptions options_;
   FaultDetector detector_;
+  int thinning_ = 1;
+  double sample_time_ = 0;  ///< [s] of the signals' grid
+  Group group_;             ///< not yet complete
   ResamplingOptions resampling_;
-  int piece_samples_;
+  int piece_samples_ = 0;
   bool active_;
   std::deque<Marker> markers_;
   std::optional<double> newest_;  ///< [s] sampling instant of the newest sample

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "data/bridged_output.h"
+
 namespace uncertainty_identification {
 
 Experiment excerpt(const Experiment& whole, int first, int count) {
@@ -22,20 +24,6 @@ int longestOf(const std::vector<Experiment>& experiments) {
   return longest;
 }
 
-Eigen::VectorXd bridgedOutput(const Experiment& experiment) {
-  Eigen::VectorXd y = experiment.y;
-  int last = -1;
-  for (int k = 0; k < experiment.samples(); ++k) {
-    if (!experiment.isValid(k)) continue;
-    for (int j = last + 1; j < k; ++j) {
-      y[j] = last < 0 ? y[k] : y[last] + (y[k] - y[last]) * (j - last) / (k - last);
-    }
-    last = k;
-  }
-  for (int j = last + 1; j < experiment.samples(); ++j) y[j] = last < 0 ? 0.0 : y[last];
-  return y;
-}
-
 std::vector<Experiment> bridged(std::vector<Experiment> experiments) {
   for (Experiment& experiment : experiments) {
     if (experiment.validSamples() == experiment.samples()) continue;
@@ -45,7 +33,7 @@ std::vector<Experiment> bridged(std::vector<Experiment> experiments) {
   return experiments;
 }
 
-std::vector<Experiment> thinned(const std::vector<Experiment>& experiments, int enough) {
+std::vector<Experiment> fewerSamples(const std::vector<Experiment>& experiments, int enough) {
   long total = 0;
   for (const Experiment& experiment : experiments) total += experiment.samples();
   if (total <= enough) return experiments;

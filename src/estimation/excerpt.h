@@ -16,12 +16,11 @@ Experiment excerpt(const Experiment& whole, int first, int count);
 /// Samples of the longest of them.
 int longestOf(const std::vector<Experiment>& experiments);
 
-/// The output with its gaps bridged by linear interpolation, for starts that need every sample.
-Eigen::VectorXd bridgedOutput(const Experiment& experiment);
+/// The experiments with the gaps of their outputs bridged (bridgedOutput()).
 std::vector<Experiment> bridged(std::vector<Experiment> experiments);
 
 /// About `enough` samples: the beginning of each experiment, or a subset of whole experiments if
 /// there are many short ones.
-std::vector<Experiment> thinned(const std::vector<Experiment>& experiments, int enough);
+std::vector<Experiment> fewerSamples(const std::vector<Experiment>& experiments, int enough);
 
 }  // namespace uncertainty_identification

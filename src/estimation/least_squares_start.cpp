@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "data/bridged_output.h"
 #include "estimation/excerpt.h"
 #include "math/interruption.h"
 #include "math/polynomial.h"

@@ -61,7 +61,7 @@ class Selection {
         candidates_(candidates),
         progress_(progress),
         split_(splitData(experiments)),
-        fitted_(thinned(split_.fitted, kEnoughSamples)) {}
+        fitted_(fewerSamples(split_.fitted, kEnoughSamples)) {}
 
   NominalModelOptions run() {
     Fitted chosen =

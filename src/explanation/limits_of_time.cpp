@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "curves/preparation.h"
+#include "data/thinning.h"
 
 namespace uncertainty_identification {
 

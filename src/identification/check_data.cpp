@@ -1,9 +1,29 @@
+#include <algorithm>
+
 #include "data/experiment_checks.h"
+#include "data/thinning.h"
 #include "identification/steps.h"
 #include "inspection/closed_loop.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
+namespace {
+
+/// Who states orders, effects or a sample time in samples means those of the data.
+int thinningOf(const Configuration& configuration, const std::vector<Experiment>& experiments) {
+  constexpr int kFewest = 100;  // samples of half the experiments
+  if (configuration.estimation.thinning != kAutomatic) return configuration.estimation.thinning;
+  if (!configuration.nominal_model.orders_auto || configuration.sample_time > 0 ||
+      !configuration.effects.empty())
+    return 1;
+  std::vector<int> lengths;
+  for (const Experiment& experiment : experiments) lengths.push_back(experiment.samples());
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return std::clamp(*middle / kFewest, 1, thinningByBandwidth(experiments));
+}
+
+}  // namespace
 
 CheckedData checkData(const Configuration& configuration,
                       const std::vector<Experiment>& experiments, Journal* journal) {
@@ -24,6 +44,8 @@ CheckedData checkData(const Configuration& configuration,
                         : "no usable experiment is left:" + reasonsOf(checked.rejected));
   if (auto warning = closedLoopWarning(followingOf(data.experiments), "the input", "the output"))
     journal->warnings.push_back(std::move(*warning));
+  data.thinning = thinningOf(configuration, data.experiments);
+  data.experiments = thinned(std::move(data.experiments), data.thinning);
   data.blocks = makeBlocks(data.experiments);
   return data;
 }

@@ -94,7 +94,7 @@ Configuration chooseOffsets(const Problem& problem, Journal* journal) {
   const bool at_input = chosen.estimation.offset_side == OffsetSide::input;
   if (cannotTell(problem) || at_input || hasGivenParameters(problem)) return chosen;
   CheckedData data;
-  data.experiments = thinned(problem.data.experiments, kEnoughForOffsets);
+  data.experiments = fewerSamples(problem.data.experiments, kEnoughForOffsets);
   data.blocks = makeBlocks(data.experiments);
   const Problem simple{data, {}, nullptr, simpleModel(problem.configuration), {}, {}};
   // These fits precede the choice of orders, and count as the beginning of its phase.

@@ -27,7 +27,7 @@ CheckedData enough(const CheckedData& data) {
   constexpr int kAlways = 1000, kTogether = 8000;  // samples of each, and of few
   const int longest = std::max(kAlways, kTogether / data.count());
   CheckedData part;
-  part.experiments = thinned(data.experiments, 2 * kEnoughSamples);
+  part.experiments = fewerSamples(data.experiments, 2 * kEnoughSamples);
   for (Experiment& experiment : part.experiments)
     if (experiment.samples() > longest) experiment = excerpt(experiment, 0, longest);
   part.blocks = makeBlocks(part.experiments);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "data/thinning.h"
 #include "identification/identify.h"
 #include "math/interruption.h"
 #include "uncertainty_identification/errors.h"
@@ -9,7 +10,7 @@
 namespace uncertainty_identification {
 namespace {
 
-/// The experiments that the estimate was fitted to, in its order.
+/// The experiments that the estimate was fitted to, in its order and at its sample time.
 std::vector<Experiment> usedExperiments(const Estimate& estimate,
                                         const std::vector<Experiment>& experiments) {
   std::vector<Experiment> used;
@@ -20,7 +21,7 @@ std::vector<Experiment> usedExperiments(const Estimate& estimate,
     used.push_back(experiment);
     ++next;
   }
-  return used;
+  return thinned(std::move(used), estimate.configuration.estimation.thinning);
 }
 
 /// A model identified without the experiments k, k + folds, ..., and the scores of these.
@@ -77,7 +78,8 @@ std::vector<double> modelRadii(const Estimate& estimate,
 /// DataError if fewer than two folds can be fitted.
 PredictionCalibration calibrated(const Request& request, const Estimate& estimate,
                                  const std::vector<Experiment>& experiments) {
-  const Configuration& configuration = estimate.configuration;
+  Configuration configuration = estimate.configuration;
+  configuration.estimation.thinning = 1;  // `used` is thinned
   const std::vector<Experiment> used = usedExperiments(estimate, experiments);
   const int count = static_cast<int>(used.size());
   const int folds = std::min(configuration.bounds.folds, count);
@@ -135,8 +137,11 @@ Estimate Identifier::reidentify(const Estimate& previous,
                                 const std::vector<Experiment>& experiments,
                                 const ProgressCallback& progress) const {
   if (!previous.usable()) return identify(experiments, {}, progress);
+  Configuration configuration = previous.configuration;
+  int& thinning = configuration.estimation.thinning;
+  thinning = std::max(thinning, 1);  // results of versions that did not thin do not state it
   return uncertainty_identification::identify(
-      {previous.configuration, nominal_model_, progress, &previous}, experiments, {});
+      {std::move(configuration), nominal_model_, progress, &previous}, experiments, {});
 }
 
 PredictionCalibration Identifier::calibrate(const Estimate& estimate,

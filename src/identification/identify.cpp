@@ -21,6 +21,7 @@ namespace {
 Problem problemOf(const Request& request, const CheckedData& data, Journal* journal) {
   Problem problem{data, request.nominal_model, request.previous, {}, {}, {}};
   problem.configuration = limitErrorModel(request.configuration, data.count(), journal);
+  problem.configuration.estimation.thinning = data.thinning;
   problem.configuration = chooseInitialState(problem.configuration, data, journal);
   problem.configuration = chooseOffsets(problem, journal);
   problem.configuration = limitDeadTime(problem);

@@ -61,7 +61,7 @@ bool simulatesAsWellAsAlone(const Problem& whole, const LinearModel& model,
                             Journal* journal) {
   constexpr double kMuch = 10;  // [% of fit] beyond what free responses of slow poles are worth
   CheckedData data;
-  data.experiments = thinned(whole.data.experiments, kEnoughSamples);
+  data.experiments = fewerSamples(whole.data.experiments, kEnoughSamples);
   data.blocks = makeBlocks(data.experiments);
   const Problem problem{data, {}, nullptr, whole.configuration, {}, {}};
   const FittedPlant joint = plantOf(model, point);

@@ -24,6 +24,7 @@ struct CheckedData {
   std::vector<Experiment> experiments;
   std::vector<Block> blocks;
   std::vector<RejectedExperiment> rejected;
+  int thinning = 1;           ///< each so manieth sample was kept (EstimationOptions)
   bool single_steps = false;  ///< whether every input changes only once
 
   int count() const { return static_cast<int>(experiments.size()); }

@@ -8,7 +8,8 @@
 /// The steps of an identification, in their order (identify.cpp).
 namespace uncertainty_identification {
 
-/// The experiments that pass the checks. Throws DataError when none does.
+/// The experiments that pass the checks, thinned where the configuration says so. Throws DataError
+/// when none does.
 CheckedData checkData(const Configuration& configuration,
                       const std::vector<Experiment>& experiments, Journal* journal);
 

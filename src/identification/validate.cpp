@@ -1,4 +1,5 @@
 #include "data/experiment_checks.h"
+#include "data/thinning.h"
 #include "estimation/linearisation.h"
 #include "estimation/simulation_fit.h"
 #include "identification/steps.h"
@@ -11,12 +12,14 @@ Validation validate(const Problem& problem, const FittedModel& fitted, InitialSt
   Validation validation;
   if (experiments.empty()) return validation;
   const Configuration& configuration = problem.configuration;
+  const int thinning = problem.data.thinning;
   const CheckReport checked =
-      checkExperiments(experiments, configuration.limits, {}, problem.data.sampleTime());
+      checkExperiments(experiments, configuration.limits, {}, problem.data.sampleTime() / thinning);
   for (const RejectedExperiment& rejected : checked.rejected)
     journal->warnings.push_back("validation: " + rejected.reason);
   std::vector<Experiment> used;
   for (int r : checked.usable) used.push_back(experiments[static_cast<std::size_t>(r)]);
+  used = thinned(std::move(used), thinning);
   if (used.empty())
     throw DataError("no usable experiment is left for validation:" + reasonsOf(checked.rejected));
   for (const Experiment& experiment : used) validation.experiments.push_back(experiment.id);

@@ -109,6 +109,7 @@ void bind(Archive& archive, EstimationOptions& options) {
   archive("noise_start", options.noise_start);
   archive("offsets", options.offsets);
   archive("offset_side", options.offset_side);
+  archive("thinning", orAutomatic(options.thinning, kAutomatic));
 }
 
 void bindMixture(Archive& archive, Mixture& mixture) {

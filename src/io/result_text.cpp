@@ -20,11 +20,18 @@ void addParameters(const std::vector<ParameterEstimate>& parameters, Rows* rows)
   }
 }
 
+std::string thinningText(int thinning) {
+  if (thinning <= 1) return "";
+  return ": " + std::to_string(thinning) + " samples of the data, of which the first output and " +
+         "the mean input are used (estimation.thinning)";
+}
+
 std::string nominalModelText(const Estimate& estimate) {
   const NominalModelEstimate& model = estimate.nominal_model;
   return "Nominal model: " + model.structure + ", delay " + std::to_string(model.delay) +
          (model.delay == 1 ? " sample" : " samples") + ", sample time " +
-         numberText(model.sample_time) + " s\n" +
+         numberText(model.sample_time) + " s" +
+         thinningText(estimate.configuration.estimation.thinning) + "\n" +
          textTable({{"B =", polynomialText(model.b, model.delay)},
                     {"A =", polynomialText(withLeadingOne(model.a), 0)},
                     {"C =", polynomialText(withLeadingOne(model.c), 0)},

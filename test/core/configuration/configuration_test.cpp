@@ -128,6 +128,7 @@ std::vector<BadValue> badOthers() {
       {"estimation.restarts", "-1", [](auto& c) { c.estimation.restarts = -1; }},
       {"estimation.threads", "0", [](auto& c) { c.estimation.threads = 0; }},
       {"estimation.discard_samples", "-5", [](auto& c) { c.estimation.discard_samples = -5; }},
+      {"estimation.thinning", "0", [](auto& c) { c.estimation.thinning = 0; }},
       {"initial.theta", "an entry",
        [](auto& c) { c.initial.theta = Eigen::VectorXd::Constant(1, kNan); }},
       {"initial.noise_variance", "0", [](auto& c) { c.initial.noise_variance = 0; }},

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "data/thinning.h"
+
 namespace uncertainty_identification {
 namespace {
 

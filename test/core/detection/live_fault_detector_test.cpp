@@ -30,10 +30,11 @@ Experiment experimentWith(const Fault& fault, int samples = 600) {
 Recording piece(const Experiment& experiment, int first, int last, double jitter = 0) {
   std::mt19937_64 random(static_cast<std::uint64_t>(first));
   std::uniform_real_distribution<double> departure(-jitter, jitter);
+  const double period = experiment.sample_time;
   Recording recording;
   recording.id = "piece";
   for (int t = first; t < last; ++t) {
-    const double due = kBegin + t * kSampleTime;
+    const double due = kBegin + t * period;
     recording.input.stamps.push_back(due + departure(random));
     recording.input.values.push_back(experiment.u[t]);
     if (!experiment.isValid(t)) continue;
@@ -87,6 +88,31 @@ TEST(LiveFaultDetector, OutputsMissingBetweenPiecesAreBridgedWithWhatWasCommande
   LiveFaultDetector strict(estimateOf(test::example1Truth()), configuration);
   FaultDetector plain(estimateOf(test::example1Truth()));
   expectTheSame(inPieces(&strict, experiment, 20), decisions(&plain, experiment));
+}
+
+/// Sampled this much faster: the inputs average to those of the experiment, and of the outputs only
+/// the first of each is its own.
+Experiment faster(const Experiment& experiment, int times) {
+  Experiment fast = experiment;
+  fast.sample_time /= times;
+  fast.u.resize(experiment.samples() * times);
+  fast.y.resize(fast.u.size());
+  for (int t = 0; t < fast.samples(); ++t) {
+    fast.u[t] = experiment.u[t / times] + (t % 2 == 0 ? 0.5 : -0.5);
+    fast.y[t] = experiment.y[t / times] + (t % times == 0 ? 0 : 9);
+  }
+  return fast;
+}
+
+TEST(LiveFaultDetector, TakesSamplesTogetherAsTheModelWasFitted) {
+  constexpr int kTimes = 4;
+  const Experiment experiment = experimentWith({FaultKind::bias, 1.0, 300});
+  Estimate estimate = estimateOf(test::example1Truth());
+  FaultDetector plain(estimate);
+  estimate.configuration.estimation.thinning = kTimes;
+  LiveFaultDetector live(estimate, {});
+  EXPECT_NEAR(live.pieceDuration(), 10 * kSampleTime, 1e-12);
+  expectTheSame(inPieces(&live, faster(experiment, kTimes), 30), decisions(&plain, experiment));
 }
 
 TEST(LiveFaultDetector, ALongSilenceBeginsAnew) {

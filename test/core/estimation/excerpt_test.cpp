@@ -38,14 +38,14 @@ TEST(Excerpt, KeepsSignalsTogether) {
 }
 
 TEST(Thinned, LeavesLittleDataAlone) {
-  EXPECT_EQ(total(thinned(experiments(10, 100), 1000)), 1000);
+  EXPECT_EQ(total(fewerSamples(experiments(10, 100), 1000)), 1000);
 }
 
 class TooMuch : public testing::TestWithParam<std::pair<int, int>> {};
 
 TEST_P(TooMuch, IsCutToAboutWhatSuffices) {
   const auto [count, samples] = GetParam();
-  const std::vector<Experiment> fewer = thinned(experiments(count, samples), 15000);
+  const std::vector<Experiment> fewer = fewerSamples(experiments(count, samples), 15000);
   ASSERT_FALSE(fewer.empty());
   EXPECT_GT(total(fewer), 12000);
   EXPECT_LE(total(fewer), 16000);

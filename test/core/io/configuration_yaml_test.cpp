@@ -65,7 +65,7 @@ nominal_model: {structure: output_error, orders: given, focus: prediction, fit: 
 error_model: {basis: kautz, taps: 3, constraint: explicit, T: [[1, 0], [0, 0.3], [-1, -1]], components: 3, pole: -0.1,
               pole_real: 0.2, pole_imag: 0.7, parameters: [b1], sensitivity_order: 2, max_taps: 6, max_components: 5}
 estimation: {algorithm: em, max_iterations: 0, time_limit: 7, tolerance: 1.0e-9, restarts: 3, threads: 2, seed: 18446744073709551615,
-             initial_state: discard, discard_samples: 9, initial_precision: 0.5, initial_variance: 2, noise_start: zero, offsets: per_experiment, offset_side: input}
+             initial_state: discard, discard_samples: 9, initial_precision: 0.5, initial_variance: 2, noise_start: zero, offsets: per_experiment, offset_side: input, thinning: 3}
 initial: {theta: [0.1, -0.2], weights: [0.25, 0.75], means: [[1, 2], [3, 4]],
           covariances: [[[1, 0], [0, 1]], [[2, 0.5], [0.5, 2]]], noise_variance: 0.3}
 effects: [{name: sens_bias, variant: per_experiment, parameters: {deviation: -1}}]
