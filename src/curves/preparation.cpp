@@ -13,6 +13,7 @@
 namespace uncertainty_identification {
 namespace {
 
+constexpr double kPerPeriod = 24;  // samples
 constexpr int kShortest = 60, kLongest = 400, kFewestWindows = 10;
 constexpr std::size_t kManyExperiments = 8;
 
@@ -110,7 +111,7 @@ void group(std::size_t experiments, SimulationData* data) {
 
 WindowPlan planWindows(const std::vector<Experiment>& experiments) {
   WindowPlan plan;
-  plan.thinning = thinningByBandwidth(experiments);
+  plan.thinning = thinningByBandwidth(experiments, kPerPeriod);
   int total = 0, longest = 0;
   for (const Experiment& experiment : experiments) {
     const int samples = experiment.samples() / plan.thinning;

@@ -9,7 +9,6 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kPerPeriod = 24;
 constexpr double kFewestSamples = 2500;
 
 double medianOf(std::vector<double> values) {
@@ -30,7 +29,7 @@ Eigen::VectorXd averaged(const Eigen::VectorXd& signal, int thinning) {
 
 }  // namespace
 
-int thinningByBandwidth(const std::vector<Experiment>& experiments) {
+int thinningByBandwidth(const std::vector<Experiment>& experiments, double per_period) {
   double samples = 0;
   std::vector<double> widths;
   for (const Experiment& experiment : experiments) {
@@ -38,7 +37,7 @@ int thinningByBandwidth(const std::vector<Experiment>& experiments) {
     if (experiment.samples() >= 8) widths.push_back(bandwidth(bridgedOutput(experiment)));
   }
   if (widths.empty()) return 1;
-  const double by_bandwidth = 1 / (kPerPeriod * std::max(medianOf(widths), 1e-9));
+  const double by_bandwidth = 1 / (per_period * std::max(medianOf(widths), 1e-9));
   return std::max(1, static_cast<int>(std::min(by_bandwidth, samples / kFewestSamples) + 1e-9));
 }
 

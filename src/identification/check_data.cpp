@@ -12,15 +12,18 @@ namespace {
 /// Who states orders, effects or a sample time in samples means those of the data.
 int thinningOf(const Configuration& configuration, const std::vector<Experiment>& experiments) {
   constexpr int kFewest = 100;  // samples of half the experiments
+  // Samples; resonances with little power, ten times as fast as the most, still get ten a period.
+  constexpr double kPerPeriod = 100;
   if (configuration.estimation.thinning != kAutomatic) return configuration.estimation.thinning;
   if (!configuration.nominal_model.orders_auto || configuration.sample_time > 0 ||
       !configuration.effects.empty())
     return 1;
   std::vector<int> lengths;
+  lengths.reserve(experiments.size());
   for (const Experiment& experiment : experiments) lengths.push_back(experiment.samples());
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
-  return std::clamp(*middle / kFewest, 1, thinningByBandwidth(experiments));
+  return std::clamp(*middle / kFewest, 1, thinningByBandwidth(experiments, kPerPeriod));
 }
 
 }  // namespace

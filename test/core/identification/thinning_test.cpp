@@ -12,7 +12,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kPeriod = 0.001, kGain = 2, kTau = 0.2, kNoise = 0.002;  // [s], [-], [s], [-]
+constexpr double kPeriod = 0.00025, kGain = 2, kTau = 0.2, kNoise = 0.002;  // [s], [-], [s], [-]
 constexpr int kSamples = 20000;
 
 /// A first-order lag; its input are steps behind an actuator of 50 ms.
@@ -27,7 +27,7 @@ Experiment oversampled(int seed) {
   const double pole = std::exp(-kPeriod / kTau), actuator = std::exp(-kPeriod / 0.05);
   double x = 0, u = 0, level = 0;
   for (int k = 0; k < kSamples; ++k) {
-    if (k % 300 == 0) level = normal(random);
+    if (k % 1200 == 0) level = normal(random);
     experiment.u[k] = u;
     experiment.y[k] = x + kNoise * normal(random);
     x = pole * x + kGain * (1 - pole) * u;
