@@ -64,7 +64,8 @@ class Player {
  public:
   explicit Player(const std::string& arguments)
       : process_({"/bin/sh", "-c",
-                  "exec rosbag play __name:=player --quiet --clock --wait-for-subscribers " +
+                  "exec rosbag play __name:=player --quiet --clock --queue=10000 "
+                  "--wait-for-subscribers " +
                       arguments + " < /dev/null"}) {}
 
   bool pause(bool paused) {

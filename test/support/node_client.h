@@ -99,8 +99,8 @@ class Latest {
 
 /// Plays a bag to its end, on its own clock. Returns the exit status of `rosbag play`.
 inline int playBag(const std::string& path, const std::string& options) {
-  const std::string command = "rosbag play --quiet --clock --wait-for-subscribers " + options +
-                              " " + path + " < /dev/null > /dev/null";
+  const std::string command = "rosbag play --quiet --clock --queue=10000 --wait-for-subscribers " +
+                              options + " " + path + " < /dev/null > /dev/null";
   return std::system(command.c_str());
 }
 
