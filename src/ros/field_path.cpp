@@ -38,6 +38,12 @@ std::optional<Component> elementOf(const std::string& array, const std::string& 
   return component;
 }
 
+// An element's name as the configuration has to write it: '7' is a name, 7 the eighth element.
+std::string quoted(const std::string& element) {
+  return element.find_first_not_of("0123456789") == std::string::npos ? "'" + element + "'"
+                                                                      : element;
+}
+
 // "a.effort[left.wheel]" -> {"a"}, {"effort", "left.wheel"}; no value if the text does not have
 // that form.
 std::optional<std::vector<Component>> parsePath(const std::string& path) {
@@ -116,7 +122,8 @@ std::optional<FieldPath> follow(const MessageDefinition& definition,
                           component.element, component.element.empty() ? 0 : *names});
     path.text += (path.text.empty() ? "" : ".") + component.name;
     if (component.isElement())
-      path.text += "[" + (component.index ? std::to_string(index) : component.element) + "]";
+      path.text +=
+          "[" + (component.index ? std::to_string(index) : quoted(component.element)) + "]";
     type = field->type == FieldType::message ? &definition.contained(*field) : nullptr;
   }
   return path.steps.empty() ? std::nullopt : std::optional(path);

@@ -58,6 +58,8 @@ TEST(JointNames, ThatAMessageLacksAreRefusedWithThoseItHas) {
                        "'effort[wheel]': the message names no 'wheel'; its names are "
                        "'arm', 'wheel_left', 'base/wheel.right', '7'"))
       << absent;
+  const std::string number = messageOf<DataError>([] { decoded(robotState(), "effort['9']"); });
+  EXPECT_TRUE(mentions(number, "'effort['9']': the message names no '9'")) << number;
   const std::string shorter = messageOf<DataError>([] { decoded(robotState(), "velocity[arm]"); });
   EXPECT_TRUE(mentions(shorter, "the message has 4 names for 0 elements")) << shorter;
   EXPECT_TRUE(mentions(messageOf<DataError>([] { decoded(JointState(), "effort[arm]"); }),
