@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "bounds/structure_bound.h"
 #include "math/constants.h"
 #include "math/interruption.h"
 #include "uncertainty_identification/bounds/bands.h"
@@ -68,6 +69,14 @@ struct Metric {
   Matrix2d root, inverse;
 };
 
+/// Adds an independent error of the radius `by` in the complex plane to the limits in all
+/// directions.
+void widenAll(const Metric& metric, double by, Band* band) {
+  for (int d = 0; d < kDirections; ++d)
+    widen(0, by * (metric.inverse.transpose() * direction(d)).norm(), &band->lower[d],
+          &band->upper[d]);
+}
+
 ComplexRegion regionOf(const Polygon& polygon, const Metric& metric, double omega, double level) {
   const auto corners = static_cast<Index>(polygon.size());
   ComplexRegion region{omega, level, Eigen::VectorXd(corners), Eigen::VectorXd(corners)};
@@ -89,6 +98,7 @@ std::vector<ComplexRegion> complexRegions(const PlantDistribution& plants,
   const PlantSamples drawn =
       plants.draw(options.samples,
                   plants.hasEstimationErrors() ? Uncertainty::total : Uncertainty::mixture, seed);
+  const ComplexResponses nominal = frequencyResponses(plants.nominal(), omega);
   ResponseSweep sweep(drawn);
   std::vector<ComplexRegion> regions;
   for (Index k = 0; k < omega.size(); ++k) {
@@ -105,8 +115,13 @@ std::vector<ComplexRegion> complexRegions(const PlantDistribution& plants,
     BandBuilder builder(options.levels, drawn.count(), kDirections, Sides::two, 1e-6F);
     for (int d = 0; d < kDirections; ++d)
       builder.add((x * direction(d)[0] + y * direction(d)[1]).cast<float>());
-    for (const Band& band : builder.bands().simultaneous)
+    const double gain = std::hypot(nominal.real(0, k), nominal.imaginary(0, k));
+    for (Band& band : builder.bands().simultaneous) {
+      const double by =
+          gain * structureBound(plants.structureError(), omega.segment(k, 1), band.level)[0];
+      if (by > 0) widenAll(metric, by, &band);
       regions.push_back(regionOf(between(band), metric, omega[k], band.level));
+    }
   }
   return regions;
 }

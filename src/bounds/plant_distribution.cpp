@@ -101,6 +101,7 @@ void evaluate(const MatrixXd& coefficients, int first, const VectorXd& angles,
 PlantDistribution::PlantDistribution(const Estimate& estimate,
                                      std::shared_ptr<const NominalModel> nominal_model)
     : nominal_(nominalPlant(estimate)),
+      structure_error_(estimate.structure_error),
       varying_(variesParameters(estimate.error_model.options.basis) &&
                        estimate.error_model.mixture.dimension() > 0
                    ? std::make_shared<VaryingPlant>(estimate, std::move(nominal_model))

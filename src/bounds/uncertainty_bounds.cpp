@@ -5,6 +5,7 @@
 #include <complex>
 #include <sstream>
 
+#include "bounds/structure_bound.h"
 #include "math/constants.h"
 #include "math/interruption.h"
 #include "math/polynomial.h"
@@ -141,6 +142,7 @@ FrequencyBounds frequencyBounds(const PlantDistribution& plants, const VectorXd&
     *of(&bounds.phase_bands) = std::move(found.phase);
     *of(&bounds.relative_error) = std::move(found.relative_error);
   }
+  addStructureError(plants.structureError(), &bounds);
   return bounds;
 }
 

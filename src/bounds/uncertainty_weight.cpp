@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bounds/magnitude_fit.h"
+#include "bounds/structure_bound.h"
 #include "math/interruption.h"
 #include "math/polynomial.h"
 #include "uncertainty_identification/bounds/bands.h"
@@ -163,7 +164,10 @@ UncertaintyWeight uncertaintyWeight(const PlantDistribution& plants, const Vecto
       plants.draw(options.samples,
                   plants.hasEstimationErrors() ? Uncertainty::total : Uncertainty::mixture, seed);
   const VectorXd check = checkFrequencies(omega);
-  const VectorXd bound = simultaneousBound(drawn, plants.nominal(), check, options.weight_level);
+  const VectorXd of_draws = simultaneousBound(drawn, plants.nominal(), check, options.weight_level);
+  const VectorXd of_structure =
+      structureBound(plants.structureError(), check, options.weight_level);
+  const VectorXd bound = (of_draws.array().square() + of_structure.array().square()).sqrt();
   if (!(bound.maxCoeff() > 1e-9)) {
     throw DataError("the plants do not differ from the nominal model, so no weight is needed");
   }

@@ -9,6 +9,7 @@
 #include "estimation/stopwatch.h"
 #include "identification/mean_plant.h"
 #include "identification/steps.h"
+#include "identification/structure_error.h"
 #include "math/interruption.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/version.h"
@@ -93,6 +94,12 @@ FittedModel fitChosen(const Configuration& asked, Problem* problem, Journal* jou
   return alone;
 }
 
+/// Whether the orders were chosen from data, now or in the result that is continued.
+bool mayLackDynamics(const Request& request) {
+  return request.configuration.nominal_model.orders_auto ||
+         (request.previous != nullptr && request.previous->structure_error.omega.size() > 0);
+}
+
 std::string timeLimitText(const Request& request) {
   std::ostringstream text;
   text << "the time limit of " << request.configuration.estimation.time_limit
@@ -130,6 +137,8 @@ Estimate identifyFrom(const Request& request, const std::vector<Experiment>& exp
   Estimate estimate = describe(problem, fitted, journal);
   const InitialState asked = request.configuration.estimation.initial_state;
   estimate.configuration.estimation.initial_state = asked;  // other data may start elsewhere
+  if (mayLackDynamics(request))
+    estimate.structure_error = structureErrorOf(problem.data.experiments, estimate);
   estimate.validation = validate(problem, fitted, asked, validation, journal);
   estimate.trust = trustAfterValidation(std::move(estimate.trust), estimate.validation);
   return estimate;

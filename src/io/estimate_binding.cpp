@@ -124,6 +124,11 @@ void bind(Archive& archive, ResidualTests& tests) {
   archive.ifThere("nonlinear_share", tests.nonlinear_share);
 }
 
+void bind(Archive& archive, StructureError& error) {
+  archive("omega", error.omega);
+  archive("relative", error.relative);
+}
+
 void bind(Archive& archive, Trust& trust) {
   archive("trusted", trust.trusted);
   archive("reasons", trust.reasons);
@@ -164,6 +169,7 @@ void bind(Archive& archive, Estimate& estimate) {
   archive("residual_tests", estimate.residual_tests);
   archive("candidates", estimate.candidates);
   archive.ifThere("variation", estimate.variation);
+  archive.ifThere("structure_error", estimate.structure_error);
   archive.ifThere("trust", estimate.trust);
   archive("warnings", estimate.warnings);
 }

@@ -79,6 +79,19 @@ void requireErrorModel(const ErrorModelEstimate& model) {
   require(model.T.allFinite(), "error_model.T", "an entry that is not finite", "finite numbers");
 }
 
+void requireStructureError(const StructureError& error) {
+  const std::string at = "structure_error.";
+  const auto& omega = error.omega;
+  requireLength(at + "relative", error.relative, omega.size());
+  if (omega.size() == 0) return;
+  requireFinite(at + "omega", omega);
+  requireFinite(at + "relative", error.relative);
+  const bool ascending = std::is_sorted(omega.data(), omega.data() + omega.size());
+  require(ascending && omega[0] > 0, at + "omega", "frequencies that do not ascend from above 0",
+          "ascending ones");
+  require(error.relative.minCoeff() >= 0, at + "relative", "a negative error", "0 or more");
+}
+
 void requireExperiments(const Estimate& estimate) {
   require(estimate.experiment_count >= 0, "experiments.count", estimate.experiment_count,
           "0 or more");
@@ -135,6 +148,7 @@ void requireConsistent(const Estimate& estimate) {
   if (estimate.nominal_model.b.size() > 0) requireModel(estimate.nominal_model);
   requireCovariance("joint_covariance", estimate.joint_covariance);
   requireExperiments(estimate);
+  requireStructureError(estimate.structure_error);
   requireLength("validation.simulation_fit_percent", estimate.validation.simulation_fit_percent,
                 static_cast<Index>(estimate.validation.experiments.size()));
 }

@@ -47,6 +47,9 @@ class PlantDistribution {
   /// Whether the estimation errors are known. Uncertainty::total needs them.
   bool hasEstimationErrors() const { return root_.size() > 0; }
 
+  /// What the drawn plants do not contain: dynamics that the chosen orders may lack.
+  const StructureError& structureError() const { return structure_error_; }
+
   /// Draws `count` plants as a Latin hypercube: each draw has the exact distribution, and together
   /// they cover it more evenly than independent draws. The same seed gives the same draws. Throws
   /// DataError when the estimation errors are asked for but not known. Where parameters of Go vary,
@@ -61,6 +64,7 @@ class PlantDistribution {
   void drawNominal(const Eigen::VectorXd& at, Eigen::Index row, PlantSamples* drawn) const;
 
   PlantSamples nominal_;
+  StructureError structure_error_;
   std::shared_ptr<const VaryingPlant>
       varying_;  ///< null if the error model is filters in series with Go
   ErrorModelOptions basis_;

@@ -122,6 +122,15 @@ struct TracePoint {
   std::optional<StepSummary> step{};
 };
 
+/// How far the data leave the plant open where its orders were chosen from them: dynamics beyond
+/// what noise and input let them show cannot have been found. Bounds include it.
+struct StructureError {
+  Eigen::VectorXd omega;  ///< [rad/s], ascending; empty: the orders were stated, or are not known
+  /// Standard error, relative to |Go|, of a response that is estimated without any structure in the
+  /// octave about each frequency.
+  Eigen::VectorXd relative;
+};
+
 /// Whether a result's distribution of plants, and so its bounds, can be relied on.
 struct Trust {
   bool trusted = true;
@@ -161,6 +170,7 @@ struct Estimate {
   Validation validation;
   ResidualTests residual_tests;
   std::string variation;  ///< how the plants differ from experiment to experiment, in a sentence
+  StructureError structure_error;
   Trust trust;
   std::vector<std::string> warnings;
 

@@ -62,6 +62,7 @@ Estimate estimate() {
   full.candidates = {{"orders", "output_error nb=2 na=2 delay=1", 4, {}, 5.0, 93.5, true}};
   full.validation = {{"v1", "v2"}, {90.5, -3}, 85, -12};
   full.residual_tests = {150, {0.1, -0.2}, {1.0 / 3, 0.01}, 0.25, kNan};
+  full.structure_error = {vector({0.5, 20}), vector({1.0 / 3, 7})};
   full.warnings = {"a warning"};
   return full;
 }
@@ -136,6 +137,7 @@ TEST(ResultJson, RoundTripThroughTextKeepsEveryBit) {
   EXPECT_EQ(back.nominal_model.b, estimate().nominal_model.b);
   EXPECT_EQ(back.nominal_model.parameters[1].standard_error, 5e-324);
   EXPECT_EQ(back.error_model.T, estimate().error_model.T);
+  EXPECT_EQ(back.structure_error.relative, estimate().structure_error.relative);
   EXPECT_EQ(back.error_model.options.T.size(), 0);
   EXPECT_EQ(back.error_model.options.components, 2);
   EXPECT_EQ(back.noise_variance.unit, "V^2");
@@ -219,8 +221,9 @@ TEST(ResultJson, RefusesWhatIsNoSuchResult) {
 TEST(ResultJson, NamesEveryMissingField) {
   const json tree = toJson(estimate());
   for (const auto& [key, value] : tree.items()) {
-    if (key == "bounds") continue;                       // written, never read
-    if (key == "trust" || key == "variation") continue;  // results of older versions lack them
+    if (key == "bounds") continue;  // written, never read
+    // Results of older versions lack these.
+    if (key == "trust" || key == "variation" || key == "structure_error") continue;
     json without = tree;
     without.erase(key);
     EXPECT_EQ(complaint(without), key + ": missing (is the file truncated?)");
@@ -239,6 +242,15 @@ TEST(ResultJson, OlderResultsHaveNoTestOfLinearity) {
   tree["residual_tests"].erase("linearity_p_value");
   tree["residual_tests"].erase("nonlinear_share");
   EXPECT_EQ(complaint(tree), "");
+}
+
+TEST(ResultJson, StructureErrorsThatDoNotFitTogetherAreRefused) {
+  json tree = toJson(estimate());
+  tree["structure_error"]["relative"].push_back(1);
+  EXPECT_EQ(complaint(tree), "structure_error.relative: found 3 entries; allowed: 2");
+  tree = toJson(estimate());
+  tree["structure_error"]["omega"][0] = 30;
+  EXPECT_NE(complaint(tree).find("do not ascend"), std::string::npos) << complaint(tree);
 }
 
 TEST(ResultJson, OlderConfigurationsTakeDefaults) {
