@@ -37,13 +37,18 @@ function at(band, index) {
   return {level: band.level, lower: band.lower[index], upper: band.upper[index]};
 }
 
+function hiddenInWords(frequency) {
+  if (!frequency.hidden_from) return '';
+  return ` From ${number(frequency.hidden_from)} rad/s on, noise hides what the input causes: there the plant is not known.`;
+}
+
 function showBode(parent, frequency, sampleTime, choices) {
   const {omega, magnitude, phase} = frequency, floor = lowestMagnitude(frequency);
   const head = k => `${number(omega[k], 4)} rad/s (${number(omega[k] / (2 * Math.PI), 3)} Hz)`;
   const gain = value => `${number(decibel(Math.max(value, floor)), 3)} dB (${number(value, 3)})`;
   bandFigure(parent, {
     title: 'Magnitude', x: omega, nominal: magnitude, bands: frequency.magnitude_bands, height: 340,
-    caption: `|G| in decibel: 0 dB is 1 ${kGainUnit}, 20 dB is 10. Hover for values.`,
+    caption: `|G| in decibel: 0 dB is 1 ${kGainUnit}, 20 dB is 10. Hover for values.${hiddenInWords(frequency)}`,
     toAxis: value => decibel(Math.max(value, floor)),
     describe: (k, bands) => [head(k), `nominal: ${gain(magnitude[k])}`, ...bands.map(band => interval(at(band, k), gain))],
     axes: {x: frequencyAxis(omega), y: aligningAxis(linearAxis(`|G| [dB re 1 ${kGainUnit}]`, {grace: '2%'}))}}, choices);

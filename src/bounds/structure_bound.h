@@ -19,7 +19,7 @@ void widen(double center, double by, double* lower, double* upper);
 
 /// The bands with estimation errors, widened by the structure's: each distance of a limit from Go
 /// and the bound are added as independent errors. Where the bound reaches 1, |G| may vanish and its
-/// phase is not known.
+/// phase is not known; hidden_from says from where on.
 void addStructureError(const StructureError& error, FrequencyBounds* bounds);
 
 }  // namespace uncertainty_identification

@@ -23,6 +23,7 @@ void bind(Archive& archive, FrequencyBounds& bounds) {
   archive("magnitude_bands", bounds.magnitude_bands);
   archive("phase_bands", bounds.phase_bands);
   archive("relative_error", bounds.relative_error);
+  archive.ifThere("hidden_from", orNull(bounds.hidden_from));
 }
 
 void bind(Archive& archive, StepBounds& bounds) {

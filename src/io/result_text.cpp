@@ -174,16 +174,29 @@ std::string baselineText(const Baseline& baseline) {
          "\n" + textTable(bands);
 }
 
+namespace {
+
+/// How many frequencies lie below the one from which on nothing is known of the plant.
+Eigen::Index knownFrequencies(const FrequencyBounds& frequency) {
+  const Eigen::VectorXd& omega = frequency.omega;
+  if (!frequency.hidden_from) return omega.size();
+  const Eigen::Index known = (omega.array() < *frequency.hidden_from).count();
+  return std::max<Eigen::Index>(known, 1);
+}
+
+}  // namespace
+
 std::string boundsText(const Bounds& bounds) {
   const auto& bands = bounds.frequency.magnitude_bands;
   const auto& errors = bounds.frequency.relative_error;
   const bool total = !bands.total.empty();
   const Bands& magnitude = total ? bands.total : bands.mixture;
   const Bands& error = total ? errors.total : errors.mixture;
+  const Eigen::Index known = knownFrequencies(bounds.frequency);
   Rows rows{{"share of plants", "|G| at the lowest frequency", "largest |G/Go - 1|", "at [rad/s]"}};
   for (std::size_t k = 0; k < bounds.levels.size(); ++k) {
     Eigen::Index at = 0;
-    const double largest = error.simultaneous[k].upper.maxCoeff(&at);
+    const double largest = error.simultaneous[k].upper.head(known).maxCoeff(&at);
     rows.push_back({numberText(100 * bounds.levels[k]) + " %",
                     numberText(magnitude.pointwise[k].lower[0]) + " to " +
                         numberText(magnitude.pointwise[k].upper[0]),
@@ -192,6 +205,11 @@ std::string boundsText(const Bounds& bounds) {
   std::string text = "Bounds, from " + std::to_string(bounds.samples) + " plants drawn, " +
                      (total ? "including" : "not including") + " the errors of the estimate" +
                      "\n" + textTable(rows);
+  if (bounds.frequency.hidden_from) {
+    text += "From " + numberText(*bounds.frequency.hidden_from) +
+            " rad/s on, noise hides what the input causes: there the bands say only that the plant "
+            "is not known\n";
+  }
   if (bounds.weight) {
     const UncertaintyWeight& weight = *bounds.weight;
     text += "G = Go (1 + W Delta): W of order " + std::to_string(weight.order) + " bounds the " +

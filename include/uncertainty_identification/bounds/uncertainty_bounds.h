@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "uncertainty_identification/bounds/bands.h"
 #include "uncertainty_identification/bounds/plant_distribution.h"
@@ -23,6 +24,9 @@ struct FrequencyBounds {
   UncertaintyBands phase_bands;      ///< [rad]; a plant's phase is taken within half a turn of Go's
   UncertaintyBands
       relative_error;  ///< |G/Go - 1|, the multiplicative uncertainty; upper limit only
+  /// [rad/s] The first frequency of the grid from which on the plant may as well be zero for all
+  /// that the data show (StructureError, with 95 %). Absent: there is none.
+  std::optional<double> hidden_from;
 };
 
 /// Bands of the response to a unit step.

@@ -29,7 +29,8 @@ const Band& at95(const std::vector<Band>& bands) { return bands.at(2); }
 
 TEST(StructureBound, IsTheRadiusOfAComplexGaussian) {
   const StructureError error{vectorOf({1, 100}), vectorOf({0.01, 1})};
-  const VectorXd bound = structureBound(error, vectorOf({0.1, 1, 10, 100, 300}), kLevel) / kQuantile;
+  const VectorXd bound =
+      structureBound(error, vectorOf({0.1, 1, 10, 100, 300}), kLevel) / kQuantile;
   const VectorXd expected = vectorOf({0.01, 0.01, 0.1, 1, 1});  // a straight line on log-log axes
   for (Eigen::Index k = 0; k < bound.size(); ++k) EXPECT_NEAR(bound[k], expected[k], 1e-12) << k;
   EXPECT_EQ(structureBound({vectorOf({1}), vectorOf({1e9})}, vectorOf({2}), kLevel)[0], 10);
@@ -51,10 +52,20 @@ TEST(StructureBound, WidensTheBandsWithEstimationErrors) {
     EXPECT_NEAR(phase.upper[k] - bounds.phase[k], std::asin(by), 1e-4);
     EXPECT_NEAR(error.upper[k], by, 1e-4);
   }
+  EXPECT_EQ(bounds.hidden_from, 20);
   EXPECT_EQ(magnitude.lower[2], 0);
   EXPECT_NEAR(phase.upper[2] - phase.lower[2], 2 * kPi, 1e-9);
   EXPECT_LT(at95(bounds.magnitude_bands.mixture.pointwise).upper[1], bounds.magnitude[1] * 1.001)
       << "the mixture alone is as estimated";
+}
+
+TEST(StructureBound, HidesThePlantOnlyWhereNothingAboveIsKnown) {
+  const auto hiddenFrom = [](double first, double last) {
+    const Estimate estimate = precise({vectorOf({1, 2, 20}), vectorOf({0.01, first, last})});
+    return frequencyBounds(PlantDistribution(estimate), vectorOf({1, 2, 20}), {}, 1).hidden_from;
+  };
+  EXPECT_EQ(hiddenFrom(5, 5), 2);
+  EXPECT_FALSE(hiddenFrom(5, 0.1)) << "a notch of the input";
 }
 
 TEST(StructureBound, IsAddedToOtherErrorsAsIndependent) {
@@ -86,7 +97,8 @@ TEST(StructureBound, WidensRegionsAndWeight) {
   EXPECT_LE(distance.maxCoeff(), 1.2 * kQuantile * 0.1) << "a polygon with 24 sides about a circle";
   options.weight_level = kLevel;
   const UncertaintyWeight weight = uncertaintyWeight(plants, omega, options, 1);
-  EXPECT_NEAR(magnitudeOf(weight, vectorOf({5}), plants.nominal().sample_time)[0], kQuantile * 0.1, 0.02);
+  EXPECT_NEAR(magnitudeOf(weight, vectorOf({5}), plants.nominal().sample_time)[0], kQuantile * 0.1,
+              0.02);
 }
 
 }  // namespace

@@ -19,13 +19,15 @@ using Eigen::VectorXd;
 constexpr int kReadings = 400;
 constexpr double kHeld = 10;  // [s]
 
-/// Three lags in a row, as of an oven with its wall and its sensor; the sensor's lag is hidden by noise.
+/// Three lags in a row, as of an oven with its wall and its sensor; the sensor's lag is hidden by
+/// noise.
 struct Oven {
   double gain, wall, air, sensor;  // [K/W], [s], [s], [s]
 
   double magnitude(double omega) const {
     double squared = gain * gain;
-    for (const double lag : {wall, air, sensor}) {  // held input: exact in discrete time for each lag
+    for (const double lag :
+         {wall, air, sensor}) {  // held input: exact in discrete time for each lag
       const double pole = std::exp(-kHeld / lag);
       squared *= std::norm((1 - pole) / (1.0 - pole * std::polar(1.0, -omega * kHeld)));
     }
@@ -35,8 +37,16 @@ struct Oven {
   Experiment measured(int seed, double noise) const {
     std::mt19937_64 random(static_cast<std::uint64_t>(seed));
     std::normal_distribution<double> normal;
-    Experiment experiment{"run_" + std::to_string(seed), kHeld, 0, VectorXd(kReadings), VectorXd(kReadings),
-                          {}, {}, {}, {}, {}};
+    Experiment experiment{"run_" + std::to_string(seed),
+                          kHeld,
+                          0,
+                          VectorXd(kReadings),
+                          VectorXd(kReadings),
+                          {},
+                          {},
+                          {},
+                          {},
+                          {}};
     double x[3] = {0, 0, 0}, level = 0;
     const double lags[3] = {wall, air, sensor};
     for (int k = 0; k < kReadings; ++k) {
@@ -88,7 +98,8 @@ TEST(StructureErrorTest, IsTheErrorOfAResponseInOneOctave) {
   EXPECT_NEAR(error.omega[error.omega.size() - 1], kPi / 0.5, 1e-12);
   for (const Eigen::Index before : {12, 20, 28, 36}) {
     const Eigen::Index k = error.omega.size() - 1 - before;
-    const double bins = (std::sqrt(2.0) - std::sqrt(0.5)) * error.omega[k] * 0.5 * kReadings / (2 * kPi);
+    const double bins =
+        (std::sqrt(2.0) - std::sqrt(0.5)) * error.omega[k] * 0.5 * kReadings / (2 * kPi);
     const double expected = std::sqrt(0.09 / (4 * kCount * bins));
     EXPECT_NEAR(error.relative[k] / expected, 1, 0.1) << "at " << error.omega[k] << " rad/s";
   }

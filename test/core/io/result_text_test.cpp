@@ -98,5 +98,24 @@ TEST(ResultText, AnEstimateThatWasNeverRunSaysSo) {
   expectPart(resultText(Estimate{}), "Ended: not_run after 0 iterations");
 }
 
+TEST(ResultText, TheLargestErrorIsThatWherePlantsAreKnown) {
+  Bounds bounds;
+  bounds.levels = {0.95};
+  bounds.frequency.omega = Eigen::Vector2d(1, 50);
+  const Band band{0.95, Eigen::Vector2d(0.75, 0), Eigen::Vector2d(1.25, 10)};
+  bounds.frequency.magnitude_bands.total = {{band}, {band}, {0}};
+  bounds.frequency.relative_error.total = {{band}, {band}, {0}};
+  const auto row = [&] {
+    const std::string text = boundsText(bounds);
+    const std::size_t at = text.find("95 %");
+    return text.substr(at, text.find('\n', at) - at);
+  };
+  expectPart(row(), " 50");
+  bounds.frequency.hidden_from = 50;
+  expectPart(row(), "1.25");
+  EXPECT_EQ(row().find(" 50"), std::string::npos) << row();
+  expectPart(boundsText(bounds), "From 50 rad/s on, noise hides what the input causes");
+}
+
 }  // namespace
 }  // namespace uncertainty_identification
