@@ -69,9 +69,8 @@ std::vector<StructureFit> fitAll(const Problem& problem,
     auto fit = fitStructure(problem, structures[k], starts, k < kFromData, journal);
     journal->progress.report(Phase::structure,
                              static_cast<double>(k + 1) / static_cast<double>(structures.size()));
-    if (!fit || (problem.configuration.error_model.basis == BasisKind::automatic &&
-                 isBesideItsPlants(problem, *fit)))
-      continue;
+    const bool free = problem.configuration.error_model.basis == BasisKind::automatic;
+    if (!fit || (free && (!plantsExist(*fit) || isBesideItsPlants(problem, *fit)))) continue;
     fits.push_back(std::move(*fit));
     const double score = scoreOf(problem, fits.back());
     if (score <= highest) continue;

@@ -85,12 +85,14 @@ Names ownParameters(const Problem& problem) {
   return names;
 }
 
-/// Each parameter alone, each with the first one, and all together.
+/// Each parameter alone, each with the first one, all together, and all but a dead time.
 std::vector<Names> combinations(const Names& names) {
   std::vector<Names> all;
   if (names.size() > 2 * kMostVaried) return all;
   for (const std::string& name : names) all.push_back({name});
   for (std::size_t k = 1; k < names.size(); ++k) all.push_back({names[0], names[k]});
+  const bool delayed = names.size() > 3 && names.back() == "dead_time";
+  if (delayed && names.size() - 1 <= kMostVaried) all.emplace_back(names.begin(), names.end() - 1);
   if (names.size() > 2 && names.size() <= kMostVaried) all.push_back(names);
   return all;
 }

@@ -6,7 +6,9 @@
 
 #include "estimation/excerpt.h"
 #include "identification/steps.h"
+#include "math/symmetric_eigen.h"
 #include "model/fixed_plant.h"
+#include "model/sensitivity.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
@@ -22,6 +24,29 @@ Polynomials meanPlant(const LinearModel& model, const ModelParameters& point) {
     b.segment(k, plant.b.size()) += factor[k] * plant.b;
   plant.b = b;
   return plant;
+}
+
+bool plantsExist(const StructureFit& fit) {
+  constexpr double kDeviations = 1.6;  // 5 % of a Gaussian lie beyond on each side
+  const ErrorModelOptions& options = fit.structure.configuration.error_model;
+  if (options.basis != BasisKind::parameter_spread) return true;
+  const NominalModel& nominal = fit.model->nominal();
+  const SensitivityTerms terms = sensitivityTerms(nominal, options);
+  const Eigen::VectorXd theta = fit.point.parameters.head(nominal.parameterCount());
+  const Mixture& mixture = fit.point.mixture;
+  for (std::size_t i = 0; i < mixture.means.size(); ++i) {
+    const SymmetricEigen eigen(mixture.covariances[i]);
+    const Eigen::VectorXd sizes = kDeviations * eigen.eigenvalues().cwiseMax(0).cwiseSqrt();
+    for (Eigen::Index axis = 0; axis < sizes.size(); ++axis)
+      for (const double side : {-sizes[axis], sizes[axis]}) {
+        const Eigen::VectorXd xi = mixture.means[i] + side * eigen.eigenvectors().col(axis);
+        Eigen::VectorXd moved = theta;
+        for (int k = 0; k < terms.count(); ++k)
+          moved[terms.indices[static_cast<std::size_t>(k)].front()] *= 1 + xi[k];
+        if (!nominal.admissible(moved)) return false;
+      }
+  }
+  return true;
 }
 
 namespace {

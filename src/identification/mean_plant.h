@@ -3,13 +3,19 @@
 #include "estimation/simulation_fit.h"
 #include "identification/structure_fit.h"
 
-/// The plant in the middle of a distribution, and what its simulation is worth.
+/// The plant in the middle of a distribution, what its simulation is worth, and whether the plants
+/// about it exist.
 namespace uncertainty_identification {
 
 /// Go (1 + GDelta) at the mean of the error parameters: Go, unless the error model is FIR and its
 /// mean is free.
 Polynomials meanPlant(const LinearModel& model, const ModelParameters& point);
 inline Polynomials meanPlant(const StructureFit& fit) { return meanPlant(*fit.model, fit.point); }
+
+/// Whether plants exist 1.6 standard deviations from the mean along each principal axis of
+/// parameters that vary, so on nearly all draws. They do not where a dead time near zero varies to
+/// both sides: it then stands for something else.
+bool plantsExist(const StructureFit& fit);
 
 /// Whether the mean plant simulates the data as well as Go of the same orders that is fitted to
 /// nothing else, and not much worse than `chosen_alone`, Go of the orders that simulate best. It

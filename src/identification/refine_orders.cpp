@@ -4,6 +4,7 @@
 
 #include "estimation/excerpt.h"
 #include "estimation/least_squares_start.h"
+#include "identification/mean_plant.h"
 #include "identification/structure_fit.h"
 #include "math/polynomial.h"
 #include "residual_tests/residual_tests.h"
@@ -87,7 +88,7 @@ StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool onl
     for (const Neighbour& each :
          continuous ? largerContinuous(structure, start) : largerRational(structure, start)) {
       auto larger = fitStructure(problem, each.structure, {each.start}, true, journal);
-      if (!larger || scoreOf(problem, *larger) < highest) continue;
+      if (!larger || scoreOf(problem, *larger) < highest || !plantsExist(*larger)) continue;
       highest = scoreOf(problem, *larger);
       better = std::move(larger);
     }

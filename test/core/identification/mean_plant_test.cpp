@@ -61,6 +61,36 @@ TEST(MeanPlant, HasTheMeanOfTheErrorModelInItsNumerator) {
   EXPECT_EQ(mean.a, fit.start().polynomials.a);
 }
 
+/// Dead times that vary by 20 %, of 1.5 samples, exist; by 80 %, some are negative.
+TEST(PlantsExist, WhereADeadTimeStaysPositive) {
+  Configuration configuration = test::example1Configuration();
+  NominalModelOptions& nominal = configuration.nominal_model;
+  nominal.structure = Structure::continuous;
+  nominal.time_constants = 1;
+  nominal.zeros = nominal.resonances = nominal.nc = nominal.nd = 0;
+  nominal.dead_time = true;
+  nominal.delay = 1;
+  nominal.max_delay = 3;
+  ErrorModelOptions& errors = configuration.error_model;
+  errors.basis = BasisKind::parameter_spread;
+  errors.constraint = Constraint::zero_mean;
+  errors.parameters = {"gain", "dead_time"};
+  errors.taps = 2;
+  Journal journal{ProgressPhases({})};
+  const CheckedData data = checkData(configuration, test::example1Experiments(3), &journal);
+  const Problem problem{data, {}, nullptr, configuration, {}, {}};
+  const double sample_time = data.sampleTime();
+  StructureFit fit{{"", configuration, {}}, buildModel(problem), {}, 0, 0, 0};
+  fit.point.parameters = vectorOf({2, 5 * sample_time, 1.5 * sample_time});
+  const auto existWith = [&](double deviation) {
+    const Eigen::Vector2d variances(0.01, deviation * deviation);
+    fit.point.mixture = {{1.0}, {Eigen::VectorXd::Zero(2)}, {variances.asDiagonal()}};
+    return plantsExist(fit);
+  };
+  EXPECT_TRUE(existWith(0.2));
+  EXPECT_FALSE(existWith(0.8));
+}
+
 /// A disturbance that oscillates throughout one record looks like the free response of a mode that
 /// never decays, and would be simulated as such.
 TEST(OrdersOfAPlant, DoNotIncludeADisturbanceThatOscillates) {
