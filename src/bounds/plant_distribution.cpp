@@ -5,6 +5,7 @@
 #include <numeric>
 #include <random>
 
+#include "bounds/spread_errors.h"
 #include "bounds/varying_plant.h"
 #include "estimation/plant_coordinates.h"
 #include "math/distributions.h"
@@ -117,7 +118,11 @@ PlantDistribution::PlantDistribution(const Estimate& estimate,
       mixture.dimension() > 0 ? joined(plant, mixture_coordinates_.toCoordinates(mixture)) : plant;
   if (basis_.constraint == Constraint::explicit_matrix) basis_.T = T_;
   const MatrixXd& covariance = estimate.joint_covariance;
-  if (covariance.rows() == center_.size() && covariance.allFinite()) root_ = rootOf(covariance);
+  if (covariance.rows() != center_.size() || !covariance.allFinite()) return;
+  root_ = rootOf(covariance);
+  const Index own = mixture.dimension() > 0 ? mixture_coordinates_.size() : 0;
+  spread_errors_ = std::make_shared<SpreadErrors>(mixture, covariance.bottomRightCorner(own, own),
+                                                  estimate.experiment_count);
 }
 
 VectorXd PlantDistribution::nominalCoordinates(const Estimate& estimate) const {
@@ -187,7 +192,9 @@ PlantSamples PlantDistribution::draw(int count, Uncertainty uncertainty, std::ui
     }
     VectorXd xi;
     if (n > 0) {
-      const Mixture mixture = mixture_coordinates_.fromCoordinates(at.tail(at.size() - plant));
+      VectorXd of_mixture = at.tail(at.size() - plant);
+      if (total) spread_errors_->replaceRoots(center_.tail(of_mixture.size()), &of_mixture);
+      const Mixture mixture = mixture_coordinates_.fromCoordinates(of_mixture);
       xi = drawError(mixture, own(i, 0), own.row(i).tail(n).transpose());
       if (varying_ != nullptr)
         redrawUntilItExists(*varying_, mixture, at.head(plant), &random, &xi);

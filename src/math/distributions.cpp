@@ -19,6 +19,13 @@ double chiSquaredTail(double x, double degrees) {
   return cdf(complement(math::chi_squared(degrees), x));
 }
 
+double chiSquaredQuantile(double probability, double degrees) {
+  using math::policies::policy;
+  using math::policies::promote_double;
+  return quantile(math::chi_squared_distribution<double, policy<promote_double<false>>>(degrees),
+                  probability);
+}
+
 double fisherTail(double x, double numerator_degrees, double denominator_degrees) {
   return cdf(complement(math::fisher_f(numerator_degrees, denominator_degrees), x));
 }

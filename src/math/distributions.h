@@ -7,6 +7,9 @@ namespace uncertainty_identification {
 /// P(X > x), X chi-squared.
 double chiSquaredTail(double x, double degrees);
 
+/// The x with P(X < x) = probability, X chi-squared.
+double chiSquaredQuantile(double probability, double degrees);
+
 /// P(X > x), X distributed as F.
 double fisherTail(double x, double numerator_degrees, double denominator_degrees);
 

@@ -11,6 +11,7 @@
 namespace uncertainty_identification {
 
 class NominalModel;
+class SpreadErrors;
 class VaryingPlant;
 
 /// Plants G = q^-delay B/A (1 + sum_k eta_k F_k(q)), one per row.
@@ -72,6 +73,7 @@ class PlantDistribution {
   MixtureCoordinates mixture_coordinates_;
   Eigen::VectorXd center_;  ///< estimate of plant and mixture in unbounded coordinates
   Eigen::MatrixXd root_;    ///< square root of its covariance; empty if it is not known
+  std::shared_ptr<const SpreadErrors> spread_errors_;  ///< null if it is not known
 };
 
 /// Real and imaginary parts, draws x frequencies.
