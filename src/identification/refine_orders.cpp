@@ -147,6 +147,8 @@ void record(const Problem& problem, const StructureFit& fit, Journal* journal) {
                                  {}});
 }
 
+Index polesOf(const StructureFit& fit) { return fit.start().polynomials.a.size(); }
+
 }  // namespace
 
 ErrorStructure varyingGain(const Problem& problem) {
@@ -191,7 +193,9 @@ std::vector<StructureFit> jointOrders(const Problem& problem,
   if (fits.empty()) return fits;
   fits.resize(best + 1, fits.front());
   std::reverse(fits.begin(), fits.end());
-  fits.front() = withBetterOrders(problem, fits.front(), false, journal);
+  StructureFit raised = withBetterOrders(problem, fits.front(), false, journal);
+  if (polesOf(raised) == polesOf(fits.front())) fits.erase(fits.begin());
+  fits.insert(fits.begin(), std::move(raised));
   record(problem, fits.front(), journal);
   journal->candidates.back().chosen = true;
   return fits;

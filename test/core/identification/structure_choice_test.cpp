@@ -124,6 +124,16 @@ TEST_F(StructureChoice, RaisesOrdersThatTheResidualsAskFor) {
   EXPECT_EQ(large.parameters, small.parameters + 2);
 }
 
+// More of a plant's parameters that vary look like another pole, so that the model before the last
+// one is still compared.
+TEST_F(StructureChoice, KeepsTheModelWithFewerPolesBesideTheRaisedOne) {
+  const auto experiments = simulatedPlants(vectorOf({0.2, 0.1}), vectorOf({-1.3, 0.4}));
+  const std::vector<StructureFit> fits = jointOrders(problemOf(experiments, 1, 1), {}, &journal_);
+  ASSERT_EQ(fits.size(), 2u);
+  EXPECT_EQ(fits[0].start().polynomials.a.size(), 2);
+  EXPECT_EQ(fits[1].start().polynomials.a.size(), 1);
+}
+
 TEST_F(StructureChoice, LeavesOrdersThatSuffice) {
   const Problem problem = problemOf(simulatedPlants(vectorOf({0.2}), vectorOf({-0.8})), 1, 1);
   const StructureFit small = plainFit(problem);
