@@ -18,56 +18,75 @@ using Eigen::VectorXd;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
+/// The signal `first`, `first` + 1, ... samples earlier, a column each (samples x columns), zero
+/// before its beginning, and only where `used` is 1.
+MatrixXd laggedBy(Index first, Index columns, const VectorXd& signal, const VectorXd& used) {
+  const Index samples = signal.size();
+  MatrixXd lagged = MatrixXd::Zero(samples, columns);
+  for (Index k = 0; k < columns && first + k < samples; ++k)
+    lagged.col(k).tail(samples - first - k) = signal.head(samples - first - k);
+  return used.asDiagonal() * lagged;
+}
+
 /// Sums over all experiments.
 struct Sums {
-  VectorXd products;         ///< of residuals k apart, k = 0, 1, ...
-  double residuals = 0;      ///< their number
-  TestedProducts past;       ///< of the residuals 1, 2, ... samples earlier, 0 before the first one
-  TestedProducts input;      ///< of the inputs 0, 1, ... samples earlier
-  TestedProducts nonlinear;  ///< of what a plant that is not linear would add
+  VectorXd products;     ///< of residuals k apart, k = 0, 1, ...
+  double residuals = 0;  ///< their number
+  TestedProducts past;   ///< of the residuals 1, 2, ... samples earlier, 0 before the first one
+  TestedProducts input;  ///< of the inputs 0, 1, ... samples earlier, where there are as many
   EstimatedParameters parameters;
+
+  TestedProducts nonlinear;       ///< of what a plant that is not linear would add
+  EstimatedParameters linear;     ///< the parameters, past and input: what any linear model may add
+  double squares = 0, terms = 0;  ///< of the residuals that `nonlinear` was compared with
 
   Sums(Index lags, Index signals, Index p)
       : products(VectorXd::Zero(lags + 1)),
         past(lags, p),
         input(lags + 1, p),
-        nonlinear(signals, p),
-        parameters{MatrixXd::Zero(p, p), VectorXd::Zero(p)} {}
+        parameters(p),
+        nonlinear(signals, p + 2 * lags + 1),
+        linear(p + 2 * lags + 1) {}
 
   Index lags() const { return products.size() - 1; }
 
-  /// `signals`: a row for each signal of `nonlinear`.
+  /// `signals`: a column for each signal of `nonlinear`.
   void add(const RecursiveResiduals& experiment, const VectorXd& u, const MatrixXd& signals) {
-    const Index samples = u.size(), K = lags();
+    const Index samples = u.size(), K = lags(), later = std::max<Index>(samples - K, 0);
     const VectorXd& w = experiment.values;
-    const MatrixXd& D = experiment.derivatives;
     for (Index k = 0; k <= std::min(K, samples - 1); ++k)
       products[k] += w.tail(samples - k).dot(w.head(samples - k));
-    VectorXd before = VectorXd::Zero(K + samples);
-    before.tail(samples) = w;
-    for (Index t = 0; t < samples; ++t) {
-      if (experiment.valid[t] == 0) continue;
-      nonlinear.add(signals.col(t), w[t], D.row(t).transpose());
-      past.add(before.segment(t, K).reverse(), w[t], D.row(t).transpose());
-      if (t >= K) input.add(u.segment(t - K, K + 1).reverse(), w[t], D.row(t).transpose());
-    }
+    VectorXd after_lags = experiment.valid;
+    after_lags.head(samples - later).setZero();
+    const MatrixXd before = laggedBy(1, K, w, experiment.valid);
+    const MatrixXd inputs = laggedBy(0, K + 1, u, after_lags);
+    past.add(before, w, experiment.derivatives);
+    input.add(inputs, w, experiment.derivatives);
+    parameters.add(w, experiment.derivatives);
     residuals += experiment.valid.sum();
-    parameters.information += D.transpose() * D;
-    parameters.score += D.transpose() * w;
-  }
-
-  /// F test of a linear regression of the residuals on the test signals, in which the parameters
-  /// were estimated too.
-  double pValue(const TestedProducts& tested, double* share = nullptr) const {
-    const QuadraticForm of_parameters = parameters.explained();
-    const QuadraticForm form = withoutParameters(tested, parameters);
-    const double rest = products[0] - of_parameters.value - form.value;
-    if (share != nullptr) *share = form.value / products[0];
-    const double degrees = residuals - of_parameters.rank - form.rank;
-    if (form.rank < 1 || degrees < 1 || !(rest > 0)) return kNone;
-    return fisherTail(form.value / form.rank / (rest / degrees), form.rank, degrees);
+    if (signals.cols() == 0) return;
+    MatrixXd regressors(samples, experiment.derivatives.cols() + before.cols() + inputs.cols());
+    regressors << experiment.derivatives, before, inputs;
+    nonlinear.add(after_lags.tail(later).asDiagonal() * signals.bottomRows(later), w.tail(later),
+                  regressors.bottomRows(later));
+    linear.add(w.tail(later), regressors.bottomRows(later));
+    squares += w.tail(later).squaredNorm();
+    terms += after_lags.sum();
   }
 };
+
+/// F test of a linear regression of residuals, `terms` many with the sum of squares `squares`, on
+/// test signals beside others whose coefficients were estimated.
+double pValue(const TestedProducts& tested, const EstimatedParameters& beside, double squares,
+              double terms, double* share = nullptr) {
+  const QuadraticForm of_parameters = beside.explained();
+  const QuadraticForm form = withoutParameters(tested, beside);
+  const double rest = squares - of_parameters.value - form.value;
+  if (share != nullptr) *share = form.value / squares;
+  const double degrees = terms - of_parameters.rank - form.rank;
+  if (form.rank < 1 || degrees < 1 || !(rest > 0)) return kNone;
+  return fisherTail(form.value / form.rank / (rest / degrees), form.rank, degrees);
+}
 
 ResidualTests testsOf(const Sums& sums) {
   ResidualTests tests;
@@ -80,10 +99,12 @@ ResidualTests testsOf(const Sums& sums) {
     const double scale = std::sqrt(sums.products[0] * sums.input.squares(k, k));
     tests.cross_correlation.push_back(scale > 0 ? sums.input.with_residual[k] / scale : 0);
   }
-  tests.whiteness_p_value = sums.pValue(sums.past);
-  tests.independence_p_value = sums.pValue(sums.input);
+  const double squares = sums.products[0];
+  tests.whiteness_p_value = pValue(sums.past, sums.parameters, squares, sums.residuals);
+  tests.independence_p_value = pValue(sums.input, sums.parameters, squares, sums.residuals);
   if (sums.nonlinear.with_residual.size() > 0)
-    tests.linearity_p_value = sums.pValue(sums.nonlinear, &tests.nonlinear_share);
+    tests.linearity_p_value =
+        pValue(sums.nonlinear, sums.linear, sums.squares, sums.terms, &tests.nonlinear_share);
   return tests;
 }
 
@@ -112,9 +133,9 @@ ResidualTests residualTests(const Model& model, const std::vector<Block>& blocks
       const Index samples = block.lengths[static_cast<std::size_t>(lane)];
       VectorXd u = block.u.row(lane).head(samples).transpose();
       u.array() -= u.mean();
-      MatrixXd own(signals, samples);
+      MatrixXd own(samples, signals);
       for (Index k = 0; k < signals; ++k)
-        own.row(k) = nonlinear[b][static_cast<std::size_t>(k)].row(lane).head(samples).matrix();
+        own.col(k) = nonlinear[b][static_cast<std::size_t>(k)].row(lane).head(samples).transpose();
       sums.add(recursiveResiduals(response, block, lane), u, own);
     }
   }

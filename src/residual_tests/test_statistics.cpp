@@ -65,6 +65,14 @@ MatrixXd parameterDirections(const MatrixXd& information) {
 
 }  // namespace
 
+EstimatedParameters::EstimatedParameters(Index parameters)
+    : information(MatrixXd::Zero(parameters, parameters)), score(VectorXd::Zero(parameters)) {}
+
+void EstimatedParameters::add(const VectorXd& residuals, const MatrixXd& derivatives) {
+  information.noalias() += derivatives.transpose() * derivatives;
+  score.noalias() += derivatives.transpose() * residuals;
+}
+
 QuadraticForm EstimatedParameters::explained() const {
   const MatrixXd W = parameterDirections(information);
   return {(W.transpose() * score).squaredNorm(), static_cast<double>(W.cols())};
@@ -75,10 +83,11 @@ TestedProducts::TestedProducts(Index signals, Index parameters)
       with_residual(VectorXd::Zero(signals)),
       with_derivatives(MatrixXd::Zero(signals, parameters)) {}
 
-void TestedProducts::add(const VectorXd& signals, double residual, const VectorXd& derivatives) {
-  squares += signals * signals.transpose();
-  with_residual += signals * residual;
-  with_derivatives += signals * derivatives.transpose();
+void TestedProducts::add(const MatrixXd& signals, const VectorXd& residuals,
+                         const MatrixXd& derivatives) {
+  squares.noalias() += signals.transpose() * signals;
+  with_residual.noalias() += signals.transpose() * residuals;
+  with_derivatives.noalias() += signals.transpose() * derivatives;
 }
 
 QuadraticForm withoutParameters(const TestedProducts& tested,

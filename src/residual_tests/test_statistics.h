@@ -31,6 +31,11 @@ struct EstimatedParameters {
   Eigen::MatrixXd information;  ///< sum of d_j d_k (p x p)
   Eigen::VectorXd score;        ///< sum of d_j w (p)
 
+  explicit EstimatedParameters(Eigen::Index parameters);
+
+  /// Adds residuals and their derivatives, a row for each sample.
+  void add(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& derivatives);
+
   /// The sum of squares of w that the parameters would explain, and their number.
   QuadraticForm explained() const;
 };
@@ -43,8 +48,9 @@ struct TestedProducts {
 
   TestedProducts(Eigen::Index signals, Eigen::Index parameters);
 
-  /// Adds a sample: the test signals, the residual and its derivatives.
-  void add(const Eigen::VectorXd& signals, double residual, const Eigen::VectorXd& derivatives);
+  /// Adds test signals, residuals and their derivatives, a row for each sample.
+  void add(const Eigen::MatrixXd& signals, const Eigen::VectorXd& residuals,
+           const Eigen::MatrixXd& derivatives);
 };
 
 /// The quadratic form of the products whose value over sigma^2 is chi-squared where the model is
