@@ -193,6 +193,7 @@ LeastSquaresModel LeastSquaresStart::arx(int nb, int na, int delay) const {
 LeastSquaresModel LeastSquaresStart::steiglitzMcBride(int nb, int na, int first_delay,
                                                       int last_delay, Start start) const {
   constexpr int kIterations = 8;
+  constexpr double kStands = 1e-7;  // change of A after which another iteration gives the same
   const int u_lags = last_delay + nb - 1;
   VectorXd prefilter;
   LeastSquaresModel best;
@@ -207,7 +208,9 @@ LeastSquaresModel LeastSquaresStart::steiglitzMcBride(int nb, int na, int first_
     if (iteration > 0 && least.residual_squares < best.residual_squares) best = least;
     if (iteration == 0) best.polynomials = least.polynomials, best.offset = least.offset;
     if (na == 0) return least;
+    const bool stands = iteration > 0 && (least.polynomials.a - prefilter).norm() < kStands;
     prefilter = least.polynomials.a;
+    if (stands) break;
   }
   return best;
 }
