@@ -165,10 +165,21 @@ StandardErrors noErrors(Index natural, Index size) {
   return errors;
 }
 
+/// Scores of parts of the data as those of all natural coordinates. The parameters that were
+/// estimated take as many degrees of freedom from them.
+MatrixXd ofParts(const MatrixXd& scores, Index natural) {
+  const Index p = scores.rows() - 1;
+  const auto parts = static_cast<double>(scores.cols());
+  MatrixXd all = MatrixXd::Zero(natural, scores.cols());
+  all.topRows(p) = scores.topRows(p);
+  all.bottomRows(1) = scores.bottomRows(1);
+  return all * std::sqrt(parts / (parts - static_cast<double>(scores.rows())));
+}
+
 }  // namespace
 
 StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisation& parametrisation,
-                              const ModelParameters& at) {
+                              const ModelParameters& at, const MatrixXd& scores) {
   const ScoredPoint point =
       scoredPoint(likelihood, parametrisation, parametrisation.toCoordinates(at));
   const Index natural = parametrisation.naturalSize(), size = parametrisation.size();
@@ -184,19 +195,22 @@ StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisatio
         likelihood.model().regressors() == 0 || at.mixture.components() == 1;
     if (fixed && !constant_weight) unknown[static_cast<std::size_t>(i)] = true;
   }
+  const bool in_parts = likelihood.experiments() <= size && scores.cols() > size;
   const MatrixXd natural_scores =
-      parametrisation.jacobian(point.coordinates).transpose() * point.natural_scores;
+      in_parts ? ofParts(scores, natural) : MatrixXd(point.natural_scores);
+  const MatrixXd coordinate_scores =
+      parametrisation.jacobian(point.coordinates).transpose() * natural_scores;
   StandardErrors errors;
   errors.singular = std::move(information.singular);
   errors.coordinate_covariance = inverse;
   errors.robust_coordinate_covariance =
-      inverse * (natural_scores * natural_scores.transpose()) * inverse;
+      inverse * (coordinate_scores * coordinate_scores.transpose()) * inverse;
   errors.covariance = jacobian * inverse * jacobian.transpose();
   errors.robust_covariance = jacobian * errors.robust_coordinate_covariance * jacobian.transpose();
   mark(unknown, &errors.covariance);
   // With fewer experiments than coordinates the scores do not span all directions, and the sandwich
   // would be too small.
-  if (likelihood.experiments() <= size) unknown.assign(unknown.size(), true);
+  if (likelihood.experiments() <= size && !in_parts) unknown.assign(unknown.size(), true);
   mark(unknown, &errors.robust_covariance);
   return errors;
 }

@@ -24,8 +24,11 @@ struct StandardErrors {
   std::vector<std::string> singular;  ///< one sentence per singular direction
 };
 
-/// Needs two sweeps per model parameter.
+/// Needs two sweeps per model parameter. `scores`, if not empty, are those of independent parts of
+/// the data, a column each, with respect to [parameters; log sigma^2] of a model without
+/// regressors: they take the place of the experiments' own where these are too few for the
+/// sandwich.
 StandardErrors standardErrors(const Likelihood& likelihood, const Parametrisation& parametrisation,
-                              const ModelParameters& at);
+                              const ModelParameters& at, const Eigen::MatrixXd& scores = {});
 
 }  // namespace uncertainty_identification

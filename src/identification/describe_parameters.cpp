@@ -2,7 +2,6 @@
 #include <limits>
 
 #include "estimation/plant_coordinates.h"
-#include "estimation/standard_errors.h"
 #include "identification/steps.h"
 #include "model/sensitivity.h"
 
@@ -50,7 +49,7 @@ StandardErrors errorsOf(const Problem& problem, const FittedModel& fitted,
                         const Parametrisation& parametrisation, Journal* journal,
                         Estimate* estimate) {
   journal->progress.report(Phase::errors, 0, fitted.optimum.log_likelihood);
-  StandardErrors errors = standardErrors(*fitted.likelihood, parametrisation, fitted.optimum.point);
+  StandardErrors errors = errorsOfFit(*fitted.likelihood, parametrisation, fitted.optimum.point);
   estimate->joint_covariance = jointCovariance(problem, fitted, wider(errors));
   journal->warnings.insert(journal->warnings.end(), errors.singular.begin(), errors.singular.end());
   return errors;

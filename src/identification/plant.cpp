@@ -2,7 +2,6 @@
 
 #include "estimation/initial_guess.h"
 #include "estimation/plant_coordinates.h"
-#include "estimation/standard_errors.h"
 #include "identification/steps.h"
 
 /// Go fitted to its free simulation (nominal_model.fit: simulation), before H and the error model.
@@ -58,7 +57,7 @@ FittedPlant describePlant(const Problem& problem, Journal* journal) {
   const std::unique_ptr<Likelihood> likelihood = likelihoodOf(problem, model);
   const Index own = model.nominal().parameterCount();
   const Parametrisation parametrisation(model, Constraint::free, 1, Eigen::MatrixXd(0, 0));
-  const StandardErrors errors = standardErrors(*likelihood, parametrisation, plant.point);
+  const StandardErrors errors = errorsOfFit(*likelihood, parametrisation, plant.point);
   journal->warnings.insert(journal->warnings.end(), errors.singular.begin(), errors.singular.end());
   const std::vector<std::string> names = model.names();
   for (Index k = 0; k < own; ++k) {
@@ -67,9 +66,8 @@ FittedPlant describePlant(const Problem& problem, Journal* journal) {
                                 std::sqrt(errors.robust_covariance(k, k))});
   }
   plant.covariance = errors.covariance.topLeftCorner(own, own);
-  // The residual of a simulation is not white, so only the sandwich form is valid. It needs more
-  // experiments than parameters.
-  const Eigen::MatrixXd& covariance = likelihood->experiments() > parametrisation.size()
+  // The residual of a simulation is not white, so only the sandwich form is valid.
+  const Eigen::MatrixXd& covariance = errors.robust_covariance.allFinite()
                                           ? errors.robust_coordinate_covariance
                                           : errors.coordinate_covariance;
   const Eigen::MatrixXd J =

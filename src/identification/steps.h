@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "estimation/standard_errors.h"
 #include "identification/problem.h"
 
 /// The steps of an identification, in their order (identify.cpp).
@@ -113,6 +114,12 @@ FittedModel fitModel(const Problem& problem, Journal* journal);
 
 /// The result but for what the journal holds.
 Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* journal);
+
+/// Standard errors at an estimate. Of experiments that are too few to show by their scores how the
+/// parameters scatter, parts of them are compared, if there is no error model: the robust errors of
+/// one record hold where its residuals are not white.
+StandardErrors errorsOfFit(const Likelihood& likelihood, const Parametrisation& parametrisation,
+                           const ModelParameters& point);
 
 /// The parameters in the result with their standard errors, and the covariances.
 void describeParameters(const Problem& problem, const FittedModel& fitted, Journal* journal,

@@ -49,7 +49,7 @@ void addResidualTests(const ResidualTests& tests, std::vector<std::string>* reas
   }
 }
 
-void addErrorRatio(const std::vector<ParameterEstimate>& parameters,
+void addErrorRatio(const std::vector<ParameterEstimate>& parameters, int experiments,
                    std::vector<std::string>* reasons) {
   const ParameterEstimate* worst = nullptr;
   double highest = kLargestErrorRatio;
@@ -60,10 +60,12 @@ void addErrorRatio(const std::vector<ParameterEstimate>& parameters,
     worst = &parameter;
   }
   if (worst == nullptr) return;
-  reasons->push_back("the experiments scatter " + number(highest) + " times as much in " +
-                     worst->name +
-                     " as the model says (ratio of robust and plain standard error): the "
-                     "experiments differ in a way that the error model cannot express");
+  const bool one = experiments == 1;
+  reasons->push_back((one ? "the parts of the record scatter " : "the experiments scatter ") +
+                     number(highest) + " times as much in " + worst->name +
+                     " as the model says (ratio of robust and plain standard error): the " +
+                     (one ? "noise is not the model's, or the plant changes or is not linear"
+                          : "experiments differ in a way that the error model cannot express"));
 }
 
 void addFit(const Problem& problem, const FittedModel& fitted, std::vector<std::string>* reasons) {
@@ -93,7 +95,7 @@ Trust trustOf(const Problem& problem, const FittedModel& fitted, const Estimate&
                       "least 8, better 20");
   }
   addResidualTests(estimate.residual_tests, &reasons);
-  addErrorRatio(estimate.nominal_model.parameters, &reasons);
+  addErrorRatio(estimate.nominal_model.parameters, count, &reasons);
   // An error model may explain more of the output than the nominal model alone.
   if (fitted.model->regressors() == 0) addFit(problem, fitted, &reasons);
   if (!isStable(estimate.nominal_model.a, kAlmostUnstable))

@@ -24,9 +24,9 @@ struct ParameterEstimate {
       name;  ///< "b1", "tau1", "weight2", "mean1[1]", "covariance2[1,1]", "noise_variance", ...
   std::string unit;  ///< empty if it follows from the units of u and y
   double value = 0;
-  double standard_error = 0;  ///< from the observed information; NaN where it is singular
-  double robust_standard_error =
-      0;  ///< sandwich form from per-experiment scores; valid when the model is wrong
+  double standard_error = 0;         ///< from the observed information; NaN where it is singular
+  double robust_standard_error = 0;  ///< sandwich form from the scores of experiments, or of their
+                                     ///< parts; valid when the model is wrong
 };
 
 /// Go = q^-delay B/A and H = C/D as polynomials in q^-1, and the parameters theta that they were
