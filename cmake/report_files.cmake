@@ -31,20 +31,25 @@ endif()
 set(script "")
 file(GLOB script_files ${SOURCE}/*.js)
 list(SORT script_files)
+list(REMOVE_ITEM script_files ${SOURCE}/live.js)  # of the live page only
 foreach(file ${script_files})
   file(READ ${file} text)
   string(APPEND script "${text}\n")
 endforeach()
 file(READ ${SOURCE}/report.html page)
 file(READ ${SOURCE}/report.css style)
+file(READ ${SOURCE}/live.html live_page)
+file(READ ${SOURCE}/live.js live_script)
 
 file(WRITE ${OUTPUT}.new "#include \"io/report_files.h\"\n\n"
   "namespace uncertainty_identification {\nnamespace {\n\n")
 append_text(Page "${page}")
 append_text(Style "${style}")
 append_text(Script "${script}")
+append_text(LivePage "${live_page}")
+append_text(LiveScript "${live_script}")
 append_text(Chart "${chart}")
 file(APPEND ${OUTPUT}.new "\n}  // namespace\n\nconst ReportFiles& reportFiles() {\n"
-  "  static const ReportFiles kFiles{kPage, kStyle, kScript, kChart, \"${chart_version}\"};\n"
+  "  static const ReportFiles kFiles{kPage, kStyle, kScript, kLivePage, kLiveScript, kChart, \"${chart_version}\"};\n"
   "  return kFiles;\n}\n\n}  // namespace uncertainty_identification\n")
 configure_file(${OUTPUT}.new ${OUTPUT} COPYONLY)  # untouched when nothing changed

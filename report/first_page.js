@@ -16,7 +16,7 @@ function originLine({origin, version}) {
 function objections(result) {
   const red = result.trust && !result.trust.trusted ? [...result.trust.reasons] : [];
   if (result.termination !== 'converged') red.unshift(`${kEndings[result.termination]}: ${result.message}.`);
-  const amber = [...result.warnings, ...(hasBounds(result) ? result.bounds.warnings : [])], rejected = result.experiments.rejected.length;
+  const amber = [...result.warnings, ...((result.bounds && result.bounds.warnings) || [])], rejected = result.experiments.rejected.length;
   if (rejected > 0) amber.push(`${counted(rejected, 'experiment')} ${rejected === 1 ? 'was' : 'were'} left out; the section Experiments says why.`);
   return [...red.map(text => ({level: 'red', text})), ...amber.map(text => ({level: 'amber', text}))];
 }

@@ -287,6 +287,7 @@ struct Configuration {
       bag_directory;  ///< folder of the bags that requests name; empty = such names are refused
   std::string report_directory;  ///< folder in which reports are written; empty = none are written
   bool report_each_result = false;  ///< write report.html there after each result
+  int live_page_port = 0;  ///< of the page for browsers, on 127.0.0.1 (docs/live_page.md); 0 = none
   std::string store_directory;  ///< folder in which finished experiments are stored; empty = none
 
   /// Throws ConfigurationError naming key, value and allowed range.

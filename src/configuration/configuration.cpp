@@ -270,6 +270,7 @@ void Configuration::validate() const {
   validateCovariates(covariates);
   time.validate();
   experiment.validate();
+  requireRange("live_page.port", live_page_port, 0, 65535);
   limits.validate();
 }
 

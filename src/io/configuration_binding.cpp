@@ -221,6 +221,9 @@ void bind(Archive& archive, Configuration& configuration) {
   archive("bag_directory", configuration.bag_directory);
   archive("report_directory", configuration.report_directory);
   archive("report_each_result", configuration.report_each_result);
+  archive.section("live_page", [&configuration](Archive& section) {
+    section("port", configuration.live_page_port);
+  });
   archive("store_directory", configuration.store_directory);
 }
 

@@ -38,6 +38,11 @@ std::string filled(const std::string& page, const std::map<std::string, std::str
   return text + page.substr(done);
 }
 
+void requireDrawable(const ReportFiles& files) {
+  const std::string obstacle = reportObstacle(files);
+  if (!obstacle.empty()) throw FileError(obstacle);
+}
+
 }  // namespace
 
 std::string reportObstacle(const ReportFiles& files) {
@@ -50,14 +55,21 @@ std::string reportObstacle(const ReportFiles& files) {
 
 std::string reportHtml(const Result& result, const Explanation* explanation,
                        const ReportFiles& files) {
-  const std::string obstacle = reportObstacle(files);
-  if (!obstacle.empty()) throw FileError(obstacle);
+  requireDrawable(files);
   const nlohmann::json explained = explanation ? toJson(*explanation) : nlohmann::json();
   return filled(files.page, {{"style", files.style},
                              {"chart", files.chart},
                              {"script", files.script},
                              {"result", embeddable(toJson(result))},
                              {"explanation", embeddable(explained)}});
+}
+
+std::string livePageHtml(const ReportFiles& files) {
+  requireDrawable(files);
+  return filled(files.live_page, {{"style", files.style},
+                                  {"chart", files.chart},
+                                  {"script", files.script},
+                                  {"live_script", files.live_script}});
 }
 
 void writeReport(const std::string& path, const Result& result, const Explanation* explanation) {

@@ -17,6 +17,10 @@ std::string reportObstacle(const ReportFiles& files = reportFiles());
 std::string reportHtml(const Result& result, const Explanation* explanation = nullptr,
                        const ReportFiles& files = reportFiles());
 
+/// The page that draws what a running node tells it (docs/live_page.md), like a report's first
+/// page. Throws FileError when there is a reportObstacle().
+std::string livePageHtml(const ReportFiles& files = reportFiles());
+
 /// Writes reportHtml(), all of it or nothing. Throws FileError.
 void writeReport(const std::string& path, const Result& result,
                  const Explanation* explanation = nullptr);

@@ -23,16 +23,16 @@ BoundsPublisher::~BoundsPublisher() {
   thread_.join();
 }
 
-void BoundsPublisher::add(std::shared_ptr<const Estimate> estimate, const ResultContext& context) {
-  if (estimate->configuration.bounds.frequencies == 0) return;
+void BoundsPublisher::add(const Result& result, const ResultContext& context) {
+  if (result.estimate.configuration.bounds.frequencies == 0) return;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    newest_ = Request{std::move(estimate), context};
+    newest_ = Request{result, context};
   }
   changed_.notify_one();
 }
 
-std::optional<Bounds> BoundsPublisher::boundsOf(std::uint32_t sequence) const {
+std::optional<Result> BoundsPublisher::resultOf(std::uint32_t sequence) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return last_sequence_ == sequence ? last_ : std::nullopt;
 }
@@ -42,26 +42,26 @@ void BoundsPublisher::run() {
   while (true) {
     changed_.wait(lock, [this] { return stopping_ || newest_; });
     if (stopping_) return;
-    const Request request = *std::exchange(newest_, std::nullopt);
+    Request request = *std::exchange(newest_, std::nullopt);
     lock.unlock();
-    publish(request);
+    publish(std::move(request));
     lock.lock();
   }
 }
 
-void BoundsPublisher::publish(const Request& request) {
+void BoundsPublisher::publish(Request request) {
   const auto running =
       begins_("computing the bounds of result " + std::to_string(request.context.sequence));
   const Interruption interruption([this] { return stopping_.load(); });
   try {
-    const Bounds bounds = computeBounds(*request.estimate);
-    publisher_.publish(toMessage(bounds, request.context));
+    request.result.bounds = computeBounds(request.result.estimate);
+    publisher_.publish(toMessage(*request.result.bounds, request.context));
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      last_ = bounds;
+      last_ = request.result;
       last_sequence_ = request.context.sequence;
     }
-    done_({*request.estimate, bounds, {}});
+    done_(request.result, request.context);
   } catch (const CancelledError&) {        // the node ends
   } catch (const std::exception& error) {  // costs only the bounds; the node keeps running
     ROS_WARN_STREAM("result " << request.context.sequence << " has no bounds: " << error.what());

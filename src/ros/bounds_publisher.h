@@ -22,7 +22,7 @@ namespace uncertainty_identification {
 /// called from any thread.
 class BoundsPublisher {
  public:
-  using Done = std::function<void(const Result&)>;
+  using Done = std::function<void(const Result&, const ResultContext&)>;
 
   /// Tells that something begins, in words; it ends when the returned object is destroyed.
   using Begins = std::function<std::shared_ptr<void>(const std::string&)>;
@@ -37,20 +37,21 @@ class BoundsPublisher {
   BoundsPublisher(const BoundsPublisher&) = delete;
   BoundsPublisher& operator=(const BoundsPublisher&) = delete;
 
-  /// Asks for the bounds of a result. Does nothing if its configuration has bounds.frequencies 0.
-  void add(std::shared_ptr<const Estimate> estimate, const ResultContext& context);
+  /// Asks for the bounds of a result, which has none yet. Does nothing if its configuration has
+  /// bounds.frequencies 0.
+  void add(const Result& result, const ResultContext& context);
 
-  /// The bounds of the result with this sequence number, if they are the last ones computed.
-  std::optional<Bounds> boundsOf(std::uint32_t sequence) const;
+  /// The result with this sequence number and its bounds, if they are the last ones computed.
+  std::optional<Result> resultOf(std::uint32_t sequence) const;
 
  private:
   struct Request {
-    std::shared_ptr<const Estimate> estimate;
+    Result result;
     ResultContext context;
   };
 
   void run();
-  void publish(const Request& request);
+  void publish(Request request);
 
   const Begins begins_;
   const Done done_;
@@ -58,7 +59,7 @@ class BoundsPublisher {
   mutable std::mutex mutex_;  // guards the members below
   std::condition_variable changed_;
   std::optional<Request> newest_;
-  std::optional<Bounds> last_;
+  std::optional<Result> last_;
   std::uint32_t last_sequence_ = 0;
   std::atomic<bool> stopping_{false};
   std::thread thread_;  // declared last: it starts when all other members exist

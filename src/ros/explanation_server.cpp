@@ -125,6 +125,7 @@ void ExplanationServer::publish(const Response& response, Explanation explanatio
   ROS_INFO_STREAM("explanation of the node's experiments: " << explanation.message);
   last_ = std::make_shared<const Explanation>(std::move(explanation));
   publisher_.publish(response.explanation);
+  source_.explained(*last_);
 }
 
 /// Waits until there are other results than `*results` counts, and updates it. Returns false when

@@ -38,6 +38,8 @@ class ExplanationServer {
     std::function<std::uint32_t()> sequence;  ///< number of the last result
     /// An explanation begins, in words; it ends when the returned object is destroyed.
     std::function<std::shared_ptr<void>(const std::string&)> begins;
+    /// The node's experiments were explained. Must not call the server.
+    std::function<void(const Explanation&)> explained;
   };
 
   ExplanationServer(const ros::NodeHandle& private_node, Source source);

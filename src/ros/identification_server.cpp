@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "live/live_page.h"
 #include "ros/checked_service.h"
 #include "ros/experiment_bag.h"
 #include "ros/identify_request.h"
@@ -31,22 +32,20 @@ std::unique_ptr<StoreWriter> openStore(const Configuration& parameters,
 IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
                                            const ros::NodeHandle& private_node,
                                            const Configuration& parameters)
-    : status_(private_node, [this] { return nodeStatus(); }),
+    : live_(openLivePage(parameters.live_page_port)),
+      status_(
+          private_node, [this] { return nodeStatus(); },
+          [this] {
+            if (live_) live_->changed();
+          }),
       activities_([] { return ros::Time::now().toSec(); }, [this] { status_.publish(); }),
       results_(private_node),
-      explanations_(private_node,
-                    {[this] { return reconfiguration_.current(); },
-                     [this] { return worker_.snapshot().experiments; },
-                     [this] { return results_.sequence(); },
-                     [this](const std::string& what) { return activities_.begin(what); }}),
+      explanations_(private_node, explanationSource()),
       reports_(parameters.report_directory),
-      bounds_(
-          private_node, [this](const std::string& what) { return activities_.begin(what); },
-          [this](const Result& result) {
-            if (!configuration_.report_each_result) return;
-            const auto answer = reports_.answer({}, &result, explanations_.last().get());
-            if (answer.code != messages::WriteReport::Response::OK) warn(answer.message);
-          }),
+      bounds_(private_node, beginning(),
+              [this](const auto& result, const auto& context) { bounded(result, context); }),
+      summaries_(private_node, beginning(),
+                 [this](const auto& result, const auto& context) { summarised(result, context); }),
       store_(openStore(parameters, storeListener())),
       stored_(store_ ? store_->load() : StoredState()),
       configuration_(configurationAtStart(parameters, stored_.configuration)),
@@ -79,6 +78,27 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
   start(private_node);
 }
 
+std::unique_ptr<LivePage> IdentificationServer::openLivePage(int port) {
+  if (port == 0) return nullptr;
+  auto page = std::make_unique<LivePage>(
+      port, LivePage::Source{
+                [this] {
+                  return LiveStatus{nodeStatus(), status_.recorder(), ros::Time::now().toSec()};
+                },
+                [this] { return worker_.experiments(); }});
+  ROS_INFO_STREAM("the live page is http://127.0.0.1:" << port << "/");
+  return page;
+}
+
+ExplanationServer::Source IdentificationServer::explanationSource() {
+  return {[this] { return reconfiguration_.current(); },
+          [this] { return worker_.snapshot().experiments; }, [this] { return results_.sequence(); },
+          beginning(),
+          [this](const Explanation& explanation) {
+            if (live_) live_->show(explanation);
+          }};
+}
+
 /// Serves what was restored from the store, and from now on requests.
 void IdentificationServer::start(const ros::NodeHandle& private_node) {
   addDiagnostics();
@@ -90,6 +110,7 @@ void IdentificationServer::start(const ros::NodeHandle& private_node) {
   query_thread_.start();
   identify_bags_.start();
   explanations_.start();
+  if (live_) live_->start();
   constexpr double kPeriod = 0.25;  // [s] within which a change is published
   waiting_timer_ = ros::NodeHandle(private_node)
                        .createWallTimer(ros::WallDuration(kPeriod), [this](const auto&) {
@@ -117,6 +138,7 @@ int IdentificationServer::waitingRequests() const {
 IdentificationServer::~IdentificationServer() {
   stopping_ = true;
   waiting_timer_.stop();
+  if (live_) live_->stop();
   status_.close();
   for (auto& service : services_) service.shutdown();
   explanations_.stop();
@@ -158,8 +180,9 @@ std_srvs::Trigger::Response IdentificationServer::reset() {
   recorder_.reset();
   worker_.reset();
   if (store_) store_->reset();
-  results_.forget();
+  const std::uint32_t last = results_.forget();
   explanations_.reset();
+  if (live_) live_->forget(last);
   status_.publish();
   return answer(true, "all experiments and the result were dropped");
 }
@@ -231,8 +254,28 @@ messages::WriteReport::Response IdentificationServer::writeReport(
     const messages::WriteReport::Request& request) const {
   const auto [estimate, sequence] = results_.lastEstimate();
   if (estimate == nullptr) return reports_.answer(request, nullptr, nullptr);
-  const Result result{*estimate, bounds_.boundsOf(sequence), {}};
-  return reports_.answer(request, &result, explanations_.last().get());
+  std::optional<Result> result = bounds_.resultOf(sequence);
+  if (!result) result = summaries_.resultOf(sequence);
+  if (!result) result = Result{*estimate, {}};
+  return reports_.answer(request, &*result, explanations_.last().get());
+}
+
+/// What the computing parts call with what they begin; it ends with the object that they get.
+std::function<Activities::Token(const std::string&)> IdentificationServer::beginning() {
+  return [this](const std::string& what) { return activities_.begin(what); };
+}
+
+/// Bounds follow the summary, so that they come with it.
+void IdentificationServer::summarised(const Result& result, const ResultContext& context) {
+  if (live_) live_->show(result, context);
+  bounds_.add(result, context);
+}
+
+void IdentificationServer::bounded(const Result& result, const ResultContext& context) {
+  if (live_) live_->show(result, context);
+  if (!configuration_.report_each_result) return;
+  const auto answer = reports_.answer({}, &result, explanations_.last().get());
+  if (answer.code != messages::WriteReport::Response::OK) warn(answer.message);
 }
 
 }  // namespace uncertainty_identification

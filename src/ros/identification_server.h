@@ -13,17 +13,20 @@
 #include "ros/result_publisher.h"
 #include "ros/service_thread.h"
 #include "ros/status_publisher.h"
-#include "session/identification_worker.h"
+#include "ros/summary_publisher.h"
 #include "session/log_lines.h"
 #include "session/reconfiguration.h"
 #include "session/saved_experiments.h"
 
 namespace uncertainty_identification {
 
+class LivePage;
+
 /// The identification node. ExperimentRecorder makes experiments of the messages on topics,
 /// IdentificationWorker makes results of the experiments, StoreWriter keeps both on the disk, and
-/// ResultPublisher, BoundsPublisher and StatusPublisher publish the results. ExplanationServer
-/// explains them. This class connects these parts and serves the services.
+/// ResultPublisher, SummaryPublisher, BoundsPublisher and StatusPublisher publish the results.
+/// ExplanationServer explains them, LivePage shows them. This class connects these parts and serves
+/// the services.
 ///
 /// The thread that spins serves the topics and ~start_experiment, ~finish_experiment,
 /// ~discard_experiment and ~reset. One more thread serves ~identify and ~configure, two serve the
@@ -45,6 +48,11 @@ class IdentificationServer {
   void start(const ros::NodeHandle& private_node);
   IdentificationWorker::Listener workerListener();
   NodeStatus nodeStatus() const;
+  std::unique_ptr<LivePage> openLivePage(int port);
+  ExplanationServer::Source explanationSource();
+  std::function<Activities::Token(const std::string&)> beginning();
+  void summarised(const Result& result, const ResultContext& context);
+  void bounded(const Result& result, const ResultContext& context);
   int waitingRequests() const;
   void warn(const std::string& message);
   StoreWriter::Listener storeListener();
@@ -64,13 +72,16 @@ class IdentificationServer {
 
   std::atomic<bool> stopping_{false};
   OncePerCause warned_;
-  StoreLog store_log_;      // used in the store's thread only
-  StatusPublisher status_;  // before all that calls it from threads of their own
+  StoreLog store_log_;  // used in the store's thread only
+  // Before all that tell them something from threads of their own:
+  std::unique_ptr<LivePage> live_;  // null if live_page.port is 0
+  StatusPublisher status_;
   Activities activities_;
   ResultPublisher results_;
   ExplanationServer explanations_;
   ReportWriter reports_;
   BoundsPublisher bounds_;
+  SummaryPublisher summaries_;          // gives results to bounds_
   std::unique_ptr<StoreWriter> store_;  // null if store_directory is not configured
   StoredState stored_;                  // what the store held; empty after restore()
   const Configuration configuration_;   // with which the node started

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "io/printable.h"
+#include "live/live_page.h"
 #include "ros/answer.h"
 #include "ros/identification_server.h"
 #include "ros/keeping_requests.h"
@@ -30,7 +31,7 @@ IdentificationWorker::Listener IdentificationServer::workerListener() {
     const auto before = results_.lastEstimate().first;
     const ResultContext context = results_.publish(result);
     ROS_INFO_STREAM(resultLine(result, context.sequence, before.get()));
-    bounds_.add(result.estimate, context);
+    summaries_.add(result, context);
     explanations_.resultPublished();
     if (store_) store_->keep(StoredResult{result.estimate, context, result.configuration});
   };
@@ -45,6 +46,9 @@ IdentificationWorker::Listener IdentificationServer::workerListener() {
   };
   listener.changed = [this] { status_.publish(); };
   listener.warning = [this](const std::string& warning) { warn(warning); };
+  listener.progress = [this](const Progress& progress) {
+    if (live_) live_->changed(progress);
+  };
   listener.begins = [this](const std::string& what) { return activities_.begin(what); };
   return listener;
 }
@@ -82,12 +86,14 @@ void IdentificationServer::restore() {
   for (const auto& warning : stored_.warnings) ROS_WARN_STREAM(warning);
   std::optional<WorkerResult> last;
   if (stored_.result) {
-    const StoredResult& result = *stored_.result;
-    results_.publishAgain(result.estimate, result.context);
-    bounds_.add(result.estimate, result.context);
-    if (toJson(result.configuration) == toJson(configuration_))
-      last = WorkerResult{result.estimate, result.context.preliminary, result.context.window,
-                          result.configuration};
+    const StoredResult& stored = *stored_.result;
+    const std::size_t rejected = stored_.rejected.size() + stored.estimate->rejected.size();
+    const WorkerResult result{stored.estimate,       stored.context.preliminary,
+                              stored.context.window, stored.configuration,
+                              stored_.kept,          static_cast<int>(rejected)};
+    results_.publishAgain(stored.estimate, stored.context);
+    summaries_.add(result, stored.context);
+    if (toJson(result.configuration) == toJson(configuration_)) last = result;
   }
   if (!stored_.kept.empty())
     ROS_INFO_STREAM("the node continues with " << stored_.kept.size()

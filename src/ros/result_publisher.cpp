@@ -48,10 +48,11 @@ std::uint32_t ResultPublisher::sequence() const {
   return last_ ? last_->sequence : 0;
 }
 
-void ResultPublisher::forget() {
+std::uint32_t ResultPublisher::forget() {
   const std::lock_guard<std::mutex> lock(mutex_);
   last_.reset();
   last_estimate_.reset();
+  return count_;
 }
 
 }  // namespace uncertainty_identification

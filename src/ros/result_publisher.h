@@ -36,8 +36,8 @@ class ResultPublisher {
   /// The number of the last result; 0 if there is no last().
   std::uint32_t sequence() const;
 
-  /// Forgets the last result. Numbers go on rising.
-  void forget();
+  /// Forgets the last result and returns its number; 0 if there was none yet. Numbers go on rising.
+  std::uint32_t forget();
 
  private:
   void publishLocked(std::shared_ptr<const Estimate> estimate, const ResultContext& context);

@@ -11,11 +11,19 @@ namespace {
 
 constexpr std::size_t kMaxProblems = 5;  // in one status
 
-std::uint8_t stateOf(const NodeStatus& node, const RecorderStatus& recorder) {
+std::uint8_t toMessage(NodeState state) {
   using Status = messages::IdentificationStatus;
-  if (node.worker.busy) return Status::IDENTIFYING;
-  if (recorder.running) return Status::COLLECTING;
-  return node.worker.failed || !node.store_problem.empty() ? Status::ERROR : Status::IDLE;
+  switch (state) {
+    case NodeState::identifying:
+      return Status::IDENTIFYING;
+    case NodeState::collecting:
+      return Status::COLLECTING;
+    case NodeState::error:
+      return Status::ERROR;
+    case NodeState::idle:
+      break;
+  }
+  return Status::IDLE;
 }
 
 }  // namespace
@@ -23,7 +31,7 @@ std::uint8_t stateOf(const NodeStatus& node, const RecorderStatus& recorder) {
 messages::IdentificationStatus toMessage(const NodeStatus& node, const RecorderStatus& recorder) {
   const WorkerStatus& worker = node.worker;
   messages::IdentificationStatus message;
-  message.state = stateOf(node, recorder);
+  message.state = toMessage(stateOf(node, recorder));
   message.termination = toMessage(worker.termination);
   message.message = printableText(worker.message);
   message.store_problem = node.store_problem;
@@ -41,9 +49,11 @@ messages::IdentificationStatus toMessage(const NodeStatus& node, const RecorderS
   return message;
 }
 
-StatusPublisher::StatusPublisher(ros::NodeHandle private_node, std::function<NodeStatus()> node)
+StatusPublisher::StatusPublisher(ros::NodeHandle private_node, std::function<NodeStatus()> node,
+                                 std::function<void()> published)
     : publisher_(private_node.advertise<messages::IdentificationStatus>("status", 10, true)),
-      node_(std::move(node)) {}
+      node_(std::move(node)),
+      published_(std::move(published)) {}
 
 void StatusPublisher::publish() {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -79,11 +89,17 @@ void StatusPublisher::forgetProblems() {
   recorder_.problems.clear();
 }
 
+RecorderStatus StatusPublisher::recorder() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return recorder_;
+}
+
 void StatusPublisher::publishLocked() {
   if (closed_) return;
   auto message = toMessage(node_(), recorder_);
   message.header.stamp = ros::Time::now();
   publisher_.publish(message);
+  published_();
 }
 
 }  // namespace uncertainty_identification

@@ -124,7 +124,10 @@ bool IdentificationWorker::identify(bool preliminary, Work& work) {
 
 Estimate IdentificationWorker::estimate(bool preliminary, const Work& work) {
   const bool interruptible = !preliminary && work.interruptible;
-  const auto progress = [&](const Progress&) { return isCurrent(work.snapshot, interruptible); };
+  const auto progress = [&](const Progress& now) {
+    listener_.progress(now);
+    return isCurrent(work.snapshot, interruptible);
+  };
   return preliminary ? work.identifier->reidentify(*work.last, work.snapshot.experiments, progress)
                      : work.identifier->identify(work.snapshot.experiments, {}, progress);
 }
@@ -145,8 +148,8 @@ void IdentificationWorker::succeed(Estimate estimate, bool preliminary, Work& wo
     if (!isCurrent(work.snapshot, false)) return;
     last_ = work.last;
     setStatusFrom(*last_);
-    listener_.result({last_, preliminary, windowOf(work.snapshot.experiments),
-                      work.identifier->configuration()});
+    listener_.result(
+        resultLocked(preliminary, work.snapshot.experiments, work.identifier->configuration()));
   });
 }
 

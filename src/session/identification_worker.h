@@ -25,6 +25,8 @@ struct WorkerResult {
   /// As it was asked for. In the estimate's copy the automatic choices are replaced by what was
   /// chosen.
   Configuration configuration;
+  std::vector<KeptExperiment> kept{};  ///< the experiments now, with those it was made from
+  int rejected = 0;                    ///< number of experiments that are not used
 };
 
 /// What a worker is doing, and how its last identification ended.
@@ -72,6 +74,8 @@ class IdentificationWorker {
     std::function<std::shared_ptr<void>(const std::string&)> begins = [](const std::string&) {
       return nullptr;
     };
+    /// How far the running identification is. Called without the mutex, many times a second.
+    std::function<void(const Progress&)> progress = [](const Progress&) {};
   };
 
   /// Throws ConfigurationError when the configuration is not valid.
@@ -140,6 +144,9 @@ class IdentificationWorker {
   bool isCurrent(const WorkerSnapshot& snapshot, bool interruptible) const;
   WorkerSnapshot snapshotLocked() const;
   void setStatusFrom(const Estimate& estimate);
+  std::vector<ExperimentDigest> digestsLocked() const;
+  WorkerResult resultLocked(bool preliminary, const std::vector<Experiment>& experiments,
+                            const Configuration& configuration) const;
   void change(const std::function<void()>& change);
 
   const Listener listener_;

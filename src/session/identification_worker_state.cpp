@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "session/identification_worker.h"
@@ -126,6 +127,17 @@ void IdentificationWorker::setStatusFrom(const Estimate& estimate) {
   unusable_ = estimate.rejected;
 }
 
+/// The last result, made from these experiments.
+WorkerResult IdentificationWorker::resultLocked(bool preliminary,
+                                                const std::vector<Experiment>& experiments,
+                                                const Configuration& configuration) const {
+  const auto digests = digestsLocked();
+  const auto rejected = std::count_if(digests.begin(), digests.end(),
+                                      [](const auto& digest) { return !digest.rejected.empty(); });
+  return {last_,         preliminary, windowOf(experiments),
+          configuration, set_.kept(), static_cast<int>(rejected)};
+}
+
 void IdentificationWorker::adopt(const Configuration& configuration,
                                  std::shared_ptr<const Estimate> estimate,
                                  const WorkerSnapshot& snapshot) {
@@ -140,7 +152,7 @@ void IdentificationWorker::adopt(const Configuration& configuration,
     version_taken_ = version_fully_identified_ = snapshot.version;
     if (last_ == nullptr) return;
     setStatusFrom(*last_);
-    listener_.result({last_, false, windowOf(snapshot.experiments), configuration});
+    listener_.result(resultLocked(false, snapshot.experiments, configuration));
   });
 }
 
@@ -161,6 +173,10 @@ WorkerStatus IdentificationWorker::status() const {
 
 std::vector<ExperimentDigest> IdentificationWorker::experiments() const {
   const std::lock_guard<std::mutex> lock(mutex_);
+  return digestsLocked();
+}
+
+std::vector<ExperimentDigest> IdentificationWorker::digestsLocked() const {
   auto digests = set_.digests();
   for (const auto& unusable : unusable_)
     for (auto& digest : digests)

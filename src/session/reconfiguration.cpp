@@ -15,10 +15,11 @@
 namespace uncertainty_identification {
 namespace {
 
-/// Keys that cannot change while the node runs: the recorder's topics, and the node's folders.
+/// Keys that cannot change while the node runs: the recorder's topics, the node's folders and page.
 constexpr const char* kFixed[] = {
     "input",         "output",           "covariates",         "experiment",
-    "bag_directory", "report_directory", "report_each_result", "store_directory"};
+    "bag_directory", "report_directory", "report_each_result", "store_directory",
+    "live_page"};
 
 YAML::Node parse(const std::string& text) {
   const YAML::Node tree = loadUntrustedYaml(text);

@@ -1,5 +1,6 @@
-// How long the node takes to record a sample of 5 kHz signals, beside an idle worker and beside one
-// that identifies. The rig is a process of its own. Run by scripts/measure_latency.
+// How long the node takes to record a sample of 5 kHz signals, beside an idle worker, beside
+// clients that attack the live page, and beside a worker that identifies. The rig is a process of
+// its own. Run by scripts/measure_latency.
 
 #include <gtest/gtest.h>
 #include <std_srvs/Trigger.h>
@@ -12,10 +13,12 @@
 #include <map>
 #include <thread>
 
+#include "live/live_server.h"
 #include "ros/experiment_bag.h"
 #include "ros/identification_server.h"
 #include "ros/parameters.h"
 #include "support/example1.h"
+#include "support/http_attack.h"
 #include "support/node_client.h"
 #include "support/quantile.h"
 #include "support/shared_memory.h"
@@ -35,9 +38,21 @@ int seconds = 10;
 /// What the rig is asked for, and when it published each sample.
 struct Orders {
   std::atomic<int> wanted{0}, published{0};  // samples, since the start
-  std::atomic<bool> stopping{false};
+  std::atomic<bool> stopping{false}, attacking{false};
   std::array<Clock::time_point, kMostSamples> times;
 };
+
+/// Attacks the live page while the orders say so.
+void runAttacker(const Orders& orders, int port) {
+  while (!orders.stopping) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (!orders.attacking) continue;
+    const HttpAttack attack(port, 200, 1000000);
+    while (orders.attacking) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::printf("hostile requests meanwhile: %d\n", attack.sent());
+    std::fflush(stdout);
+  }
+}
 
 void runRig(Orders& orders) {
   ros::NodeHandle node;
@@ -78,6 +93,14 @@ void print(const std::string& name, const Phase& phase) {
   std::printf("\n");
 }
 
+void printRatio(const std::string& name, const Phase& phase, const Phase& idle) {
+  std::printf("ratio of the latencies, %s to idle:", name.c_str());
+  for (const double share : {0.5, 0.99, 0.999})
+    std::printf(" %g %% %.2f", 100 * share,
+                quantile(phase.latencies, share) / quantile(idle.latencies, share));
+  std::printf("\n");
+}
+
 class LatencyTest : public testing::Test {
  protected:
   /// Records for some seconds, as one experiment.
@@ -110,6 +133,13 @@ class LatencyTest : public testing::Test {
 
 TEST_F(LatencyTest, RecordingDoesNotWaitForTheWorker) {
   constexpr double kLongest = 1e-3;  // [s] of a callback, of 99.9 %
+  const bool has_page = liveServerObstacle().empty();
+  const int port = has_page ? freePort() : 0;
+  const pid_t attacker = fork();
+  if (attacker == 0) {
+    runAttacker(orders_, port);
+    _exit(0);
+  }
   const pid_t rig = fork();
   int none = 0;
   if (rig == 0) {
@@ -120,6 +150,7 @@ TEST_F(LatencyTest, RecordingDoesNotWaitForTheWorker) {
   const TemporaryFolder folder;
   ros::init(none, nullptr, "identification");
   ros::param::set("/identification/store_directory", folder.path());
+  ros::param::set("/identification/live_page/port", port);
   Truth truth = loadTruth(std::string(PROJECT_FOLDER) + "/config/example1_truth.yaml");
   truth.experiments = 400;
   truth.samples = {2000};
@@ -140,6 +171,9 @@ TEST_F(LatencyTest, RecordingDoesNotWaitForTheWorker) {
   });
   NodeClient client;
   const Phase idle = record(client);
+  orders_.attacking = has_page;
+  const Phase attacked = record(client);
+  orders_.attacking = false;
   messages::Load::Request request;
   request.name = "many.bag";
   EXPECT_EQ(client.call<messages::Load>("load", request).added, many.size());
@@ -149,17 +183,18 @@ TEST_F(LatencyTest, RecordingDoesNotWaitForTheWorker) {
   recording.join();
   orders_.stopping = true;
   waitpid(rig, nullptr, 0);
+  waitpid(attacker, nullptr, 0);
 
   std::printf(
       "[us] of two signals at 5 kHz: callback's own duration, and from publishing to its "
       "beginning, each 50 %%, 99 %%, 99.9 %%, longest\n");
   print("idle", idle);
+  print("attacked", attacked);
   print("identifying", busy);
-  std::printf("ratio of the latencies, identifying to idle: 50 %% %.2f, 99 %% %.2f, 99.9 %% %.2f\n",
-              quantile(busy.latencies, 0.5) / quantile(idle.latencies, 0.5),
-              quantile(busy.latencies, 0.99) / quantile(idle.latencies, 0.99),
-              quantile(busy.latencies, 0.999) / quantile(idle.latencies, 0.999));
+  printRatio("identifying", busy, idle);
+  printRatio("attacked", attacked, idle);
   EXPECT_TRUE(identified) << "the worker was done before the measurement was";
+  EXPECT_LT(quantile(attacked.durations, 0.999), kLongest);
   EXPECT_LT(quantile(busy.durations, 0.999), kLongest);
 }
 

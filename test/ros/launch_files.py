@@ -1,18 +1,22 @@
 #!/usr/bin/python3
 """Every shipped launch file, started as its users do: the nodes come up with the configuration that belongs to it."""
 
+import os
 import pathlib
 import signal
+import socket
 import subprocess
 import sys
 import tempfile
 import unittest
+import urllib.request
 
 import rosbag
 import rosnode
 import rospy
 import rostest
 from geometry_msgs.msg import Twist, TwistWithCovarianceStamped
+from uncertainty_identification.msg import IdentificationStatus
 from uncertainty_identification.srv import ListExperiments
 
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "support"))
@@ -42,6 +46,12 @@ def write_drive(path):
             bag.write("/odom", odometry, stamp)
 
 
+def serves_pages():
+    """Whether the library that was built can serve the live page (cmake/live_page.cmake)."""
+    library = pathlib.Path(os.environ["CMAKE_PREFIX_PATH"].split(":")[0], "lib/libuncertainty_identification_io.so")
+    return "cpp-httplib" in subprocess.run(["ldd", str(library)], stdout=subprocess.PIPE, check=True).stdout.decode()
+
+
 class LaunchFiles(unittest.TestCase):
     def start(self, name, *arguments):
         launched = subprocess.Popen(["roslaunch", str(LAUNCH / name), *arguments])
@@ -61,6 +71,17 @@ class LaunchFiles(unittest.TestCase):
         self.start("identification.launch")
         self.assertEqual(client.call("/identification/list_experiments", ListExperiments).experiments, [])
         self.assertEqual(rospy.get_param("/identification/experiment/mode"), "topic")
+
+    @unittest.skipUnless(serves_pages(), "this package was built without cpp-httplib")
+    def test_live_page(self):
+        with socket.socket() as found:
+            found.bind(("127.0.0.1", 0))
+            port = found.getsockname()[1]
+        self.start("identification.launch", f"live_page:={port}", "respawn:=false")
+        self.assertEqual(rospy.get_param("/identification/live_page/port"), port)
+        rospy.wait_for_message("/identification/status", IdentificationStatus, timeout=240)
+        page = urllib.request.urlopen(f"http://127.0.0.1:{port}/").read().decode()
+        self.assertIn("showLive(", page)
 
     def test_fault_detection(self):
         self.start("fault_detection.launch")

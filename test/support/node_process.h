@@ -19,6 +19,8 @@ class NodeProcess {
         std::string(TOOLS_FOLDER) + "/identification_node", "__name:=identification"});
   }
 
+  pid_t id() const { return process_->id(); }
+
   /// As a power cut does.
   void kill() { end(SIGKILL); }
 

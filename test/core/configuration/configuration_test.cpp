@@ -169,6 +169,7 @@ std::vector<BadValue> badOthers() {
       {"limits.max_bag_size", "0", [](auto& c) { c.limits.max_bag_size = 0; }},
       {"limits.max_saved_files", "-1", [](auto& c) { c.limits.max_saved_files = -1; }},
       {"limits.max_request_time", "0", [](auto& c) { c.limits.max_request_time = 0; }},
+      {"live_page.port", "65536", [](auto& c) { c.live_page_port = 65536; }},
       {"estimation.time_limit", "-1", [](auto& c) { c.estimation.time_limit = -1; }},
   };
 }

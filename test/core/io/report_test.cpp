@@ -90,7 +90,20 @@ TEST(Report, TextFromUsersCannotBecomeMarkup) {
   EXPECT_EQ(id, "</script><script>alert(1)</script><!--<script>{{chart}}\xef\xbf\xbd");
 }
 
+TEST(LivePageHtml, IsMadeOfTheReportsFilesAndFetchesItsEventsOnly) {
+  const std::string html = livePageHtml(filesWithChart());
+  EXPECT_EQ(html.find("{{"), std::string::npos) << "something was not filled in";
+  EXPECT_NE(html.find(reportFiles().script), std::string::npos);
+  EXPECT_NE(html.find(reportFiles().live_script), std::string::npos);
+  EXPECT_NE(html.find(reportFiles().style), std::string::npos);
+  EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
+  EXPECT_NE(html.find("connect-src 'self'"), std::string::npos);
+  EXPECT_EQ(reportFiles().script.find(reportFiles().live_script), std::string::npos)
+      << "no report needs it";
+}
+
 TEST(Report, NothingOfTheProgramsOwnEndsItsScript) {
+  EXPECT_EQ(reportFiles().live_script.find("</script"), std::string::npos);
   EXPECT_EQ(reportFiles().script.find("</script"), std::string::npos);
   EXPECT_EQ(reportFiles().chart.find("</script"), std::string::npos);
 }
@@ -101,6 +114,7 @@ TEST(Report, WithoutChartJsSaysWhatToInstall) {
   EXPECT_NE(reportObstacle(files).find("libjs-chart.js"), std::string::npos);
   EXPECT_EQ(messageOf<FileError>([&] { reportHtml(someResult(), {}, files); }),
             reportObstacle(files));
+  EXPECT_EQ(messageOf<FileError>([&] { livePageHtml(files); }), reportObstacle(files));
   EXPECT_EQ(reportObstacle(filesWithChart()), "");
 }
 

@@ -32,7 +32,9 @@ class Fixture {
                                [this](const std::string& warning) {
                                  const std::lock_guard<std::mutex> lock(mutex_);
                                  warnings_.push_back(warning);
-                               }}) {}
+                               },
+                               [](const std::string&) { return nullptr; },
+                               [this](const Progress&) { ++progress; }}) {}
 
   std::vector<WorkerResult> results() const {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -60,7 +62,7 @@ class Fixture {
   std::vector<std::string> warnings_;
 
  public:
-  std::atomic<int> changes{0};
+  std::atomic<int> changes{0}, progress{0};
   std::atomic<bool> told_busy{false};  // by the status after the last change
   IdentificationWorker worker;
 };
@@ -90,6 +92,8 @@ TEST(IdentificationWorker, LastResultIsThatOfIdentifyingAllAtOnce) {
   EXPECT_FALSE(results.back().preliminary);
   EXPECT_EQ(results.back().estimate->experiment_count, 12);
   EXPECT_EQ(results.back().window.start, experiments.front().start_time);
+  EXPECT_EQ(results.back().kept.size(), 12U);
+  EXPECT_EQ(results.back().rejected, 0);
   expectSame(*results.back().estimate, Identifier(example1Configuration()).identify(experiments));
   EXPECT_GT(std::count_if(results.begin(), results.end(),
                           [](const WorkerResult& result) { return result.preliminary; }),
@@ -193,6 +197,23 @@ TEST(IdentificationWorker, BadExperimentsAreToldAndTheLastResultStays) {
   EXPECT_EQ(fixture.warnings().size(), 2U);
   for (std::size_t i = good; i < fixture.results().size(); ++i)
     EXPECT_EQ(fixture.results()[i].estimate->experiment_count, 6);
+}
+
+TEST(IdentificationWorker, AResultComesWithItsExperimentsAndCountsThoseThatAreNotUsed) {
+  Fixture fixture;
+  Experiment constant = example1Experiments(1).front();
+  constant.id = "constant";
+  constant.u.setConstant(1);
+  fixture.worker.add(RejectedExperiment{"cut", "the clock went back"});
+  fixture.worker.add(constant);
+  for (const auto& experiment : example1Experiments(6)) fixture.worker.add(experiment);
+  ASSERT_TRUE(fixture.waitUntilIdle());
+  ASSERT_FALSE(fixture.results().empty());
+  const WorkerResult last = fixture.results().back();
+  EXPECT_EQ(last.estimate->experiment_count, 6);
+  EXPECT_EQ(last.kept.size(), 7U);
+  EXPECT_EQ(last.rejected, 2);
+  EXPECT_GT(fixture.progress, 0);
 }
 
 // Who goes by what is told must not wait for a change that does not come.

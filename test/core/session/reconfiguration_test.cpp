@@ -59,6 +59,7 @@ TEST_F(ReconfigurationTest, RefusesToRaiseLimitsAndToChangeTopics) {
             std::string::npos);
   EXPECT_NE(refusal("input: {topic: other}}").find("input"), std::string::npos);
   EXPECT_NE(refusal("store_directory: /tmp}").find("store_directory"), std::string::npos);
+  EXPECT_NE(refusal("live_page: {port: 8080}}").find("live_page"), std::string::npos);
   EXPECT_THROW(configure("no configuration"), ConfigurationError);
   EXPECT_TRUE(kept_.empty());
 }
