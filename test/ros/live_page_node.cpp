@@ -5,8 +5,6 @@
 #include <std_srvs/Trigger.h>
 
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "live/live_server.h"
 #include "support/example1.h"
@@ -14,19 +12,11 @@
 #include "support/http_connection.h"
 #include "support/node_client.h"
 #include "support/node_process.h"
+#include "support/resident_memory.h"
 #include "support/signal_publisher.h"
 
 namespace uncertainty_identification {
 namespace {
-
-using nlohmann::json;
-
-double residentMemory(pid_t process) {  // [MB]
-  std::ifstream statm("/proc/" + std::to_string(process) + "/statm");
-  long size = 0, resident = 0;
-  statm >> size >> resident;
-  return static_cast<double>(resident * sysconf(_SC_PAGESIZE)) / 1e6;
-}
 
 class LivePageNodeTest : public testing::Test {
  protected:
@@ -122,7 +112,7 @@ TEST_F(LivePageNodeTest, AHostileClientDoesNotDisturbTheRecording) {
     EXPECT_GE(experiment.samples, static_cast<unsigned>(kSamples - 1));
   }
   const double growth = residentMemory(node_.id()) - before;
-  EXPECT_LT(growth, 20) << "MB, of which the experiment and its result take some";
+  EXPECT_LT(growth, 15) << "MB, of which the experiment and its result take some";
   EXPECT_TRUE(waitFor([this] { return answers(); }));
 }
 

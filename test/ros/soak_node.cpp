@@ -7,13 +7,13 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <fstream>
 #include <thread>
 
 #include "ros/identification_server.h"
 #include "ros/parameters.h"
 #include "support/example1.h"
 #include "support/quantile.h"
+#include "support/resident_memory.h"
 #include "support/shared_memory.h"
 #include "support/temporary_folder.h"
 #include "support/timed_queue.h"
@@ -86,13 +86,6 @@ class Rig {
   ros::Publisher marker_ = node_.advertise<messages::ExperimentMarker>("/experiment/active", 1000);
 };
 
-double residentMemory() {  // [MB]
-  std::ifstream statm("/proc/self/statm");
-  long size = 0, resident = 0;
-  statm >> size >> resident;
-  return static_cast<double>(resident * sysconf(_SC_PAGESIZE)) / 1e6;
-}
-
 /// Slope of y over x by least squares.
 double slope(const std::vector<double>& x, const std::vector<double>& y) {
   const auto n = static_cast<double>(x.size());
@@ -159,7 +152,7 @@ TEST(Soak, NeitherMemoryNorLatencyGrows) {
         points == at.size())
       continue;
     at[points] = progress.stored;
-    memory[points++] = residentMemory();
+    memory[points++] = residentMemory(getpid());
     reached = progress.stored * static_cast<int>(at.size()) / experiments + 1;
   }
   at.resize(points);

@@ -53,13 +53,6 @@ void refuse(socket_t socket) {
   ::close(socket);
 }
 
-/// Takes out what would let httplib compress the answer, or cut it into pieces for each of the
-/// ranges asked for: both cost far more than asking for them.
-void simplify(httplib::Request& request) {
-  request.headers.erase("Accept-Encoding");
-  request.ranges.clear();
-}
-
 }  // namespace
 
 BoundedServer::BoundedServer(const LiveServerLimits& limits) : limits_(limits) {
@@ -119,7 +112,7 @@ bool BoundedServer::process_and_close_socket(socket_t socket) {
   lowerPriority();
   BoundedStream stream(socket, limits_);
   bool closed = false;
-  const bool served = process_request(stream, true, closed, simplify);
+  const bool served = stream.receive() && process_request(stream, true, closed, {});
   leave(socket);
   return served;
 }

@@ -2,7 +2,6 @@
 
 #include <httplib.h>
 
-#include <array>
 #include <chrono>
 #include <cstddef>
 #include <string>
@@ -12,12 +11,18 @@
 namespace uncertainty_identification {
 
 /// A connection on which a client can spend no more than the limits allow. httplib's own stream
-/// limits each read and write by itself, so that a client can go on for ever byte by byte.
+/// limits each read and write by itself, so that a client can go on for ever byte by byte; and some
+/// headers cost httplib far more than the client: it matches ranges by a recursion that takes
+/// megabytes of stack, and compresses on request. So it is given a request that has only a host.
 class BoundedStream : public httplib::Stream {
  public:
   BoundedStream(socket_t socket, const LiveServerLimits& limits);
 
-  /// Fails when the request is longer, or takes longer, than the limits say.
+  /// Receives a request up to the end of its headers. False when it is longer, or takes longer,
+  /// than the limits say, or the client leaves.
+  bool receive();
+
+  /// The request line and the host of what was received.
   ssize_t read(char* data, std::size_t size) override;
 
   /// Fails when the client has made the server wait for too long.
@@ -38,9 +43,8 @@ class BoundedStream : public httplib::Stream {
   const LiveServerLimits limits_;
   const Clock::time_point began_ = Clock::now();
   Clock::duration waited_{};  // by writes since one did not have to wait
-  std::size_t received_ = 0;  // [bytes]
-  std::array<char, 4096> buffer_;
-  std::size_t next_ = 0, end_ = 0;  // of what is in the buffer and was not read yet
+  std::string request_;
+  std::size_t next_ = 0;  // of the request, to be read
 };
 
 }  // namespace uncertainty_identification
