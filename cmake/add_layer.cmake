@@ -1,13 +1,16 @@
 # add_layer(NAME ROOMS folder... LINK library... [OPTIMIZE flag] [OPTIMIZED folder flag...] [SYSTEM_INCLUDE folder...]
-#   [DEPENDS target...] [PRECOMPILE header...])
+#   [DEPENDS target...] [PRECOMPILE header...] [EXCLUDE source...])
 # A library of the sources in src/<folder>/. Each room is a target of its own, so that a unity build joins only sources
 # that belong together. OPTIMIZE replaces the optimisation of a release build where speed does not matter, OPTIMIZED that of
 # single rooms. PRECOMPILE lists headers that most sources include; rooms with the same optimisation share them.
 function(add_layer name)
-  cmake_parse_arguments(LAYER "" "OPTIMIZE" "ROOMS;LINK;SYSTEM_INCLUDE;DEPENDS;PRECOMPILE;OPTIMIZED" ${ARGN})
+  cmake_parse_arguments(LAYER "" "OPTIMIZE" "ROOMS;EXCLUDE;LINK;SYSTEM_INCLUDE;DEPENDS;PRECOMPILE;OPTIMIZED" ${ARGN})
   set(objects "")
   foreach(room ${LAYER_ROOMS})
     file(GLOB sources CONFIGURE_DEPENDS src/${room}/*.cpp)
+    foreach(excluded ${LAYER_EXCLUDE})
+      list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/${excluded})
+    endforeach()
     if(NOT sources)
       continue()
     endif()

@@ -24,18 +24,12 @@ const std::vector<std::string> kIoLibraries{"yaml-cpp/", "nlohmann/", "boost/pro
                                             "boost/crc.hpp"};
 
 /// Rooms from the lowest; a file may include what is in its own room or in one before it.
-const std::vector<std::string> kRooms{"math",        "configuration",
-                                      "data",        "inspection",
-                                      "model",       "effects",
-                                      "estimation",  "residual_tests",
-                                      "bounds",      "identification",
-                                      "baselines",   "control",
-                                      "detection",   "simulation",
-                                      "curves",      "own_simulation",
-                                      "explanation", "io",
-                                      "export",      "session",
-                                      "live",        "ros",
-                                      "nodes",       "tools"};
+const std::vector<std::string> kRooms{
+    "math",       "configuration",  "data",    "inspection",     "model",       "effects",
+    "estimation", "residual_tests", "bounds",  "identification", "baselines",   "control",
+    "detection",  "simulation",     "curves",  "own_simulation", "explanation", "fmu",
+    "io",         "export",         "session", "live",           "ros",         "nodes",
+    "tools"};
 
 /// Headers in the root of include/ that every room may use.
 const std::vector<std::string> kVocabulary{"errors.h", "version.h"};
