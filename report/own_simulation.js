@@ -35,13 +35,13 @@ function ownRow(parent, runs, changed) {
 }
 
 // Curves that halve the squared error: what was found without them may only stand for them.
-function curveLeads({structure, has_curve_in_front: inFront}) {
-  return !inFront && structure.causes.length > 0 &&
-    ((100 - structure.fit_after) / (100 - structure.fit_before)) ** 2 < 0.5;
+function curveLeads({structure, has_curve_around: around, fit_after: fitAfter}) {
+  const halves = fit => (100 - structure.fit_after) ** 2 < 0.5 * (100 - fit) ** 2;
+  return !around && structure.causes.length > 0 && halves(structure.fit_before) && halves(fitAfter);
 }
 
 function showOwnSimulation(parent, found) {
-  const changed = found.causes.length > 0 || found.has_curve_in_front;
+  const changed = found.causes.length > 0 || found.has_curve_around;
   parent.append(element('p', {class: 'verdict'}, asSentence(found.sentence)),
     paragraph(`Black: measured. Orange: ${found.simulation}.${changed ? ' Blue: the same with what it lacks.' : ''}`));
   ownRow(parent, found.runs, changed);

@@ -1,5 +1,6 @@
 // How often explain names what is wrong with a user's simulation (docs/own_simulation.md,
-// Measured). usage: benchmark_own_simulation [SEEDS]
+// Measured). usage: own_simulation_benchmark [SEEDS [FIRST_SEED [PERCENT]]]
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -17,17 +18,28 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kShare = 0.05;  ///< of the output's variance that a flaw changes
 constexpr int kHeld = 6;
+
+struct Study {
+  int seeds = 5;
+  int first_seed = 1;
+  double share = 0.05;  ///< of the output's variance that a flaw changes
+};
 
 using Curve = std::function<Eigen::VectorXd(const Eigen::VectorXd& signal, double size)>;
 
-/// A flaw of a size that is chosen so that it changes kShare of the variance.
+/// A flaw of a size that is chosen so that it changes Study::share of the variance.
 struct Flaw {
   std::string name;
   std::vector<std::string> accepted;  ///< names, or "parameter:<name>"
-  int parameter = -1;                 ///< multiplied by 1 + size
+  int parameter = -1;                 ///< multiplied by 1 + direction size
   Curve input, output;
+  double direction = 1;
+  double parameter_too = 0;  ///< the parameter is multiplied by 1 + this beside the curve
+
+  double factor(double size) const {
+    return 1 + (parameter_too != 0 ? parameter_too : direction * size);
+  }
 };
 
 Eigen::VectorXd valuesOf(const Simulation& simulation) {
@@ -53,7 +65,7 @@ std::vector<Experiment> recorded(Simulation& simulation, const Flaw& flaw, doubl
                                  std::uint64_t seed, bool noise) {
   MachineOptions options = optionsFor(flaw, size, seed);
   if (!noise) options.noise = 0;
-  return recordWithFactor(simulation, flaw.parameter, 1 + size, options);
+  return recordWithFactor(simulation, flaw.parameter, flaw.factor(size), options);
 }
 
 /// Share of the variance that the flaw changes.
@@ -67,17 +79,17 @@ double shareOf(Simulation& simulation, const Flaw& flaw, double size) {
   return changed / power;
 }
 
-double sizeOf(Simulation& simulation, const Flaw& flaw) {
-  double low = 0, high = 10;
+double sizeOf(Simulation& simulation, const Flaw& flaw, double share) {
+  double low = 0, high = flaw.direction < 0 ? 0.95 : 10;
   for (int k = 0; k < 40; ++k) {
     const double middle = 0.5 * (low + high);
-    (shareOf(simulation, flaw, middle) < kShare ? low : high) = middle;
+    (shareOf(simulation, flaw, middle) < share ? low : high) = middle;
   }
   return high;
 }
 
 std::string firstOf(const OwnSimulationFindings& found) {
-  if (found.has_curve_in_front || found.curveLeads()) return found.structure.causes[0].what.name;
+  if (found.has_curve_around || found.curveLeads()) return found.structure.causes[0].what.name;
   if (!found.causes.empty() && found.causes[0].name == "sim_parameter")
     return "parameter:" + found.causes[0].parameter;
   if (!found.causes.empty()) return found.causes[0].name;
@@ -116,9 +128,35 @@ OwnSimulationFindings examinedAsColumn(Simulation& simulation,
   return examined(*makeLoggedSimulation("y_sim", "the column"), experiments);
 }
 
-Flaw ofParameter(const std::string& name, int index, std::vector<std::string> also) {
+/// The parameter is higher, and lower.
+void addParameter(const std::string& name, int index, std::vector<std::string> also,
+                  std::vector<Flaw>* flaws) {
   also.push_back("parameter:" + name);
-  return {name, also, index, {}, {}};
+  flaws->push_back({name + " higher", also, index, {}, {}});
+  flaws->push_back({name + " lower", also, index, {}, {}, -1});
+}
+
+/// What the truth itself leaves of the held-out data: fit [%] of the machine without noise.
+double fitOfTruth(const std::vector<Experiment>& measured, const std::vector<Experiment>& clean) {
+  double error = 0, sum = 0, squares = 0, count = 0;
+  for (std::size_t k = measured.size() - kHeld; k < measured.size(); ++k) {
+    error += (measured[k].y - clean[k].y).squaredNorm();
+    sum += measured[k].y.sum();
+    squares += measured[k].y.squaredNorm();
+    count += static_cast<double>(measured[k].y.size());
+  }
+  return 100 * (1 - std::sqrt(error / (squares - sum * sum / count)));
+}
+
+double medianOf(std::vector<double> values) {
+  if (values.empty()) return std::nan("");
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+bool isWithinTwoErrors(const OwnSimulationFindings& found, double factor) {
+  const OwnValue& value = found.causes[0].values[0];
+  return std::abs(value.measured - value.yours * factor) <= 2 * value.standard_error;
 }
 
 std::vector<Flaw> commonFlaws() {
@@ -174,85 +212,118 @@ std::vector<Flaw> commonFlaws() {
        {}}};
 }
 
-void measure(const char* way, Simulation& simulation, const std::vector<Flaw>& flaws, int seeds,
-             const std::function<OwnSimulationFindings(std::vector<Experiment>)>& examine_it) {
-  for (const Flaw& flaw : flaws) {
-    const double size = sizeOf(simulation, flaw);
-    int first = 0, anywhere = 0, within = 0, valued = 0;
-    std::map<std::string, int> others;
-    for (int seed = 1; seed <= seeds; ++seed) {
-      const OwnSimulationFindings found =
-          examine_it(recorded(simulation, flaw, size, static_cast<std::uint64_t>(seed), true));
-      const bool is_first = isAmong(firstOf(found), flaw.accepted);
-      first += is_first;
-      anywhere += isAnywhere(found, flaw.accepted);
-      if (!is_first) ++others[firstOf(found)];
-      if (!is_first || flaw.parameter < 0) continue;
-      const OwnValue& value = found.causes[0].values[0];
-      ++valued;
-      within += std::abs(value.measured - value.yours * (1 + size)) <= 2 * value.standard_error;
-    }
-    std::printf("%-28s %-16s %3d %3d of %d", way, flaw.name.c_str(), first, anywhere, seeds);
-    if (valued > 0) std::printf("  within 2 standard errors %d of %d", within, valued);
-    for (const auto& [name, count] : others) std::printf("  %s %d", name.c_str(), count);
-    std::printf("\n");
-    std::fflush(stdout);
+using Way = std::function<OwnSimulationFindings(std::vector<Experiment>)>;
+
+void measureFlaw(const std::string& way, Simulation& simulation, const Flaw& flaw,
+                 const Study& study, const Way& examine_it) {
+  const double size = sizeOf(simulation, flaw, study.share);
+  int first = 0, anywhere = 0, within = 0, valued = 0;
+  std::map<std::string, int> others;
+  std::vector<double> gains;
+  for (int k = 0; k < study.seeds; ++k) {
+    const auto seed = static_cast<std::uint64_t>(study.first_seed + k);
+    const std::vector<Experiment> measured = recorded(simulation, flaw, size, seed, true);
+    const OwnSimulationFindings found = examine_it(measured);
+    const double truth = fitOfTruth(measured, recorded(simulation, flaw, size, seed, false));
+    gains.push_back((found.fit_after - found.fit_before) / (truth - found.fit_before));
+    const bool is_first = isAmong(firstOf(found), flaw.accepted);
+    first += is_first;
+    anywhere += isAnywhere(found, flaw.accepted);
+    if (!is_first) ++others[firstOf(found)];
+    if (!is_first || flaw.parameter < 0 || found.causes.empty()) continue;
+    ++valued;
+    within += isWithinTwoErrors(found, flaw.factor(size));
   }
+  std::printf("%-18s %-16s %3d %3d of %d  gain %3.0f %%", way.c_str(), flaw.name.c_str(), first,
+              anywhere, study.seeds, 100 * medianOf(gains));
+  if (valued > 0) std::printf("  within 2 standard errors %d of %d", within, valued);
+  for (const auto& [name, count] : others) std::printf("  %s %d", name.c_str(), count);
+  std::printf("\n");
+  std::fflush(stdout);
 }
 
-void measurePerfect(
-    const char* way, Simulation& simulation, int seeds,
-    const std::function<OwnSimulationFindings(std::vector<Experiment>)>& examine_it) {
+/// A wrong parameter beside a dead zone: how often both are named.
+void measurePair(const std::string& way, Simulation& simulation, const Flaw& dead_zone,
+                 const Study& study, const Way& examine_it) {
+  Flaw pair = dead_zone;
+  pair.parameter = 0;
+  pair.parameter_too = 0.15;
+  const std::string name = simulation.parameters()[0].name;
+  const double size = sizeOf(simulation, dead_zone, study.share);
+  int both = 0;
+  for (int k = 0; k < study.seeds; ++k) {
+    const auto seed = static_cast<std::uint64_t>(study.first_seed + k);
+    const OwnSimulationFindings found = examine_it(recorded(simulation, pair, size, seed, true));
+    both += isAnywhere(found, pair.accepted) &&
+            isAnywhere(found, {"parameter:" + name, "sim_gain", "sim_damping"});
+  }
+  std::printf("%-18s %s 15 %% higher and a dead zone: both named %d of %d\n", way.c_str(),
+              name.c_str(), both, study.seeds);
+  std::fflush(stdout);
+}
+
+void measurePerfect(const std::string& way, Simulation& simulation, const Study& study,
+                    const Way& examine_it) {
+  const int count = 5 * study.seeds;
   int named = 0;
-  for (int seed = 1; seed <= seeds; ++seed) {
+  for (int k = 1; k <= count; ++k) {
     MachineOptions options;
-    options.seed = static_cast<std::uint64_t>(100 + seed);
-    options.spread = seed % 2 == 0 ? 0.05 : 0;
+    options.seed = static_cast<std::uint64_t>(100 + study.first_seed + k);
+    options.spread = k % 2 == 0 ? 0.05 : 0;
     named += firstOf(examine_it(recordWithFactor(simulation, -1, 1, options))) != "nothing";
   }
-  std::printf("%-28s %-16s %3d of %d named something\n", way, "perfect", named, seeds);
+  std::printf("%-18s perfect: %d of %d named something\n", way.c_str(), named, count);
   std::fflush(stdout);
+}
+
+/// All flaws of a simulation, in both ways in which it can be given.
+void measure(const std::string& name, Simulation& own, const std::vector<Flaw>& flaws,
+             const Study& study) {
+  const Way rerun = [&own](std::vector<Experiment> all) { return examined(own, std::move(all)); };
+  const Way column = [&own](std::vector<Experiment> all) {
+    return examinedAsColumn(own, std::move(all));
+  };
+  for (const auto& [way, examine_it] : {std::pair(name, rerun), {name + ", column", column}}) {
+    for (const Flaw& flaw : flaws) {
+      measureFlaw(way, own, flaw, study, examine_it);
+      if (flaw.name == "dead zone") measurePair(way, own, flaw, study, examine_it);
+    }
+    measurePerfect(way, own, study, examine_it);
+  }
 }
 
 }  // namespace
 
-int run(int seeds) {
+int run(const Study& study) {
   OwnModelOptions model;
   model.physical = {{"gain", 2.0}, {"omega1", 8.0}, {"zeta1", 0.4}};
   const auto second = makeLinearSimulation(factorsOf(model, MachineOptions().sample_time), "model");
   PendulumSimulation pendulum;
-  std::vector<Flaw> of_second{ofParameter("gain", 0, {"sim_gain"}),
-                              ofParameter("omega1", 1, {"sim_frequency"}),
-                              ofParameter("zeta1", 2, {"sim_damping"})};
-  std::vector<Flaw> of_pendulum{ofParameter("mass", 0, {"sim_gain", "sim_damping"}),
-                                ofParameter("friction", 1, {"sim_damping"}),
-                                ofParameter("length", 2, {"sim_frequency"})};
+  std::vector<Flaw> of_second, of_pendulum;
+  addParameter("gain", 0, {"sim_gain"}, &of_second);
+  addParameter("omega1", 1, {"sim_frequency"}, &of_second);
+  addParameter("zeta1", 2, {"sim_damping"}, &of_second);
+  addParameter("mass", 0, {"sim_gain", "sim_damping"}, &of_pendulum);
+  addParameter("friction", 1, {"sim_damping"}, &of_pendulum);
+  addParameter("length", 2, {"sim_frequency"}, &of_pendulum);
   for (const Flaw& each : commonFlaws()) {
     of_second.push_back(each);
     of_pendulum.push_back(each);
   }
-  std::printf("way                          flaw             first, among those named\n");
-  for (const auto& [name, simulation, flaws] :
-       {std::make_tuple("model", static_cast<Simulation*>(second.get()), &of_second),
-        std::make_tuple("pendulum", static_cast<Simulation*>(&pendulum), &of_pendulum)}) {
-    Simulation& own = *simulation;
-    const auto rerun = [&own](std::vector<Experiment> all) {
-      return examined(own, std::move(all));
-    };
-    const auto column = [&own](std::vector<Experiment> all) {
-      return examinedAsColumn(own, std::move(all));
-    };
-    const std::string as_column = std::string(name) + ", column";
-    measure(name, own, *flaws, seeds, rerun);
-    measurePerfect(name, own, 4 * seeds, rerun);
-    measure(as_column.c_str(), own, *flaws, seeds, column);
-    measurePerfect(as_column.c_str(), own, 4 * seeds, column);
-  }
+  std::printf(
+      "way                flaw             first, among those named; median share of what "
+      "the truth gains\n");
+  measure("model", *second, of_second, study);
+  measure("pendulum", pendulum, of_pendulum, study);
   return 0;
 }
 
 }  // namespace uncertainty_identification
 
 int main(int argc, char** argv) {
-  return uncertainty_identification::run(argc > 1 ? std::atoi(argv[1]) : 5);
+  uncertainty_identification::Study study;
+  if (argc > 1) study.seeds = std::atoi(argv[1]);
+  if (argc > 2) study.first_seed = std::atoi(argv[2]);
+  if (argc > 3) study.share = std::atof(argv[3]) / 100;
+  return uncertainty_identification::run(study);
 }

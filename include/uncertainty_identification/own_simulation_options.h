@@ -28,28 +28,35 @@ struct OwnModelOptions {
 /// Names that OwnModelOptions::physical may hold, in the order in which they are told.
 const std::vector<std::string>& physicalNames();
 
-/// A parameter of a program, with the value that the user's simulation has.
+/// A parameter of a program or an FMU, with the value that the user's simulation has.
 struct OwnParameterOptions {
-  double value = std::numeric_limits<double>::quiet_NaN();  ///< must be given
+  /// Must be given for a program. NaN: that which the FMU states, with its unit.
+  double value = std::numeric_limits<double>::quiet_NaN();
   std::string unit;
 };
 
-/// The user's simulation. Exactly one of model, result, command, column and topic is given.
+/// The user's simulation. Exactly one of model, result, command, fmu, column and topic is given.
 struct OwnSimulationOptions {
   bool has_model = false;
   OwnModelOptions model;
   std::string result;                ///< file: the nominal model of an earlier result.json
   std::vector<std::string> command;  ///< program and its arguments
-  std::map<std::string, OwnParameterOptions> parameters;  ///< of the program
-  double time_limit = 10;  ///< [s] for one run of the program over one experiment
-  std::string column;      ///< of data files: the logged output of the simulation
-  std::string topic;       ///< the same as a topic of a bag
+  std::string fmu;                   ///< file: a functional mock-up unit
+  std::string input, output;         ///< variables of the FMU that u and y are
+  int steps_per_sample = 10;         ///< of the integration, of an FMU for model exchange
+  std::map<std::string, OwnParameterOptions> parameters;  ///< of the program or the FMU
+  double time_limit = 10;      ///< [s] for one run of the program or the FMU over one experiment
+  double memory_limit = 4000;  ///< [MB] of the program or the FMU
+  std::string column;          ///< of data files: the logged output of the simulation
+  std::string topic;           ///< the same as a topic of a bag
   std::string field = "auto";
-  std::string fmu;             ///< not supported; read to say so
-  int max_simulations = 2000;  ///< runs over one experiment, in all
+  int max_simulations = 2000;  ///< runs over one experiment, in all: never exceeded
 
   /// Whether a logged signal is the simulation.
   bool isLogged() const { return !column.empty() || !topic.empty(); }
+
+  /// Whether it runs in a process of its own, so that a run costs something.
+  bool isProgram() const { return !command.empty() || !fmu.empty(); }
 
   /// Throws ConfigurationError naming key, value and what is allowed.
   void validate() const;

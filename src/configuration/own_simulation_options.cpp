@@ -54,24 +54,38 @@ const std::vector<std::string>& physicalNames() {
   return kNames;
 }
 
+namespace {
+
+void validateFmu(const OwnSimulationOptions& options) {
+  const bool is_fmu = !options.fmu.empty();
+  require(is_fmu == !options.input.empty(), "simulation.input", "'" + options.input + "'",
+          is_fmu ? "the variable of the FMU that u is" : "none without fmu");
+  require(is_fmu == !options.output.empty(), "simulation.output", "'" + options.output + "'",
+          is_fmu ? "the variable of the FMU that y is" : "none without fmu");
+  requireRange("simulation.steps_per_sample", options.steps_per_sample, 1, 100000);
+}
+
+}  // namespace
+
 void OwnSimulationOptions::validate() const {
-  require(fmu.empty(), "simulation.fmu", "'" + fmu + "'",
-          "model, result, command or column: functional mock-up units are not supported yet; wrap "
-          "yours in a program and give it as command");
-  const int given = has_model + !result.empty() + !command.empty() + !column.empty() +
-                    (!topic.empty() && column.empty());
+  const int given = has_model + !result.empty() + !command.empty() + !fmu.empty() +
+                    !column.empty() + (!topic.empty() && column.empty());
   require(given == 1, "simulation", given == 0 ? "none of them" : "several of them",
-          "exactly one of model, result, command and column (or topic)");
+          "exactly one of model, result, command, fmu and column (or topic)");
   if (has_model) validateModel(model);
   require(command.empty() || !command.front().empty(), "simulation.command", "an empty text",
           "the program and its arguments, such as [./my_sim, --fast]");
-  require(parameters.empty() || !command.empty(), "simulation.parameters", "parameters",
-          "none without command: the other ways have parameters of their own");
+  validateFmu(*this);
+  require(parameters.empty() || isProgram(), "simulation.parameters", "parameters",
+          "none without command or fmu: the other ways have parameters of their own");
   for (const auto& [name, parameter] : parameters)
-    require(std::isfinite(parameter.value), "simulation.parameters." + name + ".value",
-            parameter.value, "the value that your simulation has now, a finite number");
+    require(std::isfinite(parameter.value) || (!fmu.empty() && std::isnan(parameter.value)),
+            "simulation.parameters." + name + ".value", parameter.value,
+            "the value that your simulation has now, a finite number");
   require(time_limit > 0 && std::isfinite(time_limit), "simulation.time_limit", time_limit,
           "a finite number above 0");
+  require(memory_limit >= 10 && std::isfinite(memory_limit), "simulation.memory_limit",
+          memory_limit, "10 or above, in MB");
   requireRange("simulation.max_simulations", max_simulations, 10, 100000000);
 }
 

@@ -13,7 +13,7 @@ OwnSimulationFindings compareSimulation(const Configuration& configuration, Simu
   options.max_causes = configuration.explanation.max_causes;
   constexpr int kUnlimited = 1000000;  // runs of a transfer function cost nothing
   const auto& own = configuration.simulation;
-  options.max_simulations = own && !own->command.empty() ? own->max_simulations : kUnlimited;
+  options.max_simulations = own && own->isProgram() ? own->max_simulations : kUnlimited;
   options.progress = [&](const std::string& doing) {
     return !progress || progress({doing, 0, std::nullopt});
   };

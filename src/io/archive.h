@@ -30,8 +30,10 @@ class Archive {
   /// True when values are filled from the tree, false when they are written to it.
   virtual bool reads() const = 0;
 
-  /// Reading: whether the key is there, and whether its value is this word. Writing: neither.
+  /// Reading: whether the key is there, whether its value is a list, and whether it is this word.
+  /// Writing: none of these.
   virtual bool has(std::string_view key) const = 0;
+  virtual bool hasList(std::string_view key) const = 0;
   virtual bool isWord(std::string_view key, const char* word) = 0;
 
   /// The whole document.

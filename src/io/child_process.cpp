@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,6 +15,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <cstring>
 #include <sstream>
 #include <thread>
@@ -33,9 +35,23 @@ void closeIfOpen(int* descriptor) {
 
 void keepFromChildren(int descriptor) { fcntl(descriptor, F_SETFD, FD_CLOEXEC); }
 
+constexpr double kBytes = 1e6;  ///< of an MB
+
+/// What a program allocates; memory that it only reserves, as virtual machines do, does not count.
+/// The sanitizers' own does, so that programs that are built with them have no limit.
+void limitMemory([[maybe_unused]] double megabytes) {
+#ifndef __SANITIZE_ADDRESS__
+  const auto bytes = static_cast<rlim_t>(megabytes * kBytes);
+  const rlimit limit{bytes, bytes};
+  setrlimit(RLIMIT_DATA, &limit);
+#endif
+}
+
 /// Only calls that are allowed between fork() and exec(). Reports why exec() failed.
-[[noreturn]] void becomeProgram(char* const* arguments, int channel, int errors, int report) {
+[[noreturn]] void becomeProgram(char* const* arguments, double memory_limit, int channel,
+                                int errors, int report) {
   setpgid(0, 0);
+  limitMemory(memory_limit);
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
@@ -49,10 +65,10 @@ void keepFromChildren(int descriptor) { fcntl(descriptor, F_SETFD, FD_CLOEXEC); 
   _exit(ignored == sizeof reason ? 127 : 126);
 }
 
-/// Whether the process has ended within the time; its status.
-bool hasEnded(pid_t process, int milliseconds, int* status) {
+/// Whether the process has ended within the time; its status, and what it has used.
+bool hasEnded(pid_t process, int milliseconds, int* status, rusage* used) {
   for (int waited = 0;; waited += 5) {
-    if (waitpid(process, status, WNOHANG) == process) return true;
+    if (wait4(process, status, WNOHANG, used) == process) return true;
     if (waited >= milliseconds) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
@@ -60,7 +76,8 @@ bool hasEnded(pid_t process, int milliseconds, int* status) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& command) {
+ChildProcess::ChildProcess(const std::vector<std::string>& command, double memory_limit)
+    : memory_limit_(memory_limit) {
   std::array<int, 2> channel{-1, -1}, errors{-1, -1}, report{-1, -1};
   const bool ready = socketpair(AF_UNIX, SOCK_STREAM, 0, channel.data()) == 0 &&
                      pipe(errors.data()) == 0 && pipe(report.data()) == 0;
@@ -72,7 +89,8 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command) {
     for (const std::string& each : command) arguments.push_back(const_cast<char*>(each.c_str()));
     arguments.push_back(nullptr);
     process_ = fork();
-    if (process_ == 0) becomeProgram(arguments.data(), channel[1], errors[1], report[1]);
+    if (process_ == 0)
+      becomeProgram(arguments.data(), memory_limit, channel[1], errors[1], report[1]);
     if (process_ < 0) reason = errno;
   }
   for (int* each : {&channel[1], &errors[1], &report[1]}) closeIfOpen(each);
@@ -100,7 +118,8 @@ void ChildProcess::end() {
   if (channel_ >= 0) shutdown(channel_, SHUT_WR);
   if (process_ > 0) {
     int status = 0;
-    const bool ended = hasEnded(process_, closed_ ? 0 : kGrace, &status);
+    rusage used{};
+    const bool ended = hasEnded(process_, closed_ ? 0 : kGrace, &status, &used);
     kill(-process_, SIGKILL);
     if (!ended) waitpid(process_, &status, 0);
     process_ = -1;
@@ -120,8 +139,10 @@ void ChildProcess::readErrors() {
 
 /// How the program ended; it is waited for a little.
 std::string ChildProcess::endText() {
+  constexpr double kNear = 0.5;  // of the limit: what a failed allocation may leave
   int status = 0;
-  if (!hasEnded(process_, kGrace, &status)) return "it closed its output but runs on";
+  rusage used{};
+  if (!hasEnded(process_, kGrace, &status, &used)) return "it closed its output but runs on";
   kill(-process_, SIGKILL);  // its children, while the group still has its number
   process_ = -1;
   std::ostringstream text;
@@ -130,6 +151,10 @@ std::string ChildProcess::endText() {
          << ")";
   else
     text << "it ended with exit status " << WEXITSTATUS(status);
+  const double megabytes = static_cast<double>(used.ru_maxrss) * 1024 / kBytes;
+  if (megabytes > kNear * memory_limit_)
+    text << "; it had taken " << std::round(megabytes) << " MB (simulation.memory_limit is "
+         << memory_limit_ << " MB)";
   return text.str();
 }
 

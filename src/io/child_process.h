@@ -11,9 +11,9 @@ namespace uncertainty_identification {
 /// group of its own, which the destructor ends: nothing of it is left.
 class ChildProcess {
  public:
-  /// Starts the program; the first entry is searched for as a shell does. Throws ConfigurationError
-  /// where it cannot be started.
-  explicit ChildProcess(const std::vector<std::string>& command);
+  /// Starts the program with at most `memory_limit` [MB]; the first entry is searched for as a
+  /// shell does. Throws ConfigurationError where it cannot be started.
+  ChildProcess(const std::vector<std::string>& command, double memory_limit);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -31,6 +31,7 @@ class ChildProcess {
   std::string endText();
   void end();
 
+  const double memory_limit_;
   pid_t process_ = -1;
   int channel_ = -1;  ///< socket that is the program's standard input and output
   int errors_ = -1;   ///< pipe of its standard error

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/fmu_program.h"
 #include "io/program_simulation.h"
 #include "math/polynomial.h"
 #include "own_simulation/linear_simulation.h"
@@ -41,6 +42,17 @@ std::unique_ptr<Simulation> fromResult(const std::string& path, double sample_ti
   }
 }
 
+ProgramToRun programOf(const OwnSimulationOptions& options) {
+  ProgramToRun program{options.command,
+                       "the program " + options.command.front(),
+                       {},
+                       options.time_limit,
+                       options.memory_limit};
+  for (const auto& [name, parameter] : options.parameters)
+    program.parameters.push_back({name, parameter.value, parameter.unit});
+  return program;
+}
+
 }  // namespace
 
 std::string loggedName(const OwnSimulationOptions& options) {
@@ -68,7 +80,8 @@ std::unique_ptr<Simulation> openSimulation(const OwnSimulationOptions& options,
     return makeLoggedSimulation(loggedName(options), options.column.empty()
                                                          ? "the topic " + options.topic
                                                          : "the column " + options.column);
-  if (!options.command.empty()) return startProgramSimulation(options);
+  if (!options.command.empty()) return startProgramSimulation(programOf(options));
+  if (!options.fmu.empty()) return startFmuSimulation(options);
   if (!options.result.empty()) return fromResult(options.result, sample_time);
   return makeLinearSimulation(factorsOf(options.model, sample_time),
                               "the transfer function of simulation.model");

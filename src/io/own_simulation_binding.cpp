@@ -1,5 +1,7 @@
 #include "io/own_simulation_binding.h"
 
+#include <cmath>
+
 namespace uncertainty_identification {
 namespace {
 
@@ -10,10 +12,18 @@ void bindGiven(Archive& archive, const char* key, Value& value) {
   if (archive.reads() || !value.empty()) archive(key, value);
 }
 
+/// Names with values, or a list of names: those of an FMU, which holds their values.
+void bindParameters(Archive& archive, std::map<std::string, OwnParameterOptions>& parameters) {
+  if (!archive.hasList("parameters")) return bindGiven(archive, "parameters", parameters);
+  std::vector<std::string> names;
+  archive("parameters", names);
+  for (const std::string& name : names) parameters[name] = {};
+}
+
 }  // namespace
 
 void bind(Archive& archive, OwnParameterOptions& parameter) {
-  archive("value", parameter.value);
+  if (archive.reads() || std::isfinite(parameter.value)) archive("value", parameter.value);
   archive("unit", parameter.unit);
 }
 
@@ -38,12 +48,16 @@ void bind(Archive& archive, OwnSimulationOptions& options) {
   if (archive.reads() || options.has_model) archive("model", options.model);
   bindGiven(archive, "result", options.result);
   bindGiven(archive, "command", options.command);
-  bindGiven(archive, "parameters", options.parameters);
+  bindGiven(archive, "fmu", options.fmu);
+  bindGiven(archive, "input", options.input);
+  bindGiven(archive, "output", options.output);
+  archive("steps_per_sample", options.steps_per_sample);
+  bindParameters(archive, options.parameters);
   archive("time_limit", options.time_limit);
+  archive("memory_limit", options.memory_limit);
   bindGiven(archive, "column", options.column);
   bindGiven(archive, "topic", options.topic);
   archive("field", options.field);
-  bindGiven(archive, "fmu", options.fmu);
   archive("max_simulations", options.max_simulations);
 }
 
@@ -82,6 +96,37 @@ void bind(Archive& archive, OwnRun& run) {
   archive("fit_extended", run.fit_extended);
 }
 
+void bind(Archive& archive, SimulationParameter& parameter) {
+  archive("name", parameter.name);
+  archive("value", parameter.value);
+  archive("unit", parameter.unit);
+}
+
+void bind(Archive& archive, OwnCurve& curve) {
+  archive("of", curve.of);
+  archive("signal", curve.signal);
+  archive("value", curve.value);
+}
+
+void bind(Archive& archive, SampledFilter& filter) {
+  archive("num", filter.num);
+  archive("den", filter.den);
+}
+
+void bind(Archive& archive, OwnExtension& extension) {
+  archive("sample_time", extension.sample_time);
+  archive("parameters", extension.parameters);
+  archive("curve", orNull(extension.curve));
+  archive("yours", orNull(extension.yours));
+  archive("measured", orNull(extension.measured));
+  archive("delay", extension.delay);
+  archive("lead", extension.lead);
+  archive("lag", extension.lag);
+  archive("gain", extension.gain);
+  archive("offset", extension.offset);
+  archive("transient", extension.transient);
+}
+
 void bind(Archive& archive, OwnSimulationFindings& findings) {
   archive("simulation", findings.simulation);
   archive("can_rerun", findings.can_rerun);
@@ -93,7 +138,8 @@ void bind(Archive& archive, OwnSimulationFindings& findings) {
   archive("held_out", findings.held_out);
   archive("runs", findings.runs);
   archive("structure", findings.structure);
-  archive("has_curve_in_front", findings.has_curve_in_front);
+  archive("has_curve_around", findings.has_curve_around);
+  archive("extension", findings.extension);
   archive("simulations", findings.simulations);
   archive("ended_early", findings.ended_early);
 }

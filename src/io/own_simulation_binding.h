@@ -7,6 +7,8 @@
 namespace uncertainty_identification {
 
 void bind(Archive& archive, OwnSimulationOptions& options);
+void bind(Archive& archive, OwnValue& value);
+void bind(Archive& archive, OwnExtension& extension);
 void bind(Archive& archive, OwnSimulationFindings& findings);
 void bind(Archive& archive, SimulationCauses& simulation);
 

@@ -66,7 +66,7 @@ std::string changesText(const OwnSimulationFindings& findings) {
 
 std::string ownSimulationText(const OwnSimulationFindings& findings) {
   std::string text = findings.sentence + ".\n";
-  const bool curve_first = findings.has_curve_in_front || findings.curveLeads();
+  const bool curve_first = findings.has_curve_around || findings.curveLeads();
   text += curve_first ? curvesText(findings) + changesText(findings)
                       : changesText(findings) + curvesText(findings);
   text += "\nThis is " + findings.simulation + ", run " + std::to_string(findings.simulations) +

@@ -47,6 +47,10 @@ TreeReader::TreeReader(const json& tree, ReadingRule rule, std::map<std::string,
 
 bool TreeReader::has(std::string_view key) const { return node().contains(std::string(key)); }
 
+bool TreeReader::hasList(std::string_view key) const {
+  return has(key) && node()[std::string(key)].is_array();
+}
+
 bool TreeReader::isWord(std::string_view key, const char* word) {
   if (!has(key) || node()[std::string(key)] != json(word)) return false;
   frames_.back().known.emplace_back(key);

@@ -22,6 +22,7 @@ class TreeReader : public Archive {
 
   bool reads() const override { return true; }
   bool has(std::string_view key) const override;
+  bool hasList(std::string_view key) const override;
   bool isWord(std::string_view key, const char* word) override;
 
  private:

@@ -15,6 +15,7 @@ class TreeWriter : public Archive {
 
   bool reads() const override { return false; }
   bool has(std::string_view /*key*/) const override { return false; }
+  bool hasList(std::string_view /*key*/) const override { return false; }
   bool isWord(std::string_view /*key*/, const char* /*word*/) override { return false; }
 
  private:

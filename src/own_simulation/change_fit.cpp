@@ -102,6 +102,15 @@ ChangeFit concluded(const Normal& normal, Changes changes, const Eigen::VectorXd
   return fit;
 }
 
+/// What stands for a fit for which no runs are left: its error is infinite.
+ChangeFit noFit(const Changes& changes) {
+  ChangeFit fit;
+  fit.changes = changes;
+  fit.squared_error = std::numeric_limits<double>::infinity();
+  fit.left_out_of = Eigen::VectorXd::Constant(1, fit.squared_error);
+  return fit;
+}
+
 std::size_t runsForDerivatives(const ComparedData& data, const Changes& changes) {
   std::size_t parameters = 0;
   for (const Change& change : changes) parameters += change.kind == ChangeKind::parameter;
@@ -159,8 +168,10 @@ ChangeFit stepOnce(const ChangedSimulation& simulation, const ComparedData& data
 
 ChangeFit fitChanges(const ChangedSimulation& simulation, const ComparedData& data,
                      Changes changes) {
+  if (!simulation.runs().affords(runsForDerivatives(data, changes))) return noFit(changes);
   constexpr int kMostIterations = 8;
   constexpr double kTolerance = 1e-4, kLargest = 0.7;  // a factor of two of a positive parameter
+  constexpr double kNegligible = 1e-6;  // of the squared error: far below what noise adds to it
   Normal at = linearised(simulation, data, changes);
   double damping = 1e-6;
   for (int k = 0; k < kMostIterations && changes.size() > 0; ++k) {
@@ -174,6 +185,8 @@ ChangeFit fitChanges(const ChangedSimulation& simulation, const ComparedData& da
           step[first] = std::min(std::max(step[first], -kLargest), kLargest);
         first += change.estimated();
       }
+      const double promised = step.dot(2 * at.jr - at.jj * step);
+      if (promised < kNegligible * at.rr) break;
       const Changes candidate = moved(changes, step);
       const double error = errorsOf(simulation, data, candidate).sum();
       if (!(error < at.rr)) continue;

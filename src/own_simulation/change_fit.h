@@ -27,7 +27,7 @@ ChangeFit stepOnce(const ChangedSimulation& simulation, const ComparedData& data
                    const Changes& changes);
 
 /// Gauss and Newton with Marquardt's damping. Ends with what it has where no further run is
-/// allowed.
+/// allowed; without any, leftOut() is infinite.
 ChangeFit fitChanges(const ChangedSimulation& simulation, const ComparedData& data,
                      Changes changes);
 

@@ -11,6 +11,8 @@ namespace uncertainty_identification {
 namespace {
 
 constexpr std::size_t kMostFitted = 3;  ///< named parameters that are fitted in a round
+/// Share of the least gain that a linearised step must promise before runs are spent on a fit.
+constexpr double kPromise = 0.5;
 
 bool isLagging(ChangeKind kind) {
   return kind == ChangeKind::lag || kind == ChangeKind::time_constant;
@@ -50,6 +52,7 @@ class ChangeSearch {
   void order(ChangeSearchResult* result) const;
   bool affordsColumn() const { return simulation_.runs().affords(fitted_.runs.size()); }
   ChangeFit without(const Change& change) const;
+  double heldWithout(const Change& change) const;
 
   const ChangedSimulation& simulation_;
   const ComparedData& fitted_;
@@ -62,18 +65,16 @@ class ChangeSearch {
 std::vector<Change> ChangeSearch::candidates() const {
   std::vector<Change> all;
   const auto own = simulation_.runs().ownValues();
-  const int parameters = static_cast<int>(own.size());
-  for (int k = 0; k < parameters; ++k) {
+  const auto& names = simulation_.runs().parameters();
+  for (int k = 0; k < static_cast<int>(own.size()); ++k) {
     // A dead time of 0 has no logarithm and no negative values: `delay` stands for it.
-    const bool is_dead_time =
-        simulation_.runs().parameters()[static_cast<std::size_t>(k)].name == "dead_time";
+    const bool is_dead_time = names[static_cast<std::size_t>(k)].name == "dead_time";
     if (!is_dead_time || own[k] > 0) all.push_back({ChangeKind::parameter, k, {}});
   }
   for (const ChangeKind kind :
        {ChangeKind::gain, ChangeKind::offset, ChangeKind::delay, ChangeKind::lag,
         ChangeKind::time_constant, ChangeKind::initial_state})
     all.push_back({kind, -1, {}});
-  const auto& names = simulation_.runs().parameters();
   const auto isGain = [&names](const Change& each) {
     return each.kind == ChangeKind::gain ||
            (each.kind == ChangeKind::parameter &&
@@ -139,6 +140,7 @@ std::vector<Trial> ChangeSearch::fitted(std::vector<Trial> screened) const {
   std::size_t named = 0;
   for (Trial& trial : screened) {
     const bool is_named = trial.added.front().kind == ChangeKind::parameter;
+    if (!(trial.fit.leftOut() < (1 - kPromise * limits_.least_gain) * now_.leftOut())) continue;
     if ((is_named && ++named > kMostFitted) || !affordsColumn()) continue;
     Changes changes = now_.changes;
     changes.insert(changes.end(), trial.added.begin(), trial.added.end());
@@ -166,6 +168,7 @@ bool ChangeSearch::isWorth(const ChangeFit& without, const ChangeFit& with,
   const bool is_own = change.kind == ChangeKind::initial_state;
   const double least = is_own ? limits_.least_own : limits_.least_gain;
   const double t = pairedT(without.left_out_of, with.left_out_of), size = sizeT(with, change);
+  if (!simulation_.runs().affords(2 * held_.runs.size())) return false;
   const bool is_large = std::isfinite(size) && size >= limits_.least_clear_t;
   if (!(with.leftOut() < (1 - least) * without.leftOut()) || !(size >= limits_.least_t) ||
       t < (is_large ? limits_.least_held_t : limits_.least_t))
@@ -202,7 +205,7 @@ bool ChangeSearch::take(std::vector<Trial> trials) {
   });
   const Trial& first = tied.front();
   now_ = first.fit;
-  for (const Change& added : first.added) found_.push_back({added, {}, 0});
+  for (const Change& added : first.added) found_.push_back({added, {}});
   const bool named = first.rank() == 0;
   for (std::size_t k = 1; k < tied.size(); ++k)  // a parameter needs no other words for itself
     if (tied[k].added.size() == 1 && first.added.size() == 1 && named == (tied[k].rank() == 0) &&
@@ -223,7 +226,9 @@ ChangeFit ChangeSearch::without(const Change& change) const {
 void ChangeSearch::dropNeedless() {
   for (std::size_t k = 0; k + 1 < found_.size();) {
     ChangeFit rest = without(found_[k].change);
-    if (isWorth(rest, now_, found_[k].change)) {
+    const bool is_known =
+        std::isfinite(rest.leftOut()) && simulation_.runs().affords(2 * held_.runs.size());
+    if (!is_known || isWorth(rest, now_, found_[k].change)) {
       ++k;
       continue;
     }
@@ -232,9 +237,18 @@ void ChangeSearch::dropNeedless() {
   }
 }
 
+/// Squared error of the held-out data with all other changes; not finite where no runs are left.
+double ChangeSearch::heldWithout(const Change& change) const {
+  const ChangeFit rest = without(change);
+  const bool known = std::isfinite(rest.leftOut()) && simulation_.runs().affords(held_.runs.size());
+  return known ? errorsOf(simulation_, held_, rest.changes).sum() : HUGE_VAL;
+}
+
+/// Where no runs are left to fit anew, the causes stay in the order in which they were found.
 void ChangeSearch::order(ChangeSearchResult* result) const {
-  for (FoundChange& found : result->found)
-    found.held_without = errorsOf(simulation_, held_, without(found.change).changes).sum();
+  result->fit = now_;
+  if (found_.empty()) return;
+  for (FoundChange& found : result->found) found.held_without = heldWithout(found.change);
   std::stable_sort(result->found.begin(), result->found.end(),
                    [](const FoundChange& left, const FoundChange& right) {
                      return left.held_without > right.held_without;
@@ -246,12 +260,19 @@ void ChangeSearch::order(ChangeSearchResult* result) const {
         found.change = each;
         ordered.push_back(each);
       }
-  result->fit = fitChanges(simulation_, fitted_, ordered);
-  for (std::size_t k = 0; k < ordered.size(); ++k) result->found[k].change = result->fit.changes[k];
+  const ChangeFit fit = fitChanges(simulation_, fitted_, ordered);
+  if (std::isfinite(fit.leftOut()) && simulation_.runs().affords(held_.runs.size()))
+    result->fit = fit;
+  else
+    result->found = found_;
+  for (std::size_t k = 0; k < result->found.size(); ++k)
+    result->found[k].change = result->fit.changes[k];
 }
 
 ChangeSearchResult ChangeSearch::run() {
   constexpr double kPerfect = 1e-10;  // of the output's power
+  ChangeSearchResult result;
+  result.held_before = errorsOf(simulation_, held_, {});
   now_ = fitChanges(simulation_, fitted_, {});
   while (static_cast<int>(found_.size()) < limits_.max_causes &&
          now_.leftOut() > kPerfect * fitted_.power()) {
@@ -262,10 +283,8 @@ ChangeSearchResult ChangeSearch::run() {
     if (found_.size() <= before && simulation_.runs().endedEarly()) break;
     if (found_.size() < before) break;  // what came replaced more than it added: no progress
   }
-  ChangeSearchResult result;
   result.found = found_;
   order(&result);
-  result.held_before = errorsOf(simulation_, held_, {});
   result.held_after = errorsOf(simulation_, held_, result.fit.changes);
   return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,9 @@ namespace uncertainty_identification {
 struct FoundChange {
   Change change;
   std::vector<Change> ties;  ///< explain the data as well
-  double held_without = 0;   ///< squared error of held-out data with all other changes, fitted anew
+  /// Squared error of held-out data with all other changes, fitted anew; infinite where there were
+  /// no runs left for it.
+  double held_without = std::numeric_limits<double>::infinity();
 };
 
 struct ChangeSearchLimits {

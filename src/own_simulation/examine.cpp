@@ -7,17 +7,16 @@
 #include <optional>
 #include <utility>
 
-#include "own_simulation/change_search.h"
 #include "own_simulation/describe_change.h"
-#include "own_simulation/input_curve.h"
+#include "own_simulation/extension.h"
 #include "own_simulation/linear_surrogate.h"
 #include "own_simulation/own_structure.h"
+#include "own_simulation/simulation_comparison.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kFittedShare = 2.0 / 3;
 constexpr int kUnlimited = 1000000;  ///< runs that cost nothing
 
 std::string percentText(double percent) {
@@ -47,7 +46,7 @@ std::string inWords(const std::vector<OwnCause>& causes) {
 /// What the curves add to the sentence.
 std::string structureText(const OwnSimulationFindings& found) {
   const SimulationCauses& structure = found.structure;
-  if (structure.causes.empty() || found.has_curve_in_front) return "";
+  if (structure.causes.empty() || found.has_curve_around) return "";
   return ". It lacks a curve: " + inWords(structure) +
          ", with which the fit of held-out windows rises from " +
          percentText(structure.fit_before) + " to " + percentText(structure.fit_after);
@@ -66,7 +65,7 @@ std::string sentenceOf(const OwnSimulationFindings& found) {
   const std::string text = "Your simulation fits " + percentText(found.fit_before) + on;
   const std::string after = " it fits " + percentText(found.fit_after);
   const std::string changes = inWords(found.causes);
-  if (found.has_curve_in_front)
+  if (found.has_curve_around)
     return text + ". It lacks a curve: " + inWords(found.structure) + "; with this" +
            (changes.empty() ? "" : ", and with " + changes) + after;
   if (found.causes.empty()) return text + nothingText(found) + structureText(found);
@@ -147,21 +146,6 @@ void requireComparable(const ComparedData& data) {
                     std::to_string(kFewest));
 }
 
-/// A simulation and the changes that it asks for.
-struct Comparison {
-  SimulationRuns runs;
-  ChangedSimulation changed;
-  ChangeSearchResult result;
-
-  Comparison(Simulation& simulation, int most, std::function<bool(int)> keep_going,
-             const ComparedData& data, const ComparedData& kept, const ChangeSearchLimits& limits)
-      : runs(simulation, most, std::move(keep_going)),
-        changed(runs, data),
-        result(searchChanges(changed, data, kept, limits)) {}
-
-  double heldError() const { return result.held_after.sum(); }
-};
-
 ChangeSearchLimits limitsOf(const ExamineOptions& options, std::string* doing) {
   ChangeSearchLimits limits;
   limits.max_causes = options.max_causes;
@@ -169,60 +153,93 @@ ChangeSearchLimits limitsOf(const ExamineOptions& options, std::string* doing) {
   return limits;
 }
 
+ComparisonTask taskOf(const Simulation& simulation, const std::vector<Experiment>& fitted,
+                      const std::vector<Experiment>& held, const ExamineOptions& options,
+                      std::string* doing) {
+  ComparisonTask task;
+  task.fitted = comparedData(fitted, 0, held.empty() ? kFittedShare : 1);
+  task.held = comparedData(held.empty() ? fitted : held, held.empty() ? kFittedShare : 0, 1);
+  requireComparable(task.fitted);
+  requireComparable(task.held);
+  task.limits = limitsOf(options, doing);
+  task.most = simulation.canRerun() ? options.max_simulations : kUnlimited;
+  if (task.most < task.fewest())
+    throw ConfigurationError("simulation.max_simulations: found " + std::to_string(task.most) +
+                             "; allowed: at least " + std::to_string(task.fewest()) +
+                             ", one run over each experiment");
+  task.keep_going = [doing, progress = options.progress](int count) {
+    return !progress || progress(*doing + " (" + std::to_string(count) + " runs)");
+  };
+  return task;
+}
+
+/// The changes of parameters.
+Changes parametersAmong(Changes changes) {
+  changes.erase(
+      std::remove_if(changes.begin(), changes.end(),
+                     [](const Change& each) { return each.kind != ChangeKind::parameter; }),
+      changes.end());
+  return changes;
+}
+
+/// Causes and corrections.
+void tellChanges(const SimulationComparison& best, const ComparisonTask& task,
+                 const LinearSurrogate& surrogate, const Simulation& simulation,
+                 OwnSimulationFindings* found) {
+  const Changes& changes = best.result.fit.changes;
+  const double sample_time = task.fitted.runs.front().experiment->sample_time;
+  found->causes = describeChanges(best.result, spreadOf(best.changed, task.fitted, changes),
+                                  best.changed, task.fitted, task.held, sample_time);
+  const bool is_surrogate = surrogate.simulation != nullptr;
+  if (is_surrogate) nameBySurrogate(&found->causes);
+  found->extension = extensionOf(best.changed, changes, sample_time,
+                                 is_surrogate ? *surrogate.linear : simulation, is_surrogate);
+}
+
 }  // namespace
 
 bool OwnSimulationFindings::curveLeads() const {
-  const double ratio = (100 - structure.fit_after) / (100 - structure.fit_before);
-  return !has_curve_in_front && !structure.causes.empty() && ratio * ratio < 0.5;
+  const double left = 100 - structure.fit_after;
+  const auto halves = [left](double fit) { return left * left < 0.5 * (100 - fit) * (100 - fit); };
+  return !has_curve_around && !structure.causes.empty() && halves(structure.fit_before) &&
+         halves(fit_after);
 }
 
 OwnSimulationFindings examine(Simulation& simulation, const std::vector<Experiment>& fitted,
                               const std::vector<Experiment>& held, const ExamineOptions& options) {
-  constexpr double kBetter = 0.9;  // squared error behind the curve, over that without it
-  const ComparedData data = comparedData(fitted, 0, held.empty() ? kFittedShare : 1);
-  const ComparedData kept =
-      comparedData(held.empty() ? fitted : held, held.empty() ? kFittedShare : 0, 1);
-  requireComparable(data);
-  requireComparable(kept);
+  constexpr double kBetter = 0.9;  // squared error with the curve, over that without it
   std::string doing = "running your simulation";
-  const auto keep_going = [&](int count) {
-    return !options.progress || options.progress(doing + " (" + std::to_string(count) + " runs)");
-  };
+  const ComparisonTask task = taskOf(simulation, fitted, held, options, &doing);
   // Without parameters of its own, a linear model of it says what other ones would change.
   LinearSurrogate surrogate;
   if (simulation.parameters().empty()) surrogate = fitSurrogate(simulation, fitted);
   Simulation& compared = surrogate.simulation ? *surrogate.simulation : simulation;
-  const int most = simulation.canRerun() ? options.max_simulations : kUnlimited;
-  const ChangeSearchLimits limits = limitsOf(options, &doing);
-  Comparison own(compared, most, keep_going, data, kept, limits);
+  const SimulationComparison own(compared, task, task.most);
 
   OwnSimulationFindings found;
   if (options.structure && !own.runs.endedEarly())
-    found.structure =
-        searchStructure(own.changed, fitted, held, options.max_causes, options.progress);
-  std::unique_ptr<Simulation> behind;
-  std::optional<Comparison> behind_curve;
+    found.structure = searchStructure(own.changed, parametersAmong(own.result.fit.changes), fitted,
+                                      held, options.max_causes, options.progress);
+  std::optional<CurvedComparison> curved;
   if (!found.structure.causes.empty())
-    behind = behindInputCurve(compared, found.structure.causes.front());
-  if (behind)
-    behind_curve.emplace(*behind, most - own.runs.count(), keep_going, data, kept, limits);
-  found.has_curve_in_front = behind_curve && behind_curve->heldError() < kBetter * own.heldError();
-  const Comparison& best = found.has_curve_in_front ? *behind_curve : own;
+    curved = compareWithCurve(compared, found.structure.causes.front(), task,
+                              task.most - own.runs.count());
+  found.has_curve_around =
+      curved && curved->comparison && curved->comparison->heldError() < kBetter * own.heldError();
+  const SimulationComparison& best = found.has_curve_around ? *curved->comparison : own;
 
   found.simulation = simulation.description();
   found.can_rerun = simulation.canRerun();
-  found.fit_before = kept.fitOf(own.result.held_before.sum());
-  found.fit_after = kept.fitOf(best.heldError());
+  found.fit_before = task.held.fitOf(own.result.held_before.sum());
+  found.fit_after = task.held.fitOf(best.heldError());
   for (const Experiment& each : held) found.held_out.push_back(each.id);
-  const Changes& changes = best.result.fit.changes;
-  found.causes = describeChanges(best.result, spreadOf(best.changed, data, changes), best.changed,
-                                 data, kept, data.runs.front().experiment->sample_time);
-  if (surrogate.simulation) nameBySurrogate(&found.causes);
-  found.runs = picturesOf(kept, own.changed, best.changed, changes);
+  tellChanges(best, task, surrogate, simulation, &found);
+  if (found.has_curve_around) found.extension.curve = curved->curve;
+  found.runs = picturesOf(task.held, own.changed, best.changed, best.result.fit.changes);
   found.surrogate_fit = surrogate.fit;
   if (simulation.canRerun())
-    found.simulations = own.runs.count() + (behind_curve ? behind_curve->runs.count() : 0);
-  found.ended_early = own.runs.endedEarly() || (behind_curve && behind_curve->runs.endedEarly());
+    found.simulations = own.runs.count() + (curved ? curved->simulations : 0);
+  found.ended_early = own.runs.endedEarly() || (curved && curved->endedEarly());
   found.sentence = sentenceOf(found);
   return found;
 }

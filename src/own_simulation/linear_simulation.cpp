@@ -11,33 +11,37 @@
 namespace uncertainty_identification {
 namespace {
 
-/// y = (n0 + n1 q^-1 + ..)/(1 + a1 q^-1 + ..) u, from rest.
-Eigen::VectorXd filtered(const Eigen::VectorXd& numerator, const Eigen::VectorXd& monic,
-                         const Eigen::VectorXd& u) {
+/// The output of a filter. Of a dead time, the zeros that begin the numerator cost nothing.
+Eigen::VectorXd filtered(const SampledFilter& system, const Eigen::VectorXd& u) {
+  const Eigen::VectorXd &num = system.num, &den = system.den;
+  Eigen::Index first = 0;
+  while (first < num.size() && num[first] == 0) ++first;
   Eigen::VectorXd y(u.size());
   for (Eigen::Index k = 0; k < u.size(); ++k) {
     double sum = 0;
-    for (Eigen::Index j = 0; j < std::min(numerator.size(), k + 1); ++j)
-      sum += numerator[j] * u[k - j];
-    for (Eigen::Index j = 0; j < std::min(monic.size(), k); ++j) sum -= monic[j] * y[k - 1 - j];
+    for (Eigen::Index j = first; j < std::min(num.size(), k + 1); ++j) sum += num[j] * u[k - j];
+    for (Eigen::Index j = 1; j < std::min(den.size(), k + 1); ++j) sum -= den[j] * y[k - j];
     y[k] = sum;
   }
   return y;
 }
 
-/// The mean of the held signal over each sample time, `samples` late; 0 before the beginning.
-Eigen::VectorXd delayedHold(const Eigen::VectorXd& u, double samples) {
+/// A dead time as a filter: the mean of the held signal over each sample time, `samples` late.
+Eigen::VectorXd delayFilter(double samples) {
   const auto whole = static_cast<Eigen::Index>(samples);
   const double share = samples - static_cast<double>(whole);
-  Eigen::VectorXd late = Eigen::VectorXd::Zero(u.size());
-  for (Eigen::Index k = whole; k < u.size(); ++k)
-    late[k] = (1 - share) * u[k - whole] + (k > whole ? share * u[k - whole - 1] : 0);
-  return late;
+  Eigen::VectorXd num = Eigen::VectorXd::Zero(whole + 2);
+  num[whole] = 1 - share;
+  num[whole + 1] = share;
+  return num;
 }
 
-/// The signal at the sampling instants, a little less than `samples` late.
-Eigen::VectorXd delayedSamples(const Eigen::VectorXd& u, double samples) {
-  return delayedHold(u, std::ceil(samples - 1e-9));
+Eigen::VectorXd sumOf(Eigen::VectorXd left, const Eigen::VectorXd& right) {
+  const Eigen::Index size = std::max(left.size(), right.size()), from = left.size();
+  left.conservativeResize(size);
+  left.tail(size - from).setZero();
+  left.head(right.size()) += right;
+  return left;
 }
 
 class LinearSimulation : public Simulation {
@@ -50,10 +54,19 @@ class LinearSimulation : public Simulation {
   bool canRerun() const override { return true; }
 
   Eigen::VectorXd run(const SimulationInput& input, const Eigen::VectorXd& values) override {
-    if (!canBeSimulated(values))
+    const double dead = values[values.size() - 1] / input.sample_time;
+    if (canBeSimulated(values) && dead > static_cast<double>(input.u.size()))
+      return Eigen::VectorXd::Zero(input.u.size());
+    const std::optional<SampledFilter> system = filterAt(values, input.sample_time);
+    if (!system)
       return Eigen::VectorXd::Constant(input.u.size(), std::numeric_limits<double>::quiet_NaN());
-    return factors_.domain == TransferDomain::s ? runContinuous(input, values)
-                                                : runSampled(input, values);
+    return filtered(*system, input.u);
+  }
+
+  std::optional<SampledFilter> filterAt(const Eigen::VectorXd& values,
+                                        double sample_time) const override {
+    if (!canBeSimulated(values)) return std::nullopt;
+    return factors_.domain == TransferDomain::s ? continuous(values, sample_time) : sampled(values);
   }
 
  private:
@@ -70,7 +83,7 @@ class LinearSimulation : public Simulation {
     return values.allFinite();
   }
 
-  Eigen::VectorXd runContinuous(const SimulationInput& input, const Eigen::VectorXd& values) const {
+  SampledFilter continuous(const Eigen::VectorXd& values, double sample_time) const {
     Eigen::VectorXd numerator = factors_.fixed_numerator, denominator = factors_.fixed_denominator;
     const auto quadratic = [](double first, double second) {
       return Eigen::VectorXd(Eigen::Vector3d(1, first, second));
@@ -87,30 +100,33 @@ class LinearSimulation : public Simulation {
     }
     for (Eigen::VectorXd* each : {&numerator, &denominator})  // the sample time is the unit of time
       for (Eigen::Index k = 1; k < each->size(); ++k)
-        (*each)[k] /= std::pow(input.sample_time, static_cast<double>(k));
-    return held(numerator, denominator, values[values.size() - 1] / input.sample_time, input.u);
+        (*each)[k] /= std::pow(sample_time, static_cast<double>(k));
+    return held(numerator, denominator, values[values.size() - 1] / sample_time);
   }
 
-  static Eigen::VectorXd held(Eigen::VectorXd numerator, const Eigen::VectorXd& denominator,
-                              double dead_samples, const Eigen::VectorXd& u) {
-    Eigen::VectorXd y = Eigen::VectorXd::Zero(u.size());
-    if (numerator.size() == denominator.size()) {  // a direct term
-      const double direct = numerator[numerator.size() - 1] / denominator[denominator.size() - 1];
-      numerator -= direct * denominator;
+  static SampledFilter held(Eigen::VectorXd numerator, const Eigen::VectorXd& denominator,
+                            double dead_samples) {
+    SampledFilter system{Eigen::VectorXd::Zero(1), Eigen::VectorXd::Ones(1)};
+    Eigen::VectorXd direct;  // passes a step at the first sampling instant that is not before it
+    if (numerator.size() == denominator.size()) {
+      const double gain = numerator[numerator.size() - 1] / denominator[denominator.size() - 1];
+      numerator -= gain * denominator;
       numerator.conservativeResize(numerator.size() - 1);
-      y = direct * delayedSamples(u, dead_samples);
+      direct = gain * delayFilter(std::ceil(dead_samples - 1e-9));
     }
-    if (numerator.size() == 0) return y;
-    Polynomials sampled;
-    const int extra = static_cast<int>(std::ceil(dead_samples)) + 2;
-    if (extra > u.size() + 2) return y;
-    discretise(numerator, denominator, dead_samples, extra, &sampled);
-    Eigen::VectorXd late(sampled.b.size() + 1);
-    late << 0, sampled.b;
-    return y + filtered(late, sampled.a, u);
+    if (numerator.size() > 0) {
+      Polynomials polynomials;
+      const int extra = static_cast<int>(std::ceil(dead_samples)) + 2;
+      discretise(numerator, denominator, dead_samples, extra, &polynomials);
+      system.num.resize(polynomials.b.size() + 1);
+      system.num << 0, polynomials.b;
+      system.den = withLeadingOne(polynomials.a);
+    }
+    if (direct.size() > 0) system.num = sumOf(system.num, product(direct, system.den));
+    return system;
   }
 
-  Eigen::VectorXd runSampled(const SimulationInput& input, const Eigen::VectorXd& values) const {
+  SampledFilter sampled(const Eigen::VectorXd& values) const {
     const double time = factors_.sample_time;
     Eigen::VectorXd poles = Eigen::VectorXd::Ones(1);
     double gain = 1;
@@ -131,11 +147,9 @@ class LinearSimulation : public Simulation {
     double fixed = 1;
     for (const double root : fixedPoles()) fixed *= 1 - root;
     gain *= poles.sum() * fixed;
-    const Eigen::VectorXd denominator = product(poles, factors_.fixed_denominator);
-    const Eigen::VectorXd late =
-        delayedHold(input.u, values[values.size() - 1] / time + factors_.delay);
-    return filtered(gain * factors_.fixed_numerator, denominator.tail(denominator.size() - 1),
-                    late);
+    const Eigen::VectorXd late = delayFilter(values[values.size() - 1] / time + factors_.delay);
+    return {gain * product(late, factors_.fixed_numerator),
+            product(poles, factors_.fixed_denominator)};
   }
 
   std::vector<double> fixedPoles() const {

@@ -26,8 +26,10 @@ class SurrogateSimulation : public Simulation {
   Eigen::VectorXd run(const SimulationInput& input, const Eigen::VectorXd& values) override {
     const Eigen::VectorXd y = own_.run(input, ownValuesOf(own_));
     const Eigen::VectorXd at = ownValuesOf(*linear_);
-    if (values == at) return y;
-    return y + linear_->run(input, values) - linear_->run(input, at);
+    SimulationInput of_own = input;
+    if (!own_.canRerun() && input.measured_u.size() > 0) of_own.u = input.measured_u;
+    if (values == at && of_own.u == input.u) return y;
+    return y + linear_->run(input, values) - linear_->run(of_own, at);
   }
 
  private:
@@ -111,10 +113,12 @@ LinearSurrogate fitSurrogate(Simulation& simulation, const std::vector<Experimen
     if (answer.y.size() == answer.u.size() && answer.y.allFinite()) answers.push_back(answer);
   }
   LinearFit linear = fitLinear(answers, simulation.description());
-  LinearSurrogate surrogate{nullptr, linear.fit};
-  if (linear.simulation && linear.fit >= kLeastSurrogateFit)
+  LinearSurrogate surrogate{nullptr, nullptr, linear.fit};
+  if (linear.simulation && linear.fit >= kLeastSurrogateFit) {
+    surrogate.linear = linear.simulation.get();
     surrogate.simulation =
         std::make_unique<SurrogateSimulation>(simulation, std::move(linear.simulation));
+  }
   return surrogate;
 }
 

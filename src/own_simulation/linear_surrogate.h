@@ -16,6 +16,7 @@ constexpr double kLeastSurrogateFit = 90;
 /// of the linear model: gain, tau1, omega1, zeta1, ...
 struct LinearSurrogate {
   std::unique_ptr<Simulation> simulation;  ///< refers to the one it was made of; null: no fit
+  Simulation* linear = nullptr;            ///< the linear model, which `simulation` holds
   double fit = 0;  ///< [%] of the simulation's output by the linear model, without noise
 };
 

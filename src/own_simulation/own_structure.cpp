@@ -9,13 +9,13 @@
 namespace uncertainty_identification {
 namespace {
 
-/// The experiments with the simulation's answer in place of the measurement.
-std::vector<Experiment> answersOf(const ChangedSimulation& simulation,
+/// The experiments with the answer of the changed simulation in place of the measurement.
+std::vector<Experiment> answersOf(const ChangedSimulation& simulation, const Changes& changes,
                                   const std::vector<Experiment>& experiments) {
   std::vector<Experiment> answers = experiments;
   const ComparedData data = comparedData(experiments, 0, 1);
   for (std::size_t k = 0; k < answers.size(); ++k) {
-    answers[k].y = simulation.output(data.runs[k], {});
+    answers[k].y = simulation.output(data.runs[k], changes);
     answers[k].valid.clear();
   }
   return answers;
@@ -40,12 +40,12 @@ std::vector<Experiment> linearPart(const std::vector<Experiment>& measured,
 
 }  // namespace
 
-SimulationCauses searchStructure(const ChangedSimulation& simulation,
+SimulationCauses searchStructure(const ChangedSimulation& simulation, const Changes& changes,
                                  const std::vector<Experiment>& fitted,
                                  const std::vector<Experiment>& held, int max_causes,
                                  const std::function<bool(const std::string& doing)>& progress) {
   SimulationCauses found;
-  const std::vector<Experiment> answers = answersOf(simulation, fitted);
+  const std::vector<Experiment> answers = answersOf(simulation, changes, fitted);
   const LinearFit linear = fitLinear(answers, "");
   if (!linear.simulation || linear.fit < kLeastSurrogateFit) {
     char text[160];
@@ -60,9 +60,9 @@ SimulationCauses searchStructure(const ChangedSimulation& simulation,
   options.max_causes = max_causes;
   options.progress = progress;
   WorkerPool pool(1);
-  return explainSimulation(linearPart(fitted, answers, *linear.simulation),
-                           linearPart(held, answersOf(simulation, held), *linear.simulation),
-                           options, &pool);
+  return explainSimulation(
+      linearPart(fitted, answers, *linear.simulation),
+      linearPart(held, answersOf(simulation, changes, held), *linear.simulation), options, &pool);
 }
 
 }  // namespace uncertainty_identification

@@ -3,7 +3,7 @@
 namespace uncertainty_identification {
 
 SimulationInput inputOf(const Experiment& experiment) {
-  return {experiment.sample_time, experiment.u, experiment.signals, experiment.scalars};
+  return {experiment.sample_time, experiment.u, experiment.signals, experiment.scalars, {}};
 }
 
 }  // namespace uncertainty_identification

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "export/extended_simulation.h"
 #include "io/command_line.h"
 #include "io/explanation_text.h"
 #include "io/interrupt.h"
@@ -36,8 +37,13 @@ void addFindings(const ui::LoadedData& loaded, ui::Explanation* explanation) {
   append(loaded.rejected, &explanation->after.rejected);
 }
 
-ui::Explanation explain(const po::variables_map& arguments, const ui::InterruptGuard& interrupt) {
-  const ui::Configuration configuration = ui::configurationArgument(arguments, kName);
+struct Answer {
+  ui::Explanation explanation;
+  std::vector<ui::Experiment> compared;  ///< with a simulation of the user's
+};
+
+Answer explain(const po::variables_map& arguments, const ui::Configuration& configuration,
+               const ui::InterruptGuard& interrupt) {
   const ui::LoadedArguments loaded =
       ui::loadArguments(arguments, ui::withLoggedSimulation(configuration));
   ui::ProgressBar bar(std::cerr, isatty(STDERR_FILENO) != 0);
@@ -51,7 +57,7 @@ ui::Explanation explain(const po::variables_map& arguments, const ui::InterruptG
   explanation.own_simulation = own.findings;
   for (const ui::LoadedData* part : {&loaded.data, &loaded.validation})
     addFindings(*part, &explanation);
-  return explanation;
+  return {explanation, own.compared};
 }
 
 int run(const po::variables_map& arguments) {
@@ -60,8 +66,12 @@ int run(const po::variables_map& arguments) {
   }
   const std::string output = arguments["output"].as<std::string>();
   ui::requireWritable(output, ui::inputArguments(arguments));
+  const ui::Configuration configuration = ui::configurationArgument(arguments, kName);
+  const std::string folder = arguments["write-extended"].as<std::string>();
+  if (!folder.empty())
+    ui::requireExtendedWritable(folder, configuration, ui::inputArguments(arguments), output);
   const ui::InterruptGuard interrupt;
-  const ui::Explanation explanation = explain(arguments, interrupt);
+  const auto& [explanation, compared] = explain(arguments, configuration, interrupt);
   if (interrupt.requested() || explanation.termination == ui::Termination::cancelled) {
     ui::printMessage(kName, "cancelled; nothing was written");
     return ui::kNoAnswer;
@@ -71,6 +81,9 @@ int run(const po::variables_map& arguments) {
                         explanation.before.message);
   }
   ui::saveExplanation(output, explanation);
+  if (!folder.empty())
+    ui::writeExtendedSimulation(folder, *configuration.simulation, *explanation.own_simulation,
+                                compared);
   std::cout << ui::explanationText(explanation);
   return ui::kDone;
 }
@@ -80,7 +93,10 @@ int run(const po::variables_map& arguments) {
 int main(int argc, char** argv) {
   ui::Program program;
   program.name = kName;
-  program.usage = "[--config C.yaml] --output explanation.json [--validation DATA]... [--] DATA...";
+  program.usage =
+      "[--config C.yaml] --output explanation.json [--validation DATA]... [--write-extended "
+      "FOLDER] "
+      "[--] DATA...";
   program.purpose =
       R"(Identifies the model from experiments, shows where its simulation and the data part, names the cause,
 takes it into the model and measures what that gains on experiments not used for fitting. DATA is a
@@ -96,7 +112,10 @@ usage or configuration, or a file that cannot be read or written.)";
       ("output", po::value<std::string>()->required()->value_name("FILE"),
        "where the explanation goes (JSON)")  //
       ("validation", po::value<std::vector<std::string>>()->composing()->value_name("DATA"),
-       "data used only to measure the gain, in place of a share of DATA; may be repeated");
+       "data used only to measure the gain, in place of a share of DATA; may be repeated")  //
+      ("write-extended", po::value<std::string>()->default_value("")->value_name("FOLDER"),
+       "where your simulation goes with all that it lacks: as JSON, and as Python and C++ that run "
+       "it and check themselves");
   program.arguments = "data";
   program.run = run;
   return ui::runProgram(program, argc, argv);

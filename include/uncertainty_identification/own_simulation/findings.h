@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "uncertainty_identification/curves/simulation_causes.h"
+#include "uncertainty_identification/own_simulation/extension.h"
 
 /// What the user's own simulation gets wrong.
 namespace uncertainty_identification {
@@ -54,14 +55,15 @@ struct OwnSimulationFindings {
   std::vector<OwnRun> runs;
   /// Curves that it lacks besides, at places before, in and behind it.
   SimulationCauses structure;
-  /// Whether the first of them stands before the simulation in all that is told: in the causes,
-  /// fit_after and runs. Otherwise these are of the simulation without curves.
-  bool has_curve_in_front = false;
+  /// Whether the first of them stands before or behind the simulation in all that is told: in the
+  /// causes, fit_after and runs. Otherwise these are of the simulation without curves.
+  bool has_curve_around = false;
+  OwnExtension extension;    ///< with what fit_after is reached
   int simulations = 0;       ///< runs over one experiment
   bool ended_early = false;  ///< simulation.max_simulations, or cancelled
 
-  /// Whether the curves halve the squared error, so that causes found without them may only stand
-  /// for the curves.
+  /// Whether the curves halve the squared error, also that which the causes leave, so that causes
+  /// found without them may only stand for the curves.
   bool curveLeads() const;
 };
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,19 @@ struct SimulationInput {
   Eigen::VectorXd u;                               ///< N, held from sample to sample
   std::map<std::string, Eigen::VectorXd> signals;  ///< covariates measured at each sample, N each
   std::map<std::string, double> scalars;           ///< covariates constant over the experiment
+  /// N, the input that was measured, where a curve has made u of it; otherwise empty. A signal that
+  /// was logged belongs to the measured one.
+  Eigen::VectorXd measured_u;
 };
 
 /// The input of an experiment, as it was measured.
 SimulationInput inputOf(const Experiment& experiment);
+
+/// A linear filter from rest: y(k) = sum_j num[j] u(k - j) - sum_(j > 0) den[j] y(k - j), den[0]
+/// = 1.
+struct SampledFilter {
+  Eigen::VectorXd num, den;
+};
 
 /// A simulation that the user brings: it computes the output of the machine from its input.
 class Simulation {
@@ -45,6 +55,13 @@ class Simulation {
   /// value that is not finite means that these parameters cannot be simulated. Throws DataError,
   /// with the reason, where the simulation fails.
   virtual Eigen::VectorXd run(const SimulationInput& input, const Eigen::VectorXd& values) = 0;
+
+  /// The simulation with these values as a filter for this sample time [s]. Nothing where it is not
+  /// known to be linear, or where the values cannot be simulated.
+  virtual std::optional<SampledFilter> filterAt(const Eigen::VectorXd& /*values*/,
+                                                double /*sample_time*/) const {
+    return std::nullopt;
+  }
 };
 
 }  // namespace uncertainty_identification

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "io/own_simulation_text.h"
@@ -36,6 +37,7 @@ TEST(OpenSimulation, ReadsEachWayAndWritesItAgain) {
        {"{model: {num: [1, 2], den: [1, 3, 4], dead_time: 0.2}}", "{model: {gain: 1, tau1: 0.1}}",
         "{model: {domain: z, zeros: [0.5], poles: [0.9, 0.2+0.1j, 0.2-0.1j], gain: 3}}",
         "{command: [./my_sim, --fast], parameters: {mass: {value: 1.2, unit: kg}}, time_limit: 3}",
+        "{fmu: m.fmu, input: u, output: y, parameters: {mass: {value: 1.2}}, memory_limit: 50}",
         "{column: y_sim}", "{topic: sim/measurement, field: data}",
         "{result: earlier_result.json, max_simulations: 500}"}) {
     const Configuration once = configured(yaml);
@@ -46,6 +48,10 @@ TEST(OpenSimulation, ReadsEachWayAndWritesItAgain) {
                 .simulation->parameters.at("mass")
                 .value,
             1.2);
+  const auto listed =
+      configured("{fmu: m.fmu, input: u, output: y, parameters: [mass, friction]}").simulation;
+  EXPECT_EQ(listed->parameters.size(), 2u);
+  EXPECT_TRUE(std::isnan(listed->parameters.at("friction").value)) << "that of the FMU";
   EXPECT_FALSE(toJson(Configuration{}).contains("simulation"))
       << "results without one stay as they are";
 }
@@ -71,7 +77,12 @@ TEST(OpenSimulation, RefusesWhatIsNoSimulation) {
       {"{command: ['']}", "simulation.command: found an empty text"},
       {"{column: y, max_simulations: 3}", "simulation.max_simulations: found 3; allowed: 10 to"},
       {"{column: y, time_limit: 0}", "simulation.time_limit: found 0"},
-      {"{fmu: a.fmu}", "simulation.fmu: found 'a.fmu'; allowed: model, result, command or column"}};
+      {"{fmu: a.fmu, output: y}", "simulation.input: found ''; allowed: the variable of the FMU"},
+      {"{fmu: a.fmu, input: u}", "simulation.output: found ''; allowed: the variable of the FMU"},
+      {"{column: y, input: u}", "simulation.input: found 'u'; allowed: none without fmu"},
+      {"{command: [a], parameters: [mass]}", "simulation.parameters.mass.value: found nan"},
+      {"{command: [a], memory_limit: 1}", "simulation.memory_limit: found 1; allowed: 10 or above"},
+      {"{fmu: a.fmu, input: u, output: y, steps_per_sample: 0}", "simulation.steps_per_sample"}};
   for (const auto& [yaml, message] : cases)
     EXPECT_NE(simulationRefusal(yaml).find(message), std::string::npos) << yaml << "\n"
                                                                         << simulationRefusal(yaml);
@@ -112,7 +123,7 @@ TEST(OpenSimulation, AnEarlierResultIsASimulation) {
   for (Eigen::Index k = 0; k < values.size(); ++k)
     values[k] = simulation->parameters()[static_cast<std::size_t>(k)].value;
   const Eigen::VectorXd y =
-      simulation->run({nominal.sample_time, Eigen::VectorXd::Ones(8), {}, {}}, values);
+      simulation->run({nominal.sample_time, Eigen::VectorXd::Ones(8), {}, {}, {}}, values);
   Eigen::VectorXd expected = Eigen::VectorXd::Zero(8);
   for (Eigen::Index k = 2; k < 8; ++k)
     expected[k] = 0.9 * expected[k - 1] - 0.2 * expected[k - 2] + 0.3 + (k > 2 ? 0.2 : 0);
@@ -151,6 +162,10 @@ OwnSimulationFindings exampleFindings() {
   found.held_out = {"run1"};
   found.runs = {{"median", "run1", 0.1, 0, Eigen::Vector2d(1, 2), Eigen::Vector2d(0.5, 1),
                  Eigen::Vector2d(1, 1.9), 70, 93}};
+  found.extension.parameters = {{"mass", 1.309, "kg"}};
+  found.extension.curve = OwnCurve{"input", {-1, 1}, {-2, 2}};
+  found.extension.yours = SampledFilter{Eigen::Vector2d(0, 1), Eigen::Vector2d(1, -0.4)};
+  found.extension.measured = SampledFilter{Eigen::Vector2d(0, 1), Eigen::Vector2d(1, -0.5)};
   found.structure.skipped = "not searched";
   found.simulations = 321;
   return found;
@@ -182,7 +197,7 @@ TEST(OwnSimulationText, TellsTheCurvesThatTheSimulationLacks) {
        {"act_deadzone: the input acts through a dead zone\n  half_width 0.3100 +- 0.0040\n",
         "What to do: drive the actuator slowly", "mend the curve first, and compare again"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
-  found.has_curve_in_front = true;
+  found.has_curve_around = true;
   EXPECT_NE(ownSimulationText(found).find("set mass to"), std::string::npos);
   EXPECT_EQ(ownSimulationText(found).find("mend the curve first"), std::string::npos);
 }
@@ -193,6 +208,8 @@ TEST(ExplanationJson, HoldsWhatIsWrongWithTheUsersSimulation) {
   explanation.own_simulation = exampleFindings();
   const nlohmann::json tree = toJson(explanation);
   EXPECT_EQ(tree["own_simulation"]["causes"][0]["values"][0]["measured"], 1.309);
+  EXPECT_EQ(tree["own_simulation"]["extension"]["measured"]["den"], nlohmann::json({1, -0.5}));
+  EXPECT_EQ(tree["own_simulation"]["extension"]["curve"]["of"], "input");
   EXPECT_EQ(tree["own_simulation"]["runs"][0]["extended"], nlohmann::json({1, 1.9}));
   EXPECT_EQ(toJson(explanationFromJson(tree)), tree);
   nlohmann::json cut = tree;

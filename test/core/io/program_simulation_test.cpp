@@ -22,11 +22,8 @@ const char* const kLoop =
     "    request = json.loads(line)\n";
 
 std::unique_ptr<Simulation> start(const std::vector<std::string>& command, double time_limit = 20) {
-  OwnSimulationOptions options;
-  options.command = command;
-  options.parameters["mass"] = {2, "kg"};
-  options.time_limit = time_limit;
-  return startProgramSimulation(options);
+  return startProgramSimulation(
+      {command, "the program " + command[0], {{"mass", 2, "kg"}}, time_limit, 200});
 }
 
 std::unique_ptr<Simulation> python(const std::string& body, double time_limit = 20) {
@@ -34,7 +31,7 @@ std::unique_ptr<Simulation> python(const std::string& body, double time_limit = 
 }
 
 SimulationInput threeSamples() {
-  return {0.5, Eigen::Vector3d(1, -2, 3), {{"temp", Eigen::Vector3d(7, 8, 9)}}, {{"load", 5}}};
+  return {0.5, Eigen::Vector3d(1, -2, 3), {{"temp", Eigen::Vector3d(7, 8, 9)}}, {{"load", 5}}, {}};
 }
 
 Eigen::VectorXd two() { return Eigen::VectorXd::Constant(1, 2); }
@@ -63,7 +60,7 @@ TEST(ProgramSimulation, AnswersEachLineWithALine) {
 TEST(ProgramSimulation, LongSignalsPassBothWays) {
   const auto simulation = python("    print(json.dumps({'y': request['u']}), flush=True)\n");
   const Eigen::VectorXd u = Eigen::VectorXd::LinSpaced(200000, 0, M_PI);
-  EXPECT_EQ(simulation->run({1, u, {}, {}}, two()), u) << "every bit of a number is kept";
+  EXPECT_EQ(simulation->run({1, u, {}, {}, {}}, two()), u) << "every bit of a number is kept";
 }
 
 TEST(ProgramSimulation, SaysWhyAProgramCannotBeStarted) {
@@ -106,6 +103,16 @@ TEST(ProgramSimulation, WhatHangsIsEnded) {
           *start({"python3", "-c", std::string("out = open(1, 'w')\n") + kLoop + unflushed}, 0.3)),
       "no answer within");
   expectMention(complaintOf(*start({"sleep", "1000"}, 0.3)), "no answer within");
+}
+
+TEST(ProgramSimulation, AllocatesNoMoreThanItMay) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer's own memory would count";
+#endif
+  const auto greedy = python("    all = [bytearray(10**6) for _ in range(10**6)]\n");
+  const std::string text = complaintOf(*greedy);
+  expectMention(text, "MemoryError");
+  expectMention(text, "(simulation.memory_limit is 200 MB)");
 }
 
 TEST(ProgramSimulation, RefusesWhatIsNoAnswer) {
@@ -161,7 +168,7 @@ TEST(ProgramSimulation, NothingIsLeftOfItOrItsChildren) {
 }
 
 TEST(ChildProcess, ASecondQuestionAfterTheEndSaysSo) {
-  ChildProcess process({"sh", "-c", "read line; echo one"});
+  ChildProcess process({"sh", "-c", "read line; echo one"}, 200);
   EXPECT_EQ(process.ask("?\n", 20, 1000), "one");
   EXPECT_NE(messageOf<DataError>([&] { process.ask("?\n", 20, 1000); }).find("exit status 0"),
             std::string::npos);

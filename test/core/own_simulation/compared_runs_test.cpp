@@ -106,9 +106,10 @@ TEST(ComparedRuns, FitIsOfTheDeviationFromTheMean) {
 TEST(LoggedSimulation, IsASignalOfTheExperiments) {
   const auto simulation = makeLoggedSimulation("y_sim", "the column y_sim");
   EXPECT_FALSE(simulation->canRerun());
-  SimulationInput input{0.1, Eigen::VectorXd::Zero(3), {{"y_sim", Eigen::Vector3d(1, 2, 3)}}, {}};
+  SimulationInput input{
+      0.1, Eigen::VectorXd::Zero(3), {{"y_sim", Eigen::Vector3d(1, 2, 3)}}, {}, {}};
   EXPECT_EQ(simulation->run(input, {}), Eigen::Vector3d(1, 2, 3));
-  input = {0.1, Eigen::VectorXd::Zero(3), {}, {{"y_sim", 4}}};
+  input = {0.1, Eigen::VectorXd::Zero(3), {}, {{"y_sim", 4}}, {}};
   EXPECT_EQ(simulation->run(input, {}), Eigen::Vector3d(4, 4, 4));
   input.scalars.clear();
   EXPECT_NE(messageOf<DataError>([&] { simulation->run(input, {}); }).find("the column y_sim"),

@@ -137,7 +137,7 @@ TEST(Examine, TakesNoGainForADeadZone) {
   };
   const OwnSimulationFindings found =
       examined(*simulation, recordWithFactor(*simulation, -1, 1, options), {});
-  EXPECT_TRUE(found.has_curve_in_front);
+  EXPECT_TRUE(found.has_curve_around);
   EXPECT_TRUE(found.causes.empty()) << found.sentence;
   ASSERT_EQ(found.structure.causes.size(), 1u) << found.sentence;
   EXPECT_EQ(found.structure.causes[0].what.name, "act_deadzone");
@@ -151,20 +151,75 @@ TEST(Examine, TakesNoGainForADeadZone) {
       << both.sentence;
 }
 
-/// What a curve of no natural slope does to the gain cannot be told: the curve comes first.
-TEST(Examine, SaysThatValuesMayOnlyStandForACurve) {
+/// A curve of no natural slope is scaled with the simulation behind it, which then lacks nothing.
+TEST(Examine, PutsAnyCurveOfTheInputInFront) {
   const auto simulation = firstOrder();
   MachineOptions options;
   options.input_curve = [](const Eigen::VectorXd& u) -> Eigen::VectorXd {
     return u.unaryExpr([](double x) { return x > 0 ? x : 0.6 * x; });
   };
-  const OwnSimulationFindings found =
-      examined(*simulation, recordWithFactor(*simulation, -1, 1, options), {});
+  const std::vector<Experiment> experiments = recordWithFactor(*simulation, -1, 1, options);
+  const OwnSimulationFindings found = examined(*simulation, experiments, {});
   ASSERT_EQ(found.structure.causes.size(), 1u) << found.sentence;
   EXPECT_EQ(found.structure.causes[0].what.name, "act_asymmetry");
+  EXPECT_TRUE(found.has_curve_around);
+  EXPECT_GT(found.fit_after, 96) << "96.8 % is what the noise leaves";
+  EXPECT_TRUE(found.causes.empty()) << found.sentence;
+  const OwnSimulationFindings column = examinedAsColumn(*simulation, experiments, {});
+  EXPECT_TRUE(column.has_curve_around) << "by a linear model of it: " << column.sentence;
+  EXPECT_GT(column.fit_after, 96);
+}
+
+/// Of the first order, with a restoring force that grows with the cube.
+class Hardening : public Simulation {
+ public:
+  std::string description() const override { return "the hardening plant"; }
+  std::vector<SimulationParameter> parameters() const override { return {}; }
+  bool canRerun() const override { return true; }
+  Eigen::VectorXd run(const SimulationInput& input, const Eigen::VectorXd& /*values*/) override {
+    constexpr int kSteps = 4;
+    Eigen::VectorXd y(input.u.size());
+    double x = 0;
+    for (Eigen::Index k = 0; k < y.size(); ++k) {
+      y[k] = x;
+      for (int i = 0; i < kSteps; ++i)
+        x += input.sample_time / kSteps * (input.u[k] - x - 0.3 * x * x * x) / 0.1;
+    }
+    return y;
+  }
+};
+
+/// What a curve inside the plant does to the gain cannot be told: the curve comes first.
+TEST(Examine, SaysThatValuesMayOnlyStandForACurve) {
+  Hardening machine;
+  const OwnSimulationFindings found =
+      examined(*firstOrder(), recordMachine(machine, {}, MachineOptions()), {});
+  ASSERT_FALSE(found.structure.causes.empty()) << found.sentence;
+  EXPECT_EQ(found.structure.causes[0].what.name, "plant_cubic");
   EXPECT_TRUE(found.curveLeads());
+  EXPECT_FALSE(found.has_curve_around);
   EXPECT_NE(found.sentence.find("which may only stand for it"), std::string::npos)
       << found.sentence;
+}
+
+TEST(Examine, NeverRunsMoreOftenThanItMay) {
+  PendulumSimulation pendulum;
+  const std::vector<Experiment> experiments =
+      recordMachine(pendulum, Eigen::Vector3d(1.15, 0.55, 0.5), {});
+  for (const int most : {20, 30, 100, 300, 700, 1500}) {
+    ExamineOptions options = withoutStructure();
+    options.max_simulations = most;
+    const OwnSimulationFindings found = examined(pendulum, experiments, options);
+    EXPECT_LE(found.simulations, most);
+    EXPECT_TRUE(found.ended_early) << most;
+    EXPECT_GE(found.fit_after, found.fit_before - 1e-9);
+  }
+  ExamineOptions options = withoutStructure();
+  options.max_simulations = 19;
+  EXPECT_NE(messageOf<ConfigurationError>([&] {
+              examined(pendulum, experiments, options);
+            }).find("simulation.max_simulations: found 19; allowed: at least 20"),
+            std::string::npos);
 }
 
 TEST(Examine, TellsSignsAndUnits) {

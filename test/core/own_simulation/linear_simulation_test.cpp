@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSampleTime = 0.05;
 
-SimulationInput stepInput() { return {kSampleTime, Eigen::VectorXd::Ones(60), {}, {}}; }
+SimulationInput stepInput() { return {kSampleTime, Eigen::VectorXd::Ones(60), {}, {}, {}}; }
 
 Eigen::VectorXd answer(const OwnModelOptions& options, const SimulationInput& input = stepInput()) {
   const auto simulation = makeLinearSimulation(factorsOf(options, input.sample_time), "a model");
