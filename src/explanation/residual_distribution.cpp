@@ -159,6 +159,10 @@ void findAdditive(const Fit& fit, const FitData& data, const Residuals& residual
 
 }  // namespace
 
+bool ResidualDistribution::areAdditive() const {
+  return additive_gain > 0.8 * mixture_gain && !found.empty();
+}
+
 ResidualDistribution residualDistribution(const Fit& fit, const FitData& data,
                                           const Residuals& residuals) {
   ResidualDistribution distribution;
@@ -167,13 +171,11 @@ ResidualDistribution residualDistribution(const Fit& fit, const FitData& data,
   fitStudent(r, &distribution);
   fitMixtureOfTwo(r, &distribution);
   findAdditive(fit, data, residuals, deviation, &distribution);
-  const bool additive =
-      distribution.additive_gain > 0.8 * distribution.mixture_gain && !distribution.found.empty();
   std::vector<Signals> marked;
   for (const Signals& signal : residuals.standardised)
     marked.push_back((signal.abs() > 4 * deviation).cast<double>());
-  distribution.clustering =
-      clusteringOf(additive ? distribution.found : marked, static_cast<double>(r.size()));
+  distribution.clustering = clusteringOf(distribution.areAdditive() ? distribution.found : marked,
+                                         static_cast<double>(r.size()));
   return distribution;
 }
 
@@ -223,8 +225,7 @@ std::vector<Experiment> withoutOutliers(const FitData& data, const Residuals& re
                                         const ResidualDistribution& distribution) {
   constexpr double kLarge = 4.5;
   const double deviation = robustDeviation(pooled(residuals, data));
-  const bool additive =
-      distribution.additive_gain > 0.8 * distribution.mixture_gain && !distribution.found.empty();
+  const bool additive = distribution.areAdditive();
   std::vector<Experiment> experiments = data.experiments();
   for (std::size_t b = 0; b < data.blocks().size(); ++b) {
     const Block& block = data.blocks()[b];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "explanation/fit.h"
@@ -21,6 +22,16 @@ struct ResidualDistribution {
   double additive_gain = 0;  ///< of removing them, minus the cost of stating where and how large
   /// p-value of large residuals lying so close together in time.
   double clustering = 1;
+
+  /// Whether the residuals are better explained by wrong readings than by disturbances.
+  bool areAdditive() const;
+  /// Whether large residuals may be wrong readings. Where the noise is coloured, the data tell
+  /// these from disturbances such as shocks and load steps, whose effect on the output lasts.
+  bool mayBeReadings() const { return found.empty() || areAdditive(); }
+  /// Gain of taking them for wrong readings; 0 where they are none.
+  double readingsGain() const {
+    return mayBeReadings() ? std::max(mixture_gain, additive_gain) : 0;
+  }
 };
 
 ResidualDistribution residualDistribution(const Fit& fit, const FitData& data,

@@ -85,8 +85,7 @@ std::vector<FittedEffect> Search::rank(const SearchState& state) {
     if (effect) ranked.push_back({effect, state.fit, penalty, gain - penalty, {}, false});
   };
   addDistribution("noise_tails", distribution.student_gain, 1);
-  addDistribution("sens_outliers", std::max(distribution.mixture_gain, distribution.additive_gain),
-                  2);
+  addDistribution("sens_outliers", distribution.readingsGain(), 2);
   sortByScore(&ranked);
   return ranked;
 }
@@ -132,7 +131,7 @@ bool Search::acceptDistribution(SearchState* state, const FittedEffect& best) {
         {"share", "1", distribution.share, std::nan(""), std::nan(""), std::nan("")},
         {"ratio", "1", distribution.ratio, std::nan(""), std::nan(""), std::nan("")}};
   }
-  cause.equivalent = best.effect->description().equivalent;
+  if (distribution.mayBeReadings()) cause.equivalent = best.effect->description().equivalent;
   state->train = FitData(withoutOutliers(state->train, residuals, distribution));
   state->fit = optimiseWithRestarts(evaluated(state->fit.model, state->fit.at, state->train),
                                     state->train, context_);

@@ -20,8 +20,9 @@ struct WithNoise {
   ResidualDistribution distribution;
 };
 
+/// `pole` of the noise: 0 is white.
 template <typename Draw>
-WithNoise withNoise(const Draw& draw) {
+WithNoise withNoise(const Draw& draw, double pole = 0, double wrong_readings = 0) {
   std::mt19937_64 engine(5);
   std::normal_distribution<double> normal;
   std::vector<Experiment> experiments(20);
@@ -29,13 +30,17 @@ WithNoise withNoise(const Draw& draw) {
     experiment.sample_time = 1;
     experiment.u = VectorXd::NullaryExpr(200, [&] { return normal(engine); });
     experiment.y = VectorXd::NullaryExpr(200, [&] { return draw(&engine); });
+    for (int t = 1; t < 200; ++t) experiment.y[t] += pole * experiment.y[t - 1];
+    for (double& y : experiment.y)
+      if (std::bernoulli_distribution(wrong_readings)(engine)) y += 10 * normal(engine);
     experiment.y.tail(199) += experiment.u.head(199);
   }
-  Configuration configuration = test::atRest(1, 0, 0, 0, 1);
+  Configuration configuration = test::atRest(1, 0, 0, pole == 0 ? 0 : 1, 1);
   configuration.error_model.taps = 0;
   configuration.error_model.components = 1;
   dense::Model truth;
   truth.b = test::vectorOf({1});
+  if (pole != 0) truth.d = test::vectorOf({-pole});
   truth.T = Eigen::MatrixXd(0, 0);
   const FitData data(experiments);
   const Fit fit = test::fitOfTruth(truth, configuration, data);
@@ -88,6 +93,18 @@ TEST(ResidualDistributions, OfWrongReadingsAreAMixture) {
     masked += 200 - experiment.validSamples();
   EXPECT_GT(masked, 30);  // of 80 wide ones those beyond 4.5 deviations: 65 %
   EXPECT_LT(masked, 80);
+}
+
+/// Noise that remembers its past tells a load step from a wrong reading, white noise does not.
+TEST(ResidualDistributions, TellReadingsFromDisturbancesThatLast) {
+  EXPECT_TRUE(withNoise(contaminated).distribution.mayBeReadings());
+  const ResidualDistribution lasting = withNoise(contaminated, 0.95).distribution;
+  EXPECT_GT(lasting.mixture_gain, 100);
+  EXPECT_FALSE(lasting.mayBeReadings());
+  EXPECT_EQ(lasting.readingsGain(), 0);
+  const ResidualDistribution readings = withNoise(gaussian, 0.95, 0.02).distribution;
+  EXPECT_TRUE(readings.mayBeReadings());
+  EXPECT_GT(readings.readingsGain(), 100);
 }
 
 TEST(ResidualDistributions, OfBurstsCluster) {
