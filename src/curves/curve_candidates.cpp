@@ -28,12 +28,14 @@ CandidateKind kindOf(PlantChange::Kind kind) {
                                              : CandidateKind::delay;
 }
 
-/// The best of the screened places, and those that machines most often have.
+/// The best of the screened places, and those that machines most often have. One linearised step
+/// says little about a play or a limited rate.
 void keepMostPromising(int places, std::vector<ScreenedPlace>* screened) {
   std::vector<ScreenedPlace> kept;
   for (ScreenedPlace& each : *screened) {
     const Place place = each.place.place;
-    const bool is_usual = place == Place::input || place == Place::position || place == Place::rate;
+    const bool is_usual = place == Place::input || place == Place::position ||
+                          place == Place::rate || isScalar(place);
     if (is_usual || static_cast<int>(kept.size()) < places) kept.push_back(std::move(each));
   }
   *screened = std::move(kept);

@@ -14,7 +14,7 @@ bool isOneOf(const std::string& word, std::initializer_list<const char*> list) {
 std::string actuatorNamed(const std::string& shape) {
   if (isOneOf(shape, {"dead_zone", "asymmetric_dead_zone", "dead_zone_saturation"}))
     return "act_deadzone";
-  if (isOneOf(shape, {"saturation", "tanh"})) return "act_saturation";
+  if (isOneOf(shape, {"saturation", "asymmetric_saturation", "tanh"})) return "act_saturation";
   if (isOneOf(shape, {"asymmetric_slope", "hinge"})) return "act_asymmetry";
   return shape == "curve" ? "act_curve" : "act_hammerstein";
 }
@@ -35,6 +35,7 @@ std::string shapeInWords(const std::string& shape) {
       {"saturation", "a limit"},
       {"dead_zone_saturation", "a dead zone and a limit"},
       {"asymmetric_dead_zone", "a dead zone of unequal sides"},
+      {"asymmetric_saturation", "a lower and an upper limit"},
       {"linear", "a straight line"},
       {"square", "a square"},
       {"cubic", "a cubic curve"},
@@ -130,7 +131,8 @@ std::string causeNamed(Place place, const std::string& shape) {
     case Place::input_times_position:
       return "plant_product";
     case Place::sensor:
-      return shape == "saturation" ? "sens_clip" : shape == "curve" ? "sens_curve" : "sens_wiener";
+      if (isOneOf(shape, {"saturation", "asymmetric_saturation"})) return "sens_clip";
+      return shape == "curve" ? "sens_curve" : "sens_wiener";
     case Place::play:
       return "act_backlash";
     case Place::rate_limit:

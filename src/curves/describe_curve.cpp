@@ -88,7 +88,7 @@ Eigen::VectorXd inUnits(const Curve& curve, const Eigen::VectorXd& parameters, c
     double& each = found[first + static_cast<Eigen::Index>(k)];
     if (shape.parameters[k].unit == ShapeUnit::of_signal) each *= signal.unit;
     if (shape.parameters[k].unit == ShapeUnit::per_signal) each /= signal.unit;
-    if (shape.is_whole) each = std::abs(each);
+    if (shape.parameters[k].is_size) each = std::abs(each);
   }
   return found;
 }

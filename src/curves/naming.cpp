@@ -62,6 +62,15 @@ struct Contender {
   WindowFit fit;
 };
 
+/// Whether a machine can have the last curve. Friction that pushes along with the motion is none:
+/// it stands for something else that limits the speed.
+bool isPossible(const CurveModel& model) {
+  const Curve& curve = model.curves.back();
+  if (!curve.shape()->opposes || !isFedBack(curve.place())) return true;
+  const double gain = model.directGain() + model.theta.segment(model.order, model.order).sum();
+  return gain * model.parametersOf(model.curves.size() - 1)[0] <= 0;
+}
+
 /// The share of the free curve's gain that each contender has; the free curve is the first.
 std::vector<double> sharesOf(const std::vector<Contender>& contenders, const WindowFit& before) {
   const double gain = before.squared_error - contenders.front().fit.squared_error;
@@ -114,6 +123,7 @@ Naming nameCurve(const SimulationData& data, const WindowFit& before, const Wind
     theta << from.theta.head(from.theta.size() - own), each.parameters;
     model.theta = std::move(theta);
     WindowFit fit = fitFreely(data, std::move(model), context.limits(15));
+    if (!isPossible(fit.model)) continue;
     const double reached = criterion(fit, samples);
     contenders.push_back({reached, each.shape->name, std::move(fit)});
   }

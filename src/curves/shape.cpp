@@ -23,7 +23,16 @@ double stribeck(double z, const double* p) {
   return step(z, p[0]) * (1 + p[1] * std::exp(-ratio * ratio));
 }
 
-ShapeParameter width(const char* name) { return {name, ShapeUnit::of_signal}; }
+ShapeParameter at(const char* name) { return {name, ShapeUnit::of_signal, false}; }
+ShapeParameter width(const char* name) { return {name, ShapeUnit::of_signal, true}; }
+
+/// Lower and upper limits to begin with: inputs may lie on one side of zero.
+std::vector<std::vector<double>> limitPairs() {
+  std::vector<std::vector<double>> pairs;
+  for (double lower = -2; lower <= 2; lower += 0.5)
+    for (double upper = lower + 0.5; upper <= 3; upper += 0.5) pairs.push_back({lower, upper});
+  return pairs;
+}
 
 std::vector<Shape> wholeShapes() {
   return {{"dead_zone",
@@ -51,7 +60,15 @@ std::vector<Shape> wholeShapes() {
            {width("width_above"), width("width_below")},
            {{0.1, 0.5}, {0.5, 0.1}},
            true,
-           true}};
+           true},
+          {"asymmetric_saturation",
+           [](double z, const double* p) {
+             return std::min(std::max(z, p[0]), std::max(p[1], p[0] + 0.05));
+           },
+           {at("lower_limit"), at("upper_limit")},
+           limitPairs(),
+           true,
+           false}};
 }
 
 std::vector<Shape> smoothShapes() {
@@ -64,6 +81,7 @@ std::vector<Shape> smoothShapes() {
        {},
        {{}},
        false,
+       true,
        true},
       {"power",
        [](double z, const double* p) {
@@ -79,8 +97,11 @@ std::vector<Shape> smoothShapes() {
        {{0.3}, {-0.3}, {3.0}, {-3.0}}},
       {"root",
        [](double z, const double* p) { return std::sqrt(positive(z - p[0])); },
-       {width("empty_at")},
-       {{-1.2}, {-2.0}, {-3.0}}},
+       {at("empty_at")},
+       {{-1.2}, {-2.0}, {-3.0}},
+       false,
+       false,
+       true},
       {"exponential",
        [](double z, const double* p) { return std::exp(std::min(std::max(p[0] * z, -8.0), 8.0)); },
        {{"rate", ShapeUnit::per_signal}},
@@ -105,29 +126,32 @@ std::vector<Shape> brokenShapes() {
           {"magnitude", [](double z, const double*) { return std::abs(z); }, {}, {{}}, false, true},
           {"hinge",
            [](double z, const double* p) { return positive(z - p[0]); },
-           {width("begins_at")},
+           {at("begins_at")},
            {{-1.2}, {-0.6}, {0.6}, {1.2}, {1.8}}},
           {"step",
            [](double z, const double* p) { return step(z - p[0], 0.02); },
-           {width("at")},
+           {at("at")},
            {{0.3}, {0.5}, {0.7}}},
           {"coulomb",
            [](double z, const double* p) { return step(z, p[0]); },
            {width("width")},
            {{0.03}, {0.1}, {0.3}},
            false,
+           true,
            true},
           {"stribeck",
            stribeck,
            {width("width"), {"breakaway_excess", ShapeUnit::none}, width("stribeck_width")},
            {{0.05, 0.6, 0.3}, {0.05, 2.0, 0.3}},
            false,
+           true,
            true},
           {"asymmetric_coulomb",
            [](double z, const double* p) { return step(z, p[0]) * (1 + p[1] * sign(z)); },
            {width("width"), {"asymmetry", ShapeUnit::none}},
            {{0.05, 0.3}, {0.05, -0.3}},
            false,
+           true,
            true}};
 }
 
@@ -136,8 +160,8 @@ const std::map<Place, std::vector<std::string>>& namesAtPlaces() {
   static const std::map<Place, std::vector<std::string>> kNames{
       {Place::input,
        {"dead_zone", "saturation", "dead_zone_saturation", "asymmetric_dead_zone",
-        "asymmetric_slope", "hinge", "square", "cubic", "signed_square", "polynomial",
-        "exponential", "power", "tanh", "root"}},
+        "asymmetric_saturation", "asymmetric_slope", "hinge", "square", "cubic", "signed_square",
+        "polynomial", "exponential", "power", "tanh", "root"}},
       {Place::position,
        {"cubic", "square", "signed_square", "polynomial", "root", "exponential", "sine", "coulomb",
         "stribeck", "asymmetric_coulomb", "hinge", "asymmetric_slope", "dead_zone", "power"}},
@@ -151,8 +175,8 @@ const std::map<Place, std::vector<std::string>>& namesAtPlaces() {
       {Place::input_times_position, {"linear", "square", "tanh", "magnitude", "exponential"}},
       {Place::rate_gain, {"coulomb", "linear", "magnitude"}},
       {Place::sensor,
-       {"saturation", "hinge", "square", "cubic", "exponential", "polynomial", "magnitude", "root",
-        "dead_zone", "signed_square", "tanh"}},
+       {"saturation", "asymmetric_saturation", "hinge", "square", "cubic", "exponential",
+        "polynomial", "magnitude", "root", "dead_zone", "signed_square", "tanh"}},
       {Place::time_gain, {"linear", "square", "step", "exponential"}},
       {Place::time, {"linear", "square", "step"}},
       {Place::covariate, {"linear", "square", "magnitude"}},

@@ -13,6 +13,7 @@ enum class ShapeUnit { none, of_signal, per_signal };
 struct ShapeParameter {
   std::string name;
   ShapeUnit unit = ShapeUnit::none;
+  bool is_size = false;  ///< only its magnitude counts
 };
 
 /// A curve with a name: a dead zone, Coulomb friction, a square root.
@@ -26,6 +27,7 @@ struct Shape {
   /// zones and limits. Otherwise the curve is an amplitude times the value.
   bool is_whole = false;
   bool needs_zero = false;  ///< the physical zero must lie within the data
+  bool opposes = false;     ///< fed back, it acts against its argument, as friction and drag do
 
   int count() const { return static_cast<int>(parameters.size()) + (is_whole ? 0 : 1); }
 };

@@ -42,6 +42,21 @@ SimulationData sensorWindows(const Function& curve) {
   return data;
 }
 
+/// Windows of a plant of the first order, a speed, with the force `force` of Coulomb's shape.
+SimulationData frictionWindows(double force) {
+  std::mt19937_64 engine(2);
+  std::normal_distribution<double> normal;
+  SimulationData data = sensorWindows([](double x) { return x; });
+  for (SimulationWindow& window : data.windows) {
+    double x = 0;
+    for (int k = 0; k < window.samples(); ++k) {
+      window.y[k] = x + 0.01 * normal(engine);
+      x = 0.8 * x + 0.2 * (window.u[k] + force * std::tanh(x / 0.2));
+    }
+  }
+  return data;
+}
+
 class NamingACurve : public testing::Test {
  protected:
   Naming named(const SimulationData& data, PlaceOf place) {
@@ -94,6 +109,26 @@ TEST_F(NamingACurve, LeavesACurveOfNoShapeAsItIs) {
   EXPECT_EQ(found.shape, "curve");
   EXPECT_TRUE(found.fit.model.curves.back().isFree());
   for (const OtherShape& other : found.others) EXPECT_GE(other.behind, 2);
+}
+
+/// What pushes along with the motion is no friction, though the curve is that of one.
+TEST_F(NamingACurve, FrictionOpposesTheMotion) {
+  const Naming opposing = named(frictionWindows(-0.3), {Place::position, ""}),
+               pushing = named(frictionWindows(0.3), {Place::position, ""});
+  const auto is_friction = [](const std::string& shape) {
+    return shape.find("coulomb") != std::string::npos || shape == "stribeck";
+  };
+  EXPECT_TRUE(is_friction(opposing.shape)) << opposing.shape;
+  EXPECT_FALSE(is_friction(pushing.shape)) << pushing.shape;
+  EXPECT_FALSE(is_friction(pushing.nearest)) << pushing.nearest;
+  for (const OtherShape& other : pushing.others) EXPECT_FALSE(is_friction(other.shape));
+}
+
+TEST_F(NamingACurve, LimitsNeedNotBeSymmetric) {
+  const Naming limits =
+      named(sensorWindows([](double x) { return std::min(std::max(x, -0.2), 0.8); }),
+            {Place::sensor, ""});
+  EXPECT_EQ(limits.shape, "asymmetric_saturation");
 }
 
 TEST_F(NamingACurve, TheCriterionCountsIndependentSamples) {

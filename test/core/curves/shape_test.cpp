@@ -35,6 +35,8 @@ TEST(Shapes, AreTheCurvesOfTheirNames) {
   EXPECT_DOUBLE_EQ(valueOf("saturation", 3, {0.95}), 0.95);
   EXPECT_DOUBLE_EQ(valueOf("saturation", -0.5, {0.95}), -0.5);
   EXPECT_DOUBLE_EQ(valueOf("asymmetric_dead_zone", -1, {0.1, 0.5}), -0.5);
+  EXPECT_DOUBLE_EQ(valueOf("asymmetric_saturation", -0.5, {0.2, 1.5}), 0.2);
+  EXPECT_DOUBLE_EQ(valueOf("asymmetric_saturation", 2, {0.2, 1.5}), 1.5);
   EXPECT_DOUBLE_EQ(valueOf("signed_square", -3), -9);
   EXPECT_DOUBLE_EQ(valueOf("root", 2, {-2}), 2);
   EXPECT_DOUBLE_EQ(valueOf("root", -3, {-2}), 0);
