@@ -6,8 +6,6 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kClearShare = 0.95;  ///< of the squared error, at most, is left by a clear gain
-
 /// Squared error of the simulation with a cause over that without it. NaN where either is none.
 double errorRatio(const Gain& gain) {
   const Comparison& fit = gain.nrmse_fit_percent;
@@ -23,20 +21,20 @@ bool passes(const Gain& gain, AcceptanceRule rule) {
   return gain.log_density > least_errors * gain.standard_error;
 }
 
-bool simulationAgrees(const Effect& effect, const Gain& gain) {
-  constexpr double kMostByTheta = 1.1;
+bool simulatesAsWell(const Effect& effect, const Gain& gain) {
+  constexpr double kMost = 1.01, kMostByTheta = 1.1;
   const bool structural = effect.description().screening == ScreeningKind::regression &&
                           !isOfNoise(effect) && !isOfMixture(effect);
-  return errorRatio(gain) <= (structural ? kClearShare : kMostByTheta);
+  return errorRatio(gain) <= (structural ? kMost : kMostByTheta);
 }
 
 bool stillHolds(const Effect& effect, const Gain& gain) {
-  return passes(gain, AcceptanceRule::no_significant_loss) && simulationAgrees(effect, gain);
+  return passes(gain, AcceptanceRule::no_significant_loss) && simulatesAsWell(effect, gain);
 }
 
 bool isClear(const Gain& gain) {
-  constexpr double kErrors = 3;
-  return gain.log_density > kErrors * gain.standard_error || errorRatio(gain) <= kClearShare;
+  constexpr double kShare = 0.95, kErrors = 3;
+  return gain.log_density > kErrors * gain.standard_error || errorRatio(gain) < kShare;
 }
 
 AcceptanceRule acceptanceRule(const Effect& effect, double score) {

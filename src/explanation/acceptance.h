@@ -20,15 +20,15 @@ enum class AcceptanceRule {
 
 bool passes(const Gain& gain, AcceptanceRule rule);
 
-/// Whether the simulation of held-out experiments agrees that an effect is there, because
-/// likelihood alone also rewards what makes residuals white and the simulation wrong, such as a lag
-/// of the sensor where only the noise is coloured. An effect that claims to change the simulated
-/// output must lower the squared error by a twentieth. Others move the simulation only by way of
-/// theta, and may let it grow by a tenth.
-bool simulationAgrees(const Effect& effect, const Gain& gain);
+/// Whether held-out experiments are simulated as well with the effect as without it, because
+/// likelihood alone also rewards what makes residuals white and the simulation wrong. The squared
+/// error may grow by a hundredth, which is chance where the plants differ much. Effects that move
+/// the simulation only by way of theta (all but ScreeningKind::regression) may let it grow by a
+/// tenth.
+bool simulatesAsWell(const Effect& effect, const Gain& gain);
 
 /// Whether a cause, measured again in the final model, neither loses log density significantly nor
-/// is contradicted by the simulation as above.
+/// lowers the fit of the simulation as above.
 bool stillHolds(const Effect& effect, const Gain& gain);
 
 /// Whether held-out experiments speak clearly for a cause: the squared error of simulating them

@@ -10,7 +10,7 @@ namespace uncertainty_identification {
 bool Refusals::isDue(const FittedEffect& candidate, const Gain& gain,
                      const std::vector<FittedEffect>& ranked) const {
   constexpr double kFar = 6;  // [nats]
-  if (!simulationAgrees(*candidate.effect, gain)) return true;
+  if (!simulatesAsWell(*candidate.effect, gain)) return true;
   // Forms of one effect do not outshine each other.
   const bool outshone = std::any_of(ranked.begin(), ranked.end(), [&](const FittedEffect& other) {
     return other.effect->name() != candidate.effect->name() &&

@@ -43,8 +43,8 @@ TEST(Refusals, AreDueWhereTheSimulationGetsWorse) {
 }
 
 TEST(Refusals, OutshineOtherEffectsUnlessTheirGainIsClear) {
-  const FittedEffect refused = scored("noise_hetero", 100);
-  const FittedEffect weak = scored("noise_colour", 20), near = scored("noise_colour", 95);
+  const FittedEffect refused = scored("sens_hum", 100);
+  const FittedEffect weak = scored("act_deadzone", 20), near = scored("act_deadzone", 95);
   const std::vector<FittedEffect> ranked{refused, weak};
   Refusals refusals;
   EXPECT_FALSE(refusals.isDue(weak, gainOf(80, 80.1, 2), ranked)) << "nothing was refused yet";
@@ -53,7 +53,7 @@ TEST(Refusals, OutshineOtherEffectsUnlessTheirGainIsClear) {
   EXPECT_FALSE(refusals.isDue(weak, gainOf(80, 85, 2), ranked)) << "simulates much better";
   EXPECT_FALSE(refusals.isDue(weak, gainOf(80, 80.1, 4), ranked)) << "four standard errors";
   EXPECT_FALSE(refusals.isDue(near, gainOf(80, 80.1, 2), {refused, near})) << "as good";
-  const FittedEffect other_form = scored("noise_hetero", 20, "per_experiment");
+  const FittedEffect other_form = scored("sens_hum", 20, "per_experiment");
   EXPECT_FALSE(refusals.isDue(other_form, gainOf(80, 80.1, 2), {refused, other_form}));
 }
 
