@@ -131,8 +131,7 @@ std::string causeNamed(Place place, const std::string& shape) {
     case Place::input_times_position:
       return "plant_product";
     case Place::sensor:
-      if (isOneOf(shape, {"saturation", "asymmetric_saturation"})) return "sens_clip";
-      return shape == "curve" ? "sens_curve" : "sens_wiener";
+      return shape == "saturation" ? "sens_clip" : shape == "curve" ? "sens_curve" : "sens_wiener";
     case Place::play:
       return "act_backlash";
     case Place::rate_limit:

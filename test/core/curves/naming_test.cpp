@@ -124,13 +124,6 @@ TEST_F(NamingACurve, FrictionOpposesTheMotion) {
   for (const OtherShape& other : pushing.others) EXPECT_FALSE(is_friction(other.shape));
 }
 
-TEST_F(NamingACurve, LimitsNeedNotBeSymmetric) {
-  const Naming limits =
-      named(sensorWindows([](double x) { return std::min(std::max(x, -0.2), 0.8); }),
-            {Place::sensor, ""});
-  EXPECT_EQ(limits.shape, "asymmetric_saturation");
-}
-
 TEST_F(NamingACurve, TheCriterionCountsIndependentSamples) {
   WindowFit fit;
   fit.squared_error = 10;
