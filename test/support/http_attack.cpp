@@ -48,21 +48,18 @@ const std::vector<std::string>& tricks() {
   return kTricks;
 }
 
-}  // namespace
-
-std::vector<std::string> hostileRequests(int count, unsigned seed) {
-  std::mt19937 draw(seed);
-  std::vector<std::string> requests;
-  for (int k = 0; k < count; ++k) {
-    std::string request = tricks()[static_cast<std::size_t>(k) % tricks().size()];
-    if (k >= static_cast<int>(tricks().size()) && draw() % 2 == 0)
-      request.resize(draw() % (request.size() + 1));
-    for (auto flips = draw() % 4; k >= static_cast<int>(tricks().size()) && flips > 0; --flips)
-      if (!request.empty()) request[draw() % request.size()] = static_cast<char>(draw() % 256);
-    requests.push_back(request);
-  }
-  return requests;
+/// First each of the tricks, then tricks that are cut short and have some bytes changed.
+std::string hostileRequest(int number, std::mt19937& draw) {
+  const auto place = static_cast<std::size_t>(number);
+  std::string request = tricks()[place % tricks().size()];
+  if (place < tricks().size()) return request;
+  if (draw() % 2 == 0) request.resize(draw() % (request.size() + 1));
+  for (auto flips = draw() % 4; flips > 0 && !request.empty(); --flips)
+    request[draw() % request.size()] = static_cast<char>(draw() % 256);
+  return request;
 }
+
+}  // namespace
 
 HttpAttack::HttpAttack(int port, int connections, int requests) : port_(port) {
   threads_.emplace_back([this, connections] { holdConnections(connections); });
@@ -85,10 +82,10 @@ void HttpAttack::holdConnections(int connections) {
 }
 
 void HttpAttack::sendRequests(int requests) {
-  for (const std::string& request : hostileRequests(requests, 1)) {
-    if (stopping_) return;
+  std::mt19937 draw(1);
+  while (sent_ < requests && !stopping_) {
     HttpConnection connection(port_);
-    connection.send(request);
+    connection.send(hostileRequest(sent_, draw));
     connection.receiveUntil("\r\n\r\n", std::chrono::seconds(0));
     ++sent_;
   }

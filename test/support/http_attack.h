@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <memory>
-#include <string>
 #include <thread>
 #include <vector>
 
@@ -10,13 +9,10 @@
 
 namespace uncertainty_identification {
 
-/// Requests that no browser sends: huge, malformed, with tricks in the path, of other methods, cut
-/// short. The same for the same seed.
-std::vector<std::string> hostileRequests(int count, unsigned seed);
-
 /// Attacks a live page from threads of its own until it is destroyed or all requests were sent:
 /// holds connections open, most of them silent, some with events that nobody takes, and sends
-/// hostile requests meanwhile.
+/// requests meanwhile that no browser sends: huge, malformed, with tricks in the path, of other
+/// methods, cut short; always the same ones.
 class HttpAttack {
  public:
   HttpAttack(int port, int connections, int requests);
