@@ -29,8 +29,8 @@ ShapeParameter width(const char* name) { return {name, ShapeUnit::of_signal, tru
 /// Lower and upper limits to begin with: inputs may lie on one side of zero.
 std::vector<std::vector<double>> limitPairs() {
   std::vector<std::vector<double>> pairs;
-  for (double lower = -2; lower <= 2; lower += 0.5)
-    for (double upper = lower + 0.5; upper <= 3; upper += 0.5) pairs.push_back({lower, upper});
+  for (const double lower : {-1.0, -2.0, -1.5, -0.5, 0.0, 0.5, 1.0, 1.5, 2.0})
+    for (double upper = 3; upper > lower; upper -= 0.5) pairs.push_back({lower, upper});
   return pairs;
 }
 

@@ -83,6 +83,7 @@ limits: {max_experiments: 10, max_samples: 20, min_samples: 5, max_missing: 0.1,
 bag_directory: /bags
 report_directory: /reports
 report_each_result: true
+live_page: {port: 8080}
 store_directory: /store
 )"));
 }

@@ -175,7 +175,7 @@ json* partThatIsUsed(json* tree, std::mt19937_64* random) {
 void use(const Estimate& estimate) {
   EXPECT_FALSE(resultText(estimate).empty());
   EXPECT_FALSE(
-      reportHtml({estimate, {}, {}}, nullptr, {"{{result}}", "", "", "chart", ""}).empty());
+      reportHtml({estimate, {}, {}}, nullptr, {"{{result}}", "", "", "", "", "chart", ""}).empty());
   try {
     const PlantDistribution plants(estimate);
     for (const auto which : {Uncertainty::mixture, Uncertainty::total})
