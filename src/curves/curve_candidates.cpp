@@ -28,14 +28,12 @@ CandidateKind kindOf(PlantChange::Kind kind) {
                                              : CandidateKind::delay;
 }
 
-/// The best of the screened places, and those that machines most often have. One linearised step
-/// says little about a play or a limited rate.
+/// The best of the screened places, and those that machines most often have.
 void keepMostPromising(int places, std::vector<ScreenedPlace>* screened) {
   std::vector<ScreenedPlace> kept;
   for (ScreenedPlace& each : *screened) {
     const Place place = each.place.place;
-    const bool is_usual = place == Place::input || place == Place::position ||
-                          place == Place::rate || isScalar(place);
+    const bool is_usual = place == Place::input || place == Place::position || place == Place::rate;
     if (is_usual || static_cast<int>(kept.size()) < places) kept.push_back(std::move(each));
   }
   *screened = std::move(kept);
