@@ -67,7 +67,8 @@ FittedPlant describePlant(const Problem& problem, Journal* journal) {
   }
   plant.covariance = errors.covariance.topLeftCorner(own, own);
   // The residual of a simulation is not white, so only the sandwich form is valid.
-  const Eigen::MatrixXd& covariance = errors.robust_covariance.allFinite()
+  // Singular directions are NaN in the robust covariance; where it is unknown, all of it is.
+  const Eigen::MatrixXd& covariance = errors.robust_covariance.array().isFinite().any()
                                           ? errors.robust_coordinate_covariance
                                           : errors.coordinate_covariance;
   const Eigen::MatrixXd J =
