@@ -35,6 +35,14 @@ double largestMove(const LinearModel& model, const ModelParameters& at, const Ma
 
 }  // namespace
 
+bool FixedPointProgress::approaches(double log_likelihood, double move) {
+  const bool better = log_likelihood > highest_ || move < least_move_;
+  highest_ = std::max(highest_, log_likelihood);
+  least_move_ = std::min(least_move_, move);
+  in_vain_ = better ? 0 : in_vain_ + 1;
+  return in_vain_ < kPatience;
+}
+
 Linearisation nextLinearisation(const LinearModel& model, const Likelihood& likelihood,
                                 const ModelParameters& point, const MatrixXd& points) {
   const Statistics statistics = likelihood.statistics(point.parameters, false);

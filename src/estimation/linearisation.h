@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,6 +22,22 @@ struct Linearisation {
 /// deviations of the mixture. An optimisation leaves about the same uncertainty in theta, and the
 /// error of the linearisation is proportional to the square of the move.
 constexpr double kFixedPointTolerance = 1e-3;
+
+/// Whether a fixed-point iteration gets anywhere.
+class FixedPointProgress {
+ public:
+  /// Takes note of a round: of the log-likelihood before it and of the `move` of its points. False
+  /// after so many rounds in a row in which neither the likelihood rose above the highest nor the
+  /// points moved less than ever, so that the iteration moves away.
+  bool approaches(double log_likelihood, double move);
+
+  static constexpr int kPatience = 8;
+
+ private:
+  double highest_ = -std::numeric_limits<double>::infinity();
+  double least_move_ = std::numeric_limits<double>::infinity();
+  int in_vain_ = 0;
+};
 
 /// One step of the fixed-point iteration: linearises `model` (which is locally linear) about the
 /// posterior means of the error parameters at `point`. If the model is not defined there for an

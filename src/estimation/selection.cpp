@@ -6,12 +6,10 @@
 #include <optional>
 
 #include "estimation/excerpt.h"
-#include "estimation/initial_guess.h"
 #include "estimation/least_squares_start.h"
+#include "estimation/order_fits.h"
 #include "estimation/simulation_fit.h"
-#include "math/information_criterion.h"
 #include "math/polynomial.h"
-#include "model/linear_model.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
@@ -19,52 +17,18 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kWorst = -std::numeric_limits<double>::infinity();
-
-struct Split {
-  std::vector<Experiment> fitted, held_out;
-};
-
-Split splitData(const std::vector<Experiment>& experiments) {
-  Split split;
-  if (experiments.size() >= 3) {
-    for (std::size_t r = 0; r < experiments.size(); ++r) {
-      (r % 3 == 2 ? split.held_out : split.fitted).push_back(experiments[r]);
-    }
-    return split;
-  }
-  for (const Experiment& experiment : experiments) {
-    const int head = experiment.samples() * 2 / 3;
-    split.fitted.push_back(excerpt(experiment, 0, head));
-    split.held_out.push_back(excerpt(experiment, head, experiment.samples() - head));
-  }
-  return split;
-}
-
-/// A nominal model without error model, fitted by scoring steps.
-struct Fitted {
-  NominalModelOptions options;
-  Eigen::VectorXd parameters;  ///< empty if the fit failed
-  double log_likelihood = kWorst;
-  double bic = std::numeric_limits<double>::quiet_NaN();
-  std::optional<double> held_out_fit;  ///< simulation fit on held-out data [%]
-};
-
 class Selection {
  public:
   Selection(const Configuration& configuration, double sample_time,
             const std::vector<Experiment>& experiments, int threads,
             std::vector<Candidate>* candidates, const SelectionProgress& progress)
       : configuration_(configuration),
-        sample_time_(sample_time),
-        threads_(threads),
         candidates_(candidates),
         progress_(progress),
-        split_(splitData(experiments)),
-        fitted_(fewerSamples(split_.fitted, kEnoughSamples)) {}
+        fits_(configuration, sample_time, experiments, threads) {}
 
   NominalModelOptions run() {
-    Fitted chosen =
+    OrderFit chosen =
         configuration_.nominal_model.focus == Focus::simulation ? bySimulation() : byPrediction();
     if (!std::isfinite(chosen.log_likelihood)) {
       throw DataError(
@@ -75,52 +39,14 @@ class Selection {
   }
 
  private:
-  /// From the starts that the data give, and from `start` where it is not empty.
-  Fitted fit(NominalModelOptions options, const std::vector<Experiment>& experiments,
-             const VectorXd& start = VectorXd()) const {
-    Fitted fitted;
-    options.orders_auto = false;
-    fitted.options = options;
-    ErrorModelOptions none;
-    none.taps = 0;
-    const LinearModel model(makeNominalModel(options, sample_time_), ErrorBasis(none),
-                            configuration_.estimation);
-    const std::vector<Block> blocks = makeBlocks(experiments);
-    const Likelihood likelihood(model, blocks, static_cast<int>(experiments.size()), threads_);
-    std::vector<VectorXd> starts = nominalStarts(model, options, experiments);
-    if (start.size() > 0) starts.push_back(start);
-    const std::optional<ModelParameters> point =
-        bestSingleComponent(likelihood, starts, OptimisationOptions());
-    if (!point) return fitted;
-    const Statistics statistics = likelihood.statistics(point->parameters, false);
-    fitted.parameters = point->parameters;
-    fitted.log_likelihood = likelihood.expect(statistics, *point).total();
-    fitted.bic =
-        bic(fitted.log_likelihood, model.parameterCount() + 1, 0, statistics.samples().sum(), 1);
-    return fitted;
-  }
-
-  /// Simulation fit on the held-out experiments [%].
-  double validate(const Fitted& fitted) const {
-    if (fitted.parameters.size() == 0) return kWorst;
-    const auto nominal = makeNominalModel(fitted.options, sample_time_);
-    const VectorXd theta = fitted.parameters.head(nominal->parameterCount());
-    const bool offset = fitted.parameters.size() > theta.size();
-    const double fit =
-        simulationFit(*nominal, theta, offset ? fitted.parameters[theta.size()] : 0.0,
-                      configuration_.estimation, split_.held_out)
-            .pooled;
-    return std::isfinite(fit) ? fit : kWorst;
-  }
-
-  void record(const Fitted& fitted) {
+  void record(const OrderFit& fitted) {
     const int parameters = static_cast<int>(fitted.parameters.size()) + 1;
     Candidate candidate{"orders", describe(fitted.options), parameters, {}, {}, {}, false};
     if (fitted.parameters.size() > 0) {
       candidate.log_likelihood = fitted.log_likelihood;
       candidate.bic = fitted.bic;
     }
-    candidate.validation_fit = fitted.held_out_fit;
+    if (!fitted.held_out_errors.empty()) candidate.validation_fit = fitted.held_out_fit;
     candidates_->push_back(std::move(candidate));
   }
 
@@ -137,13 +63,13 @@ class Selection {
 
   int largestOrder() const {
     int shortest = std::numeric_limits<int>::max();
-    for (const Experiment& experiment : fitted_)
+    for (const Experiment& experiment : fits_.experiments())
       shortest = std::min(shortest, experiment.samples());
     return std::max(1, std::min(configuration_.nominal_model.max_order, shortest / 12));
   }
 
   /// The parameters of an output-error model as those of the next order, with the same response.
-  static VectorXd enlarged(const Fitted& fitted) {
+  static VectorXd enlarged(const OrderFit& fitted) {
     const Eigen::Index order = fitted.options.nb, rest = fitted.parameters.size() - 2 * order;
     VectorXd larger = VectorXd::Zero(fitted.parameters.size() + 2);
     larger.head(order) = fitted.parameters.head(order);
@@ -154,30 +80,30 @@ class Selection {
 
   /// Output-error models of increasing order, each with the delay of the smallest Steiglitz-McBride
   /// residual.
-  std::vector<Fitted> outputErrorModels() {
+  std::vector<OrderFit> outputErrorModels() {
     const int largest = largestOrder();
     std::vector<const Experiment*> all;
     int shortest = std::numeric_limits<int>::max();
-    for (const Experiment& experiment : fitted_) {
+    for (const Experiment& experiment : fits_.experiments()) {
       all.push_back(&experiment);
       shortest = std::min(shortest, experiment.samples());
     }
     const int longest_delay = std::min(configuration_.nominal_model.max_delay, shortest / 4);
     const LeastSquaresStart scan(all, configuration_.estimation.offsets != Offsets::none,
                                  kEnoughSamples);
-    std::vector<Fitted> models;
+    std::vector<OrderFit> models;
     for (int order = 1; order <= largest; ++order) {
       NominalModelOptions options = configuration_.nominal_model;
       options.structure = Structure::output_error;
       options.nb = options.na = order;
       options.delay = scan.steiglitzMcBride(order, order, 0, longest_delay).polynomials.delay;
-      Fitted model = fit(options, fitted_);
+      OrderFit model = fits_.fit(options);
       if (!models.empty() && model.log_likelihood < models.back().log_likelihood) {
         options.delay = models.back().options.delay;
-        const Fitted again = fit(options, fitted_, enlarged(models.back()));
+        const OrderFit again = fits_.fit(options, enlarged(models.back()));
         if (again.log_likelihood > model.log_likelihood) model = again;
       }
-      model.held_out_fit = validate(model);
+      fits_.crossValidate(&model);
       record(model);
       models.push_back(std::move(model));
       if (!report(0.7 * order / largest)) break;
@@ -185,34 +111,49 @@ class Selection {
     return models;
   }
 
-  /// The smallest model whose simulation is nearly as good as the best one's. Models with a pole on
-  /// the unit circle, or an oscillation that no experiment sees decay, are left out if a clearly
-  /// stable one simulates about as well: their good fit comes from a free response.
-  std::size_t smallestGood(const std::vector<Fitted>& models) const {
-    constexpr double kTolerance = 0.5;  // [%] improvement that justifies a larger model
+  /// Whether no oscillation and no pole of the model outlasts the experiments.
+  bool isClearlyStable(const OrderFit& model) const {
     constexpr double kStable = 0.9995;
-    constexpr double kForStability = 5;  // [%] of fit
-    const auto isClearlyStable = [this](const Fitted& model) {
-      if (model.parameters.size() == 0) return false;
-      const VectorXd a = model.parameters.segment(model.options.nb, model.options.na);
-      return isStable(a, kStable) && oscillationsDecay(a, longestOf(fitted_));
+    if (model.parameters.size() == 0) return false;
+    const VectorXd a = model.parameters.segment(model.options.nb, model.options.na);
+    return isStable(a, kStable) && oscillationsDecay(a, longestOf(fits_.experiments()));
+  }
+
+  /// Whether a smaller model simulates as well as `best`, as far as the data can tell.
+  static bool isAsGood(const OrderFit& smaller, const OrderFit& best) {
+    constexpr double kAlways = 0.5,
+                     kNever = 5;  // [% of fit] that do not, or do, justify more poles
+    const double loss = best.held_out_fit - smaller.held_out_fit;
+    if (loss <= kAlways) return true;
+    return loss <= kNever && best.fit - smaller.fit <= kNever &&
+           !areNoticeablyLarger(smaller.held_out_errors, best.held_out_errors);
+  }
+
+  /// The smallest model whose simulation is as good as the best one's. Models with a pole on the
+  /// unit circle, or an oscillation that no experiment sees decay, are left out if a clearly stable
+  /// one simulates about as well: their good fit comes from a free response.
+  std::size_t smallestGood(const std::vector<OrderFit>& models) const {
+    constexpr double kWorthOfStability = 5;  // [% of fit]
+    const auto best_of = [&](bool only_stable) {
+      const OrderFit* best = nullptr;
+      for (const OrderFit& model : models)
+        if ((!only_stable || isClearlyStable(model)) &&
+            (best == nullptr || model.held_out_fit > best->held_out_fit))
+          best = &model;
+      return best;
     };
-    double best = kWorst, best_stable = kWorst;
-    for (const Fitted& model : models) {
-      best = std::max(best, *model.held_out_fit);
-      if (isClearlyStable(model)) best_stable = std::max(best_stable, *model.held_out_fit);
-    }
-    const bool stable = best_stable >= best - kForStability;
+    const OrderFit* best = best_of(false);
+    const OrderFit* best_stable = best_of(true);
+    const bool stable = best_stable != nullptr &&
+                        best_stable->held_out_fit >= best->held_out_fit - kWorthOfStability;
     if (stable) best = best_stable;
-    for (std::size_t k = 0; k < models.size(); ++k) {
-      const bool fits = *models[k].held_out_fit >= best - kTolerance;
-      if (fits && (!stable || isClearlyStable(models[k]))) return k;
-    }
+    for (std::size_t k = 0; k < models.size(); ++k)
+      if ((!stable || isClearlyStable(models[k])) && isAsGood(models[k], *best)) return k;
     return 0;
   }
 
-  Fitted bySimulation() {
-    std::vector<Fitted> models = outputErrorModels();
+  OrderFit bySimulation() {
+    std::vector<OrderFit> models = outputErrorModels();
     const std::size_t chosen = smallestGood(models);
     (*candidates_)[candidates_->size() - models.size() + chosen].chosen = true;
     models[chosen].options.fit = PlantFit::simulation;
@@ -220,13 +161,13 @@ class Selection {
   }
 
   /// Chooses C and D by BIC for given orders of Go.
-  Fitted noiseModel(const Fitted& white) {
-    Fitted best = white;
+  OrderFit noiseModel(const OrderFit& white) {
+    OrderFit best = white;
     for (int order = 1; order <= kLargestNoiseOrder; ++order) {
       NominalModelOptions options = white.options;
       options.structure = Structure::box_jenkins;
       options.nc = options.nd = order;
-      Fitted model = fit(options, fitted_);
+      OrderFit model = fits_.fit(options);
       record(model);
       if (model.bic < best.bic) {
         best = model;
@@ -236,17 +177,17 @@ class Selection {
     return best;
   }
 
-  Fitted byPrediction() {
-    const std::vector<Fitted> models = outputErrorModels();
+  OrderFit byPrediction() {
+    const std::vector<OrderFit> models = outputErrorModels();
     const std::size_t first = candidates_->size() - models.size();
-    Fitted best;
+    OrderFit best;
     std::size_t chosen = first;
     for (std::size_t k = 0;
          k < models.size() &&
          report(0.7 + 0.3 * static_cast<double>(k) / static_cast<double>(models.size()));
          ++k) {
       best_row_ = first + k;
-      const Fitted coloured = noiseModel(models[k]);
+      const OrderFit coloured = noiseModel(models[k]);
       if (std::isfinite(best.log_likelihood) && coloured.bic >= best.bic) continue;
       best = coloured;
       chosen = best_row_;
@@ -256,12 +197,9 @@ class Selection {
   }
 
   const Configuration& configuration_;
-  double sample_time_;
-  int threads_;
   std::vector<Candidate>* candidates_;
   const SelectionProgress& progress_;
-  Split split_;
-  std::vector<Experiment> fitted_;
+  OrderFits fits_;
   std::size_t best_row_ = 0;  ///< index of the candidate that noiseModel() chose
 };
 

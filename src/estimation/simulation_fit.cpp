@@ -96,8 +96,11 @@ std::vector<Eigen::VectorXd> simulationErrors(const NominalModel& nominal,
 SimulationFit simulationFit(const NominalModel& nominal, const Eigen::VectorXd& theta,
                             double offset, const EstimationOptions& options,
                             const std::vector<Experiment>& experiments) {
-  const std::vector<Eigen::VectorXd> errors =
-      simulationErrors(nominal, theta, offset, options, experiments);
+  return fitOfErrors(simulationErrors(nominal, theta, offset, options, experiments), experiments);
+}
+
+SimulationFit fitOfErrors(const std::vector<Eigen::VectorXd>& errors,
+                          const std::vector<Experiment>& experiments) {
   SimulationFit fit;
   Moments all;
   double error = 0;
@@ -109,6 +112,27 @@ SimulationFit simulationFit(const NominalModel& nominal, const Eigen::VectorXd& 
   }
   fit.pooled = fitPercent(error, all.spread());
   return fit;
+}
+
+bool areNoticeablyLarger(const std::vector<Eigen::VectorXd>& one,
+                         const std::vector<Eigen::VectorXd>& other) {
+  constexpr std::size_t kParts = 10;
+  constexpr double kErrors = 2;                                      // standard errors
+  const std::size_t parts = (kParts + one.size() - 1) / one.size();  // of each experiment
+  Moments difference;
+  for (std::size_t r = 0; r < one.size(); ++r) {
+    const Eigen::VectorXd more = one[r].array().square() - other[r].array().square();
+    for (std::size_t part = 0; part < parts; ++part) {
+      const auto edge = [&](std::size_t k) {
+        return more.size() * static_cast<Eigen::Index>(k) / static_cast<Eigen::Index>(parts);
+      };
+      const double sum = more.segment(edge(part), edge(part + 1) - edge(part)).sum();
+      difference.add({sum, sum * sum, 1});
+    }
+  }
+  const double freedom = difference.count - 1;
+  const double variance_of_sum = difference.count * difference.spread() / freedom;
+  return difference.sum > kErrors * std::sqrt(std::max(0.0, variance_of_sum));
 }
 
 }  // namespace uncertainty_identification

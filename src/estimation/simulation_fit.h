@@ -28,9 +28,19 @@ std::vector<Eigen::VectorXd> simulationErrors(const NominalModel& nominal,
                                               const EstimationOptions& options,
                                               const std::vector<Experiment>& experiments);
 
-/// The size of these errors relative to the variation of the outputs.
+/// The size of simulation errors relative to the variation of the outputs.
+SimulationFit fitOfErrors(const std::vector<Eigen::VectorXd>& errors,
+                          const std::vector<Experiment>& experiments);
+
+/// The same, of the errors that simulationErrors() gives.
 SimulationFit simulationFit(const NominalModel& nominal, const Eigen::VectorXd& theta,
                             double offset, const EstimationOptions& options,
                             const std::vector<Experiment>& experiments);
+
+/// Whether the simulation errors `one` are larger than `other` by more than two standard errors of
+/// the difference of their squares over parts of the data: the experiments or, where there are
+/// fewer than ten, about ten parts of them. Errors of simulations of the same experiments.
+bool areNoticeablyLarger(const std::vector<Eigen::VectorXd>& one,
+                         const std::vector<Eigen::VectorXd>& other);
 
 }  // namespace uncertainty_identification

@@ -2,6 +2,7 @@
 
 #include "estimation/excerpt.h"
 #include "estimation/selection.h"
+#include "identification/lasting_oscillations.h"
 #include "identification/steps.h"
 #include "math/polynomial.h"
 
@@ -23,24 +24,61 @@ Configuration chooseOrders(const Problem& problem, Journal* journal) {
   return chosen;
 }
 
+namespace {
+
+/// Orders of Go, the plant fitted to its simulation, and what was compared for them.
+struct PlantChoice {
+  Configuration configuration;
+  std::optional<FittedPlant> plant;
+  std::vector<Candidate> candidates;
+};
+
+PlantChoice chooseUpTo(int max_order, Problem problem, const std::vector<Candidate>& before,
+                       Journal* journal) {
+  const int asked = problem.configuration.nominal_model.max_order;
+  problem.configuration.nominal_model.max_order = max_order;
+  journal->candidates = before;
+  problem.configuration = chooseOrders(problem, journal);
+  std::optional<FittedPlant> plant = fitPlant(problem, journal);
+  problem.configuration.nominal_model.max_order = asked;
+  return {problem.configuration, std::move(plant), journal->candidates};
+}
+
+/// The fit of the chosen orders to held-out data [%]; none where there is none.
+std::optional<double> heldOutFit(const PlantChoice& choice) {
+  for (const Candidate& each : choice.candidates)
+    if (each.choice == "orders" && each.chosen) return each.validation_fit;
+  return {};
+}
+
+/// Whether the oscillations of a plant are its own: the input excites them, and without them it
+/// simulates held-out data far worse.
+bool isWorthItsOscillations(const Problem& problem, const PlantChoice& plant,
+                            const PlantChoice& smaller) {
+  constexpr double kFarWorse = 5;  // [% of fit]
+  return !hasUnexcitedOscillation(plant.plant->polynomials, plant.plant->offset,
+                                  problem.data.experiments) &&
+         heldOutFit(smaller) < heldOutFit(plant).value_or(0) - kFarWorse;
+}
+
+}  // namespace
+
 void choosePlant(Problem* problem, Journal* journal) {
-  const Configuration asked = problem->configuration;
-  const std::size_t before = journal->candidates.size();
-  const NominalModelOptions& chosen = problem->configuration.nominal_model;
-  const auto choose = [&](int max_order) {
-    journal->candidates.resize(before);
-    problem->configuration = asked;
-    problem->configuration.nominal_model.max_order = max_order;
-    problem->configuration = chooseOrders(*problem, journal);
-    problem->plant = fitPlant(*problem, journal);
-  };
-  choose(asked.nominal_model.max_order);
-  if (!asked.nominal_model.orders_auto || !problem->plant) return;
-  const int largest = chosen.max_order, longest = longestOf(problem->data.experiments);
-  while (chosen.na > 1 && !journal->progress.searchEnds() &&
-         !oscillationsDecay(problem->plant->polynomials.a, longest))
-    choose(chosen.na - 1);
-  problem->configuration.nominal_model.max_order = largest;
+  const std::vector<Candidate> before = journal->candidates;
+  const NominalModelOptions asked = problem->configuration.nominal_model;
+  const int longest = longestOf(problem->data.experiments);
+  PlantChoice best = chooseUpTo(asked.max_order, *problem, before, journal);
+  while (asked.orders_auto && best.plant && best.configuration.nominal_model.na > 1 &&
+         !journal->progress.searchEnds() &&
+         !oscillationsDecay(best.plant->polynomials.a, longest)) {
+    const int fewer = best.configuration.nominal_model.na - 1;
+    PlantChoice smaller = chooseUpTo(fewer, *problem, before, journal);
+    if (isWorthItsOscillations(*problem, best, smaller)) break;
+    best = std::move(smaller);
+  }
+  problem->configuration = best.configuration;
+  problem->plant = best.plant;
+  journal->candidates = best.candidates;
 }
 
 }  // namespace uncertainty_identification

@@ -77,6 +77,8 @@ void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& opt
   constexpr double kImmaterial = 0.01;  // [nats]
   optimise(problem, options, journal->passes, fitted);
   bool complete = true;  // not with a few steps only
+  bool ends = false;
+  FixedPointProgress progress;
   for (int round = 0, still = 0; fitted->model->isLocallyLinear(); ++round) {
     const double before = fitted->optimum.log_likelihood;
     Optimum& optimum = fitted->optimum;
@@ -85,14 +87,15 @@ void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& opt
         nextLinearisation(*fitted->model, *fitted->likelihood, optimum.point, points);
     const bool arrived = next.move < kFixedPointTolerance || still >= kStill;
     if (arrived && complete) return;
-    if (round >= kMostRounds && complete) {
+    if (ends && complete) {
       optimum.termination = Termination::stalled;
       optimum.message =
           "the points about which the model is linearised did not converge; the experiments may "
           "be too short to determine their own parameters";
       return;
     }
-    complete = arrived || round >= kMostRounds;
+    ends = !progress.approaches(before, next.move) || round >= kMostRounds;
+    complete = arrived || ends;
     points = std::move(next.points);
     useModel(problem, std::move(next.model), fitted, journal);
     optimise(problem, complete ? options : fewSteps(problem, options, optimum), journal->passes,

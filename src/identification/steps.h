@@ -49,7 +49,8 @@ Configuration chooseOrders(const Problem& problem, Journal* journal);
 
 /// Chooses the orders of the nominal model where they are automatic, and fits Go to its simulation
 /// where the configuration asks for it. A Go with an oscillation that no experiment sees decay
-/// explains noise by its initial states; smaller orders are chosen then.
+/// explains noise by its initial states; smaller orders are chosen then, unless the input excites
+/// the oscillation and they simulate far worse.
 void choosePlant(Problem* problem, Journal* journal);
 
 /// Go fitted to its free simulation; none where the configuration fits it together with the rest.

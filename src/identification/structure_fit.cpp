@@ -166,11 +166,11 @@ std::optional<StructureFit> fitStructure(const Problem& problem, const ErrorStru
       if (reached.log_likelihood > best.log_likelihood) best = std::move(reached);
     }
   }
-  if (!std::isfinite(best.log_likelihood)) return {};
-  if (hasUnknownsOfExperiments(configuration.estimation))
+  if (best.model != nullptr && hasUnknownsOfExperiments(configuration.estimation))
     best.log_likelihood -=
         firstSamplesDensity(*best.model, best.point, own.data.experiments,
                             threadsOf(configuration.estimation), &journal->passes);
+  if (!std::isfinite(best.log_likelihood)) return {};
   const int fixed = problem.plant ? static_cast<int>(problem.plant->point.parameters.size()) : 0;
   return StructureFit{
       {structure.description, configuration},

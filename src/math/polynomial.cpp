@@ -1,6 +1,7 @@
 #include "math/polynomial.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -67,13 +68,15 @@ Eigen::VectorXcd roots(const Eigen::VectorXd& monic) {
   return companion.eigenvalues();
 }
 
+bool oscillationDecays(std::complex<double> root, int samples) {
+  const bool oscillates = std::abs(root.imag()) > 1e-9 || root.real() < 0;
+  return !oscillates || std::abs(root) <= std::pow(0.05, 1.0 / samples);
+}
+
 bool oscillationsDecay(const Eigen::VectorXd& monic, int samples) {
-  const double slowest = std::pow(0.05, 1.0 / samples);
-  for (const std::complex<double>& root : roots(monic)) {
-    const bool oscillates = std::abs(root.imag()) > 1e-9 || root.real() < 0;
-    if (oscillates && std::abs(root) > slowest) return false;
-  }
-  return true;
+  const Eigen::VectorXcd all = roots(monic);
+  return std::all_of(all.data(), all.data() + all.size(),
+                     [samples](auto root) { return oscillationDecays(root, samples); });
 }
 
 Eigen::VectorXd stabilised(const Eigen::VectorXd& monic, double radius) {

@@ -21,8 +21,11 @@ Eigen::VectorXd fromReflection(const Eigen::VectorXd& reflection,
 /// Whether all roots of the monic polynomial lie inside the circle of `radius`.
 bool isStable(const Eigen::VectorXd& monic, double radius = 1.0);
 
-/// Whether every oscillation of 1/p, that of a complex pair or a negative root, decays to 5 %
-/// within `samples`.
+/// Whether the free response of a root decays to 5 % within `samples`, if it oscillates at all: if
+/// the root is complex or negative.
+bool oscillationDecays(std::complex<double> root, int samples);
+
+/// Whether every oscillation of 1/p decays to 5 % within `samples`.
 bool oscillationsDecay(const Eigen::VectorXd& monic, int samples);
 
 /// Mirrors roots outside `radius` at the circle, so that 1/p is stable.

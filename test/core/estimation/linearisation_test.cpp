@@ -126,5 +126,17 @@ TEST(Linearisation, OneExperimentAndHeldPlantsHaveNoSpread) {
   EXPECT_THROW(identified(held), ConfigurationError);
 }
 
+TEST(FixedPointProgress, EndsAfterRoundsThatLeadAway) {
+  FixedPointProgress progress;
+  EXPECT_TRUE(progress.approaches(-100, 3.0));
+  EXPECT_TRUE(progress.approaches(-110, 2.0)) << "the points move less";
+  for (int round = 1; round < FixedPointProgress::kPatience; ++round)
+    EXPECT_TRUE(progress.approaches(-110 - round, 2.5)) << round;
+  EXPECT_TRUE(progress.approaches(-99, 2.5)) << "the likelihood is higher than ever";
+  for (int round = 1; round < FixedPointProgress::kPatience; ++round)
+    EXPECT_TRUE(progress.approaches(-110 - round, 2.5)) << round;
+  EXPECT_FALSE(progress.approaches(-120, 2.5));
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

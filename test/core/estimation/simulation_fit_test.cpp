@@ -111,5 +111,33 @@ TEST(SimulationFit, EstimatesTheInitialState) {
   EXPECT_GT(fit(), 99.99);
 }
 
+/// Errors with the square 1, in one tenth of a record 0.9 and in another one of the caller's.
+std::vector<VectorXd> errorsWith(double square_in_one_part) {
+  VectorXd errors = VectorXd::Ones(100);
+  errors.segment(30, 10).setConstant(std::sqrt(square_in_one_part));
+  errors.segment(60, 10).setConstant(std::sqrt(0.9));
+  return {errors};
+}
+
+/// The sum of ten differences d, 0, ..., 0 has the standard error d: one part shows nothing.
+TEST(AreNoticeablyLarger, NeedsMoreThanOnePartOfARecord) {
+  const std::vector<VectorXd> ones{VectorXd::Ones(100)},
+      everywhere = {VectorXd::Constant(100, 1.01)};
+  EXPECT_FALSE(areNoticeablyLarger(errorsWith(50), ones));
+  EXPECT_TRUE(areNoticeablyLarger(everywhere, ones));
+  EXPECT_FALSE(areNoticeablyLarger(ones, everywhere));
+  EXPECT_FALSE(areNoticeablyLarger(ones, ones));
+}
+
+/// Of many experiments each is a part. The same difference d in k of twelve has the sum k d and the
+/// standard error d sqrt(k (12 - k)/11): more than twice that for k > 3.
+TEST(AreNoticeablyLarger, ComparesExperiments) {
+  std::vector<VectorXd> one(12, VectorXd::Ones(20)), other = one;
+  for (std::size_t r = 0; r < 12; ++r) {
+    EXPECT_EQ(areNoticeablyLarger(one, other), r > 3) << r;
+    one[r] *= 2;
+  }
+}
+
 }  // namespace
 }  // namespace uncertainty_identification
