@@ -144,16 +144,21 @@ TEST(HiddenEffects, AreNotMadeOfOrdersThatWereChosenTooLow) {
   }));
 }
 
-// In run 1 of scripts/benchmark_explanation a model with one more pole, and one without it but with
-// the pole as a cause, explain the data equally well. No cause is named then, but a warning says
-// so.
+// Where the orders are free, a model with one more pole, and one without it but with the pole as a
+// cause, often explain the data equally well. Then no cause is named, but a warning says so: in 4
+// of these 6 runs.
 TEST(HiddenEffects, ThatALargerModelHoldsAsWellAreATieAndToldAsOne) {
-  const Explanation explanation = explainedInBenchmark({"plant_pole"}, 2946816483728582142U, true);
-  EXPECT_TRUE(explanation.causes.empty()) << explanation.message;
-  const auto& warnings = explanation.warnings;
-  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
-    return warning.find("(plant_pole) would explain the data as well") != std::string::npos;
-  }));
+  int ties = 0;
+  for (std::uint64_t seed = 12; seed <= 17; ++seed) {
+    const Explanation explanation = explainedInBenchmark({"plant_pole"}, seed, true);
+    const auto& warnings = explanation.warnings;
+    const bool tie = std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+      return warning.find("(plant_pole) would explain the data as well") != std::string::npos;
+    });
+    EXPECT_TRUE(!tie || explanation.causes.empty()) << explanation.message;
+    ties += tie;
+  }
+  EXPECT_GE(ties, 2);
 }
 
 // A chosen noise model with poles on the unit circle describes a hum, and one with a pole at 1 a
