@@ -26,8 +26,8 @@ double logOdds(const Evidence& chosen, const Evidence& rival) {
   const Eigen::Index count = chosen.gains.size();
   if (lead <= 0 || count < kFewest || rival.gains.size() != count) return lead;
   const Eigen::ArrayXd differences = chosen.gains - rival.gains;
-  const double variance = (differences - differences.mean()).square().sum() /
-                          static_cast<double>(count - 1);
+  const double variance =
+      (differences - differences.mean()).square().sum() / static_cast<double>(count - 1);
   const double error = std::sqrt(variance * static_cast<double>(count));
   return error > 0 ? std::min(lead, logOddsOf(lead / error)) : lead;
 }
