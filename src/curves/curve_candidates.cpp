@@ -120,7 +120,6 @@ std::vector<CurveCandidate> tiedWithFirst(const std::vector<CurveCandidate>& all
                                           const Eigen::VectorXd& now) {
   constexpr std::size_t kMost = 8;
   constexpr double kSignificant = 2, kNear = 1.05, kFar = 1.25, kRival = 1.1;
-  if (all.front().kind == CandidateKind::delay) return {all.front()};
   const Eigen::VectorXd& best = all.front().unseen;
   std::vector<CurveCandidate> found;
   for (const CurveCandidate& each : all) {

@@ -20,7 +20,7 @@ struct CurveCandidate {
   Eigen::VectorXd unseen;        ///< unseenErrors() of fit
   Eigen::VectorXd named_unseen;  ///< unseenErrors() of naming.fit
 
-  /// Dead time, or the named curve.
+  /// The larger plant, or the named curve.
   const WindowFit& accepted() const { return kind == CandidateKind::curve ? naming.fit : fit; }
 };
 
@@ -37,8 +37,8 @@ std::vector<CurveCandidate> candidatesFor(const SimulationData& data, const Simu
                                           const CandidateLimits& limits,
                                           const CurveSearchContext& context);
 
-/// The curves that unseen windows cannot tell from the first candidate, which is a curve or dead
-/// time. The first of them is the one to be named. `now` are the unseen errors without any of them.
+/// The curves that unseen windows cannot tell from the first candidate, which is a curve. The first
+/// of them is the one to be named. `now` are the unseen errors without any of them.
 std::vector<CurveCandidate> tiedWithFirst(const std::vector<CurveCandidate>& all,
                                           const Eigen::VectorXd& now);
 

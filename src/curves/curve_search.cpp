@@ -6,69 +6,10 @@
 #include "curves/fit_comparison.h"
 #include "curves/held_out.h"
 #include "curves/prediction_check.h"
+#include "curves/split_model.h"
 
 namespace uncertainty_identification {
 namespace {
-
-bool isSame(const TiedCurve& left, const TiedCurve& right) {
-  return left.place.place == right.place.place && left.place.covariate == right.place.covariate &&
-         left.shape == right.shape;
-}
-
-void addTie(const TiedCurve& tie, FoundCurve* cause) {
-  constexpr std::size_t kMost = 4;
-  if (isSame(tie, {cause->place, cause->shape}) || cause->ties.size() == kMost) return;
-  for (const TiedCurve& other : cause->ties)
-    if (isSame(tie, other)) return;
-  cause->ties.push_back(tie);
-}
-
-/// The cause to be named, with what is tied with it.
-FoundCurve described(const std::vector<CurveCandidate>& tied, const WindowFit& now) {
-  const CurveCandidate& first = tied.front();
-  FoundCurve found;
-  found.is_delay = first.kind == CandidateKind::delay;
-  const WindowFit& fit = first.accepted();
-  found.delay = fit.model.delay;
-  found.place = first.place;
-  found.shape = first.naming.shape;
-  found.nearest = first.naming.nearest;
-  found.nearest_share = first.naming.nearest_share;
-  found.left_out_gain = 1 - fit.left_out / now.left_out;
-  found.t = pairedT(now.left_out_of, fit.left_out_of);
-  for (std::size_t k = 1; k < tied.size(); ++k)
-    addTie({tied[k].place, tied[k].naming.shape}, &found);
-  for (const OtherShape& other : first.naming.others)
-    if (other.behind < 2 && other.shape != "curve") addTie({found.place, other.shape}, &found);
-  return found;
-}
-
-/// The model without its first curve, which is put last: without_, and its parameters.
-struct SplitModel {
-  CurveModel without;
-  Curve curve;
-  Eigen::VectorXd own;
-
-  /// The model with `curve` behind the others.
-  CurveModel with(const CurveModel& base, const Curve& added, const Eigen::VectorXd& values) const {
-    CurveModel model = base;
-    model.curves.push_back(added);
-    model.theta.conservativeResize(base.theta.size() + values.size());
-    model.theta.tail(values.size()) = values;
-    return model;
-  }
-};
-
-SplitModel splitOff(const CurveModel& model) {
-  const Curve curve = model.curves.front();
-  const int first = model.linearParameters(), count = curve.parameters();
-  SplitModel parts{model, curve, model.theta.segment(first, count)};
-  const Eigen::VectorXd behind = model.theta.tail(model.theta.size() - first - count);
-  parts.without.curves.erase(parts.without.curves.begin());
-  parts.without.theta.conservativeResize(first + behind.size());
-  parts.without.theta.tail(behind.size()) = behind;
-  return parts;
-}
 
 class CurveSearch {
  public:
@@ -81,10 +22,14 @@ class CurveSearch {
  private:
   enum class Round { nothing, plant, cause };
   Round round();
-  bool isWorth(const CurveCandidate& candidate, const Eigen::VectorXd& now) const;
+  bool isWorth(const CurveCandidate& candidate, const Eigen::VectorXd& now, double base) const;
   bool takePlant(const CurveCandidate& candidate);
   bool convinces(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const;
-  bool takeCause(std::vector<CurveCandidate>* all, const Eigen::VectorXd& now);
+  bool convincesHeld(const WindowFit& fit, const Eigen::VectorXd& errors, bool beyond) const;
+  bool takeCause(std::vector<CurveCandidate>* all, const Eigen::VectorXd& now, bool beyond);
+  std::vector<CurveCandidate> beyondGain(std::vector<CurveCandidate> all,
+                                         const Eigen::VectorXd& now) const;
+  Round takeBest(std::vector<CurveCandidate> all, const Eigen::VectorXd& now, bool beyond);
   void nameAgain();
   Eigen::VectorXd heldErrors(const WindowFit& fit) const;
   void keepIfAsGood(WindowFit changed);
@@ -98,24 +43,24 @@ class CurveSearch {
   const CurveSearchLimits& limits_;
   const CurveSearchContext& context_;
   CurveSearchResult result_;
-  double base_unseen_ = 0;
-  Eigen::VectorXd held_errors_;  ///< of result_.fit
+  double base_unseen_ = 0, base_beyond_ = 0;  ///< unseen errors of the base, and beyond gain
+  Eigen::VectorXd held_errors_;               ///< of result_.fit
 };
 
 Eigen::VectorXd CurveSearch::heldErrors(const WindowFit& fit) const {
   return heldOutErrors(held_, fit.model);
 }
 
-bool CurveSearch::isWorth(const CurveCandidate& candidate, const Eigen::VectorXd& now) const {
+bool CurveSearch::isWorth(const CurveCandidate& candidate, const Eigen::VectorXd& now,
+                          double base) const {
   const double gain = (now - candidate.unseen).sum();
-  const bool is_cause =
-      candidate.kind == CandidateKind::curve || candidate.kind == CandidateKind::delay;
+  const bool is_cause = candidate.kind == CandidateKind::curve;
   return pairedT(now, candidate.unseen) >= limits_.least_t &&
-         gain > limits_.least_gain * now.sum() &&
-         (!is_cause || gain > limits_.least_share * base_unseen_);
+         gain > limits_.least_gain * now.sum() && (!is_cause || gain > limits_.least_share * base);
 }
 
-/// A larger plant costs nothing and is no cause, but must not simulate held-out windows worse.
+/// A larger plant, or one with dead time, costs nothing and is no cause, but must not simulate
+/// held-out windows worse.
 bool CurveSearch::takePlant(const CurveCandidate& candidate) {
   Eigen::VectorXd errors = heldErrors(candidate.fit);
   if (errors.sum() > 1.1 * held_errors_.sum()) return false;
@@ -130,21 +75,38 @@ bool CurveSearch::convinces(const Eigen::VectorXd& before, const Eigen::VectorXd
          pairedT(before, after) >= limits_.least_held_t;
 }
 
-/// Accepts the best of the curves, or dead time, if held-out windows gain; otherwise drops it.
-bool CurveSearch::takeCause(std::vector<CurveCandidate>* all, const Eigen::VectorXd& now) {
+/// Whether held-out windows gain, also where each has a gain and an offset of its own. Whether the
+/// latter is significant, all unseen windows tell for the first cause, because two or three
+/// held-out experiments cannot; a further cause may only mend the first. `beyond`: the gain is
+/// looked for in the latter way only, and there is no loss otherwise.
+bool CurveSearch::convincesHeld(const WindowFit& fit, const Eigen::VectorXd& errors,
+                                bool beyond) const {
+  const bool as_it_is =
+      beyond ? errors.sum() < held_errors_.sum() : convinces(held_errors_, errors);
+  const Eigen::VectorXd before = errorsBeyondGain(held_, result_.fit.model),
+                        after = errorsBeyondGain(held_, fit.model);
+  const Eigen::VectorXd all = unseenBeyondGain(result_.fit, held_);
+  if (!as_it_is || all.size() == 0 || !result_.causes.empty())
+    return as_it_is && convinces(before, after);
+  return after.sum() <= (1 - limits_.least_gain) * before.sum() &&
+         pairedT(all, unseenBeyondGain(fit, held_)) >= limits_.least_held_t;
+}
+
+/// Accepts the best of the curves if held-out windows gain; otherwise drops it.
+bool CurveSearch::takeCause(std::vector<CurveCandidate>* all, const Eigen::VectorXd& now,
+                            bool beyond) {
   const std::vector<CurveCandidate> tied = tiedWithFirst(*all, now);
   const CurveCandidate& first = tied.front();
   const WindowFit& fit = first.accepted();
   Eigen::VectorXd errors = heldErrors(fit);
-  if (!convinces(held_errors_, errors) ||
-      !convinces(errorsBeyondGain(held_, result_.fit.model), errorsBeyondGain(held_, fit.model))) {
+  if (!convincesHeld(fit, errors, beyond)) {
     const auto same = [&](const CurveCandidate& each) {
       return each.kind == first.kind && each.fit.left_out == first.fit.left_out;
     };
     all->erase(std::remove_if(all->begin(), all->end(), same), all->end());
     return false;
   }
-  result_.causes.push_back(described(tied, result_.fit));
+  result_.causes.push_back(foundCurve(tied, result_.fit));
   result_.causes.back().held_before = held_errors_.sum();
   result_.causes.back().held_after = errors.sum();
   result_.fit = fit;
@@ -152,25 +114,54 @@ bool CurveSearch::takeCause(std::vector<CurveCandidate>* all, const Eigen::Vecto
   return true;
 }
 
-CurveSearch::Round CurveSearch::round() {
-  tell("comparing curves");
-  std::vector<CurveCandidate> all =
-      candidatesFor(data_, held_, result_.fit, linear_, limits_.candidates, context_);
-  const Eigen::VectorXd now = unseenErrors(result_.fit, held_);
+/// The curves with their errors beyond what differs between experiments, the best first. Only those
+/// with which unseen windows are simulated better also as they are; nothing where all windows are
+/// of one experiment.
+std::vector<CurveCandidate> CurveSearch::beyondGain(std::vector<CurveCandidate> all,
+                                                    const Eigen::VectorXd& now) const {
+  std::vector<CurveCandidate> curves;
+  for (CurveCandidate& each : all) {
+    if (each.kind != CandidateKind::curve || each.unseen.sum() >= now.sum()) continue;
+    each.unseen = unseenBeyondGain(each.fit, held_);
+    each.named_unseen = unseenBeyondGain(each.naming.fit, held_);
+    if (each.unseen.size() > 0) curves.push_back(std::move(each));
+  }
+  std::stable_sort(curves.begin(), curves.end(),
+                   [](const CurveCandidate& left, const CurveCandidate& right) {
+                     return left.unseen.sum() < right.unseen.sum();
+                   });
+  return curves;
+}
+
+CurveSearch::Round CurveSearch::takeBest(std::vector<CurveCandidate> all,
+                                         const Eigen::VectorXd& now, bool beyond) {
+  const double base = beyond ? base_beyond_ : base_unseen_;
   all.erase(std::remove_if(all.begin(), all.end(),
-                           [&](const CurveCandidate& each) { return !isWorth(each, now); }),
+                           [&](const CurveCandidate& each) { return !isWorth(each, now, base); }),
             all.end());
   for (int tried = 0; tried < 3 && !all.empty(); ++tried) {
-    const bool is_plant =
-        all.front().kind == CandidateKind::order || all.front().kind == CandidateKind::direct;
-    if (!is_plant) {
-      if (takeCause(&all, now)) return Round::cause;
+    if (all.front().kind == CandidateKind::curve) {
+      if (takeCause(&all, now, beyond)) return Round::cause;
       continue;
     }
     if (takePlant(all.front())) return Round::plant;
     all.erase(all.begin());
   }
   return Round::nothing;
+}
+
+/// Where plants differ from experiment to experiment, these differences may hide a curve: it is
+/// looked for beyond them if nothing else is found.
+CurveSearch::Round CurveSearch::round() {
+  tell("comparing curves");
+  std::vector<CurveCandidate> all =
+      candidatesFor(data_, held_, result_.fit, linear_, limits_.candidates, context_);
+  const Eigen::VectorXd now = unseenErrors(result_.fit, held_);
+  const Round did = takeBest(all, now, false);
+  if (did != Round::nothing || !result_.causes.empty()) return did;
+  std::vector<CurveCandidate> curves = beyondGain(std::move(all), now);
+  if (curves.empty()) return Round::nothing;
+  return takeBest(std::move(curves), unseenBeyondGain(result_.fit, held_), true);
 }
 
 /// The plant has settled: each curve is freed and named again. Takes the first, puts it last.
@@ -193,8 +184,7 @@ void CurveSearch::nameAgain() {
     result_.fit = std::move(naming.fit);
     held_errors_ = std::move(errors);
     for (FoundCurve& cause : result_.causes) {
-      if (cause.is_delay || cause.place.place != curve.place() ||
-          cause.place.covariate != curve.covariate())
+      if (cause.place.place != curve.place() || cause.place.covariate != curve.covariate())
         continue;
       cause.shape = naming.shape;
       cause.nearest = naming.nearest;
@@ -204,8 +194,7 @@ void CurveSearch::nameAgain() {
                                         return tie.place.place == cause.place.place;
                                       }),
                        cause.ties.end());
-      for (const OtherShape& other : naming.others)
-        if (other.behind < 2 && other.shape != "curve") addTie({cause.place, other.shape}, &cause);
+      addTies(naming, &cause);
     }
   }
   // Curves were put in another order: the covariance must follow.
@@ -226,6 +215,7 @@ CurveSearchResult CurveSearch::run(const WindowFit& base) {
   result_ = {};
   result_.base = result_.fit = base;
   base_unseen_ = unseenErrors(base, held_).sum();
+  base_beyond_ = unseenBeyondGain(base, held_).sum();
   held_errors_ = heldErrors(base);
   for (int k = 0; k < limits_.max_causes + 3; ++k) {
     if (static_cast<int>(result_.causes.size()) >= limits_.max_causes) break;

@@ -3,29 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "curves/curve_candidates.h"
+#include "curves/found_curve.h"
 
 namespace uncertainty_identification {
-
-/// Another place or shape that explains the data as well.
-struct TiedCurve {
-  PlaceOf place;
-  std::string shape;
-};
-
-/// A cause that the search accepted, in the order in which they were found.
-struct FoundCurve {
-  bool is_delay = false;  ///< dead time of `delay` samples, no curve
-  int delay = 0;
-  PlaceOf place;
-  std::string shape;    ///< of the curve when it was found
-  std::string nearest;  ///< of a free curve
-  double nearest_share = 0;
-  std::vector<TiedCurve> ties;
-  double left_out_gain = 0;  ///< share of the squared error that goes when windows are left out
-  double t = 0;              ///< paired, over windows
-  double held_before = 0, held_after = 0;  ///< squared error of all held-out windows
-};
 
 struct CurveSearchResult {
   WindowFit base, fit;

@@ -141,14 +141,17 @@ CurvePicture pictureOf(const Curve& curve, const Eigen::VectorXd& parameters,
   return picture;
 }
 
-SimulationCause deadTime(const FoundCurve& found, const SimulationData& data) {
-  SimulationCause cause;
-  cause.what = {"act_delay", "delay", "delay", ""};
-  cause.description = "dead time between the input and the output";
-  cause.advice =
-      "record the time stamps where the signals arise, and compare a step with its answer";
-  cause.values.push_back({"dead_time", found.delay * data.sample_time, 0.5 * data.sample_time});
-  return cause;
+/// The shape by which a curve is called: that of its exponent, where a power has one of those that
+/// physics knows within two standard errors.
+std::string knownShape(const std::string& shape, const Eigen::VectorXd& parameters,
+                       const Eigen::MatrixXd& covariance) {
+  if (shape != "power") return shape;
+  const double error = std::sqrt(std::max(covariance(1, 1), 0.0));
+  for (const auto& [exponent, name] :
+       {std::make_pair(0.5, "root"), std::make_pair(2.0, "signed_square"),
+        std::make_pair(3.0, "cubic")})
+    if (std::abs(parameters[1] - exponent) < 2 * error) return name;
+  return shape;
 }
 
 }  // namespace
@@ -157,40 +160,37 @@ SimulationCause describeCurve(const FoundCurve& found, const WindowFit& fit,
                               const SimulationData& data) {
   const CurveModel& model = fit.model;
   SimulationCause cause;
-  if (found.is_delay) {
-    cause = deadTime(found, data);
+  std::size_t index = 0;
+  while (model.curves[index].place() != found.place.place ||
+         model.curves[index].covariate() != found.place.covariate)
+    ++index;
+  const Curve& curve = model.curves[index];
+  const Eigen::VectorXd parameters = model.parametersOf(index);
+  const int first = model.firstOf(index), count = curve.parameters();
+  const Eigen::MatrixXd covariance = fit.covariance.block(first, first, count, count);
+  const Scale signal = signalScale(found.place, model, data.scales);
+  const double unit = valueUnit(found.place.place, data.scales);
+  const std::string shape = isScalar(found.place.place) ? nameOf(found.place.place) : found.shape;
+  const bool is_nearly = shape == "curve" && found.nearest_share > kNearly;
+  const std::string called = is_nearly ? found.nearest : knownShape(shape, parameters, covariance);
+  cause.what = {causeNamed(found.place.place, called), nameOf(found.place.place), shape,
+                found.place.covariate};
+  cause.description = inWords(found.place, shape);
+  cause.advice = adviceFor(found.place.place);
+  if (isScalar(found.place.place)) {
+    const double scale =
+        found.place.place == Place::rate_limit ? signal.unit / data.sample_time : signal.unit;
+    cause.values.push_back(
+        {found.place.place == Place::rate_limit ? "limit_per_second" : "half_width",
+         std::abs(parameters[0]) * scale, std::sqrt(std::max(covariance(0, 0), 0.0)) * scale});
   } else {
-    std::size_t index = 0;
-    while (model.curves[index].place() != found.place.place ||
-           model.curves[index].covariate() != found.place.covariate)
-      ++index;
-    const Curve& curve = model.curves[index];
-    const Eigen::VectorXd parameters = model.parametersOf(index);
-    const int first = model.firstOf(index), count = curve.parameters();
-    const Eigen::MatrixXd covariance = fit.covariance.block(first, first, count, count);
-    const Scale signal = signalScale(found.place, model, data.scales);
-    const double unit = valueUnit(found.place.place, data.scales);
-    const std::string shape = isScalar(found.place.place) ? nameOf(found.place.place) : found.shape;
-    const bool is_nearly = shape == "curve" && found.nearest_share > kNearly;
-    cause.what = {causeNamed(found.place.place, is_nearly ? found.nearest : shape),
-                  nameOf(found.place.place), shape, found.place.covariate};
-    cause.description = inWords(found.place, shape);
-    cause.advice = adviceFor(found.place.place);
-    if (isScalar(found.place.place)) {
-      const double scale =
-          found.place.place == Place::rate_limit ? signal.unit / data.sample_time : signal.unit;
-      cause.values.push_back(
-          {found.place.place == Place::rate_limit ? "limit_per_second" : "half_width",
-           std::abs(parameters[0]) * scale, std::sqrt(std::max(covariance(0, 0), 0.0)) * scale});
-    } else {
-      cause.curve = pictureOf(curve, parameters, covariance, found.place, signal, unit);
-      if (curve.shape()) cause.values = valuesOf(curve, parameters, covariance, signal, unit);
-    }
-    if (shape == "curve" && found.nearest_share > 0.8)  // else the curve is all that is known
-      cause.description += "; " + shapeInWords(found.nearest) + " has " +
-                           std::to_string(static_cast<int>(100 * found.nearest_share)) +
-                           " % of its gain";
+    cause.curve = pictureOf(curve, parameters, covariance, found.place, signal, unit);
+    if (curve.shape()) cause.values = valuesOf(curve, parameters, covariance, signal, unit);
   }
+  if (shape == "curve" && found.nearest_share > 0.8)  // else the curve is all that is known
+    cause.description += "; " + shapeInWords(found.nearest) + " has " +
+                         std::to_string(static_cast<int>(100 * found.nearest_share)) +
+                         " % of its gain";
   for (const TiedCurve& tie : found.ties) {
     const std::string shape = isScalar(tie.place.place) ? nameOf(tie.place.place) : tie.shape;
     cause.ties.push_back(

@@ -107,8 +107,7 @@ double fitOf(const SimulationData& held, double squared_error) {
 std::string refusalOf(const std::vector<FoundCurve>& refused) {
   std::string names;
   for (const FoundCurve& cause : refused)
-    names += (names.empty() ? "" : ", ") +
-             (cause.is_delay ? "act_delay" : causeNamed(cause.place.place, cause.shape));
+    names += (names.empty() ? "" : ", ") + causeNamed(cause.place.place, cause.shape);
   return names +
          ": simulates held-out data better, but does not clearly predict the next output better "
          "than a linear model; where a controller answers to disturbances, or a load differs from "

@@ -89,6 +89,18 @@ Eigen::VectorXd errorsBeyondGain(const SimulationData& held, const CurveModel& m
   return errors;
 }
 
+Eigen::VectorXd unseenBeyondGain(const WindowFit& fit, const SimulationData& held) {
+  const bool is_one_experiment = std::all_of(
+      held.windows.begin(), held.windows.end(),
+      [&](const SimulationWindow& window) { return window.record == held.windows.front().record; });
+  const Eigen::VectorXd of_held =
+      is_one_experiment ? Eigen::VectorXd() : errorsBeyondGain(held, fit.model);
+  if (of_held.size() == 0) return {};
+  Eigen::VectorXd all(fit.left_out_beyond_gain.size() + of_held.size());
+  all << fit.left_out_beyond_gain, of_held;
+  return all;
+}
+
 double heldOutFit(const SimulationData& held, const Eigen::VectorXd& errors) {
   double count = 0, sum = 0, squares = 0;
   for (const SimulationWindow& window : held.windows) {

@@ -23,6 +23,10 @@ Eigen::VectorXd unseenErrors(const WindowFit& fit, const SimulationData& held);
 /// nothing. Empty where every input is a single step, which shows nothing but gain and offset.
 Eigen::VectorXd errorsBeyondGain(const SimulationData& held, const CurveModel& model);
 
+/// unseenErrors() beyond what differs between experiments. Empty where that is so of
+/// errorsBeyondGain(), or where all windows are of one experiment.
+Eigen::VectorXd unseenBeyondGain(const WindowFit& fit, const SimulationData& held);
+
 /// Number of first samples of each window that the initial state of its simulation is taken from.
 int seenSamples(const SimulationData& held, const CurveModel& model);
 

@@ -1,6 +1,7 @@
 #include "curves/naming.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -16,6 +17,44 @@ struct ClosestShape {
   Eigen::VectorXd parameters;
 };
 
+/// How far a shape with these parameters is from the free curve; sets its factor, if it has one, to
+/// the best. Shapes of more parameters must be closer.
+double distanceFrom(const Eigen::VectorXd& values, const Curve& curve,
+                    Eigen::VectorXd* parameters) {
+  Eigen::VectorXd own = curve.atSamples(*parameters);
+  if (!curve.shape()->is_whole) {
+    const double factor = own.dot(values) / (own.squaredNorm() + 1e-12);
+    (*parameters)[0] *= factor;
+    own *= factor;
+  }
+  return (values - own).squaredNorm() * (1 + 0.05 * curve.shape()->count());
+}
+
+/// How near the shape comes where each parameter is moved up and down by steps that shrink, as long
+/// as that helps. Limits and dead zones whose starts all lie beside their true place would
+/// otherwise seem far away, and would not be fitted at all.
+double leastDistance(const Eigen::VectorXd& values, const Curve& curve, ClosestShape from) {
+  constexpr int kRounds = 30;
+  constexpr double kSmallest = 0.01;
+  double step = 0.25;  // [standard deviations], or of the parameter where that is larger
+  for (int k = 0; k < kRounds && step > kSmallest; ++k) {
+    bool is_closer = false;
+    for (Eigen::Index i = 0; i < from.parameters.size(); ++i) {
+      for (const double sign : {-1.0, 1.0}) {
+        Eigen::VectorXd moved = from.parameters;
+        moved[i] += sign * step * std::max(1.0, std::abs(moved[i]));
+        const double distance = distanceFrom(values, curve, &moved);
+        if (!(distance < from.distance)) continue;
+        from.distance = distance;
+        from.parameters = moved;
+        is_closer = true;
+      }
+    }
+    if (!is_closer) step /= 2;
+  }
+  return from.distance;
+}
+
 ClosestShape closestTo(const Eigen::VectorXd& values, const Curve& place, const Shape* shape) {
   const Curve curve = place.shaped(shape);
   ClosestShape closest;
@@ -26,17 +65,13 @@ ClosestShape closestTo(const Eigen::VectorXd& values, const Curve& place, const 
     if (first == 1) parameters[0] = 1;
     for (std::size_t k = 0; k < start.size(); ++k)
       parameters[first + static_cast<Eigen::Index>(k)] = start[k];
-    Eigen::VectorXd own = curve.atSamples(parameters);
-    if (first == 1) {
-      parameters[0] = own.dot(values) / (own.squaredNorm() + 1e-12);
-      own *= parameters[0];
-    }
-    const double distance = (values - own).squaredNorm() * (1 + 0.05 * shape->count());
+    const double distance = distanceFrom(values, curve, &parameters);
     if (distance < closest.distance) {
       closest.distance = distance;
       closest.parameters = parameters;
     }
   }
+  if (shape->is_whole) closest.distance = leastDistance(values, curve, closest);
   return closest;
 }
 
@@ -79,6 +114,14 @@ std::vector<double> sharesOf(const std::vector<Contender>& contenders, const Win
     return gain > 0 ? (before.squared_error - each.fit.squared_error) / gain : 0;
   });
   return shares;
+}
+
+/// Whether windows that are left out do not tell a shape from the chosen one. The criterion cannot
+/// say so where experiments differ: what they differ by is no noise of the samples.
+bool isAsGood(const WindowFit& other, const WindowFit& chosen) {
+  constexpr double kFar = 1.25, kSignificant = 1.645;  // of the error; 95 %, one-sided
+  return other.left_out < kFar * chosen.left_out &&
+         pairedT(other.left_out_of, chosen.left_out_of) < kSignificant;
 }
 
 /// The first in the order of shapesAt() of the shapes within 2 of the best contender. The free
@@ -138,8 +181,9 @@ Naming nameCurve(const SimulationData& data, const WindowFit& before, const Wind
   }
   for (std::size_t k = 0; k < contenders.size(); ++k)
     if (k != best)
-      naming.others.push_back(
-          {contenders[k].shape, contenders[k].criterion - contenders[best].criterion});
+      naming.others.push_back({contenders[k].shape,
+                               contenders[k].criterion - contenders[best].criterion,
+                               isAsGood(contenders[k].fit, contenders[best].fit)});
   naming.fit = std::move(contenders[best].fit);
   return naming;
 }

@@ -7,10 +7,11 @@
 
 namespace uncertainty_identification {
 
-/// A shape that was tried for a curve, and how much worse its criterion is than the chosen one's.
+/// A shape that was tried for a curve.
 struct OtherShape {
   std::string shape;
-  double behind = 0;
+  double behind = 0;        ///< how much worse its criterion is than the chosen one's
+  bool is_as_good = false;  ///< windows that are left out do not tell it from the chosen one
 };
 
 /// What the last curve of a model is called.

@@ -103,7 +103,8 @@ std::vector<PlaceOf> placesFor(const SimulationData& data, const CurveModel& mod
   return all;
 }
 
-/// Widths of a play, or limits of the rate, to begin with.
+/// Widths of a play, or limits of the rate, to begin with. In a closed loop most changes of the
+/// input are noise and few reach the limit, so that limits of very different size must be tried.
 std::vector<double> widthsFor(const SimulationData& data, Place place) {
   if (place != Place::rate_limit) return {0.1, 0.25, 0.5};
   std::vector<double> changes;
@@ -113,10 +114,13 @@ std::vector<double> widthsFor(const SimulationData& data, Place place) {
         changes.push_back(change);
   if (changes.empty()) return {};
   std::sort(changes.begin(), changes.end());
+  const auto quantile = [&](double share) {
+    return changes[static_cast<std::size_t>(share * static_cast<double>(changes.size() - 1))];
+  };
+  constexpr int kWidths = 8;
+  const double least = 0.3 * quantile(0.5), ratio = 0.9 * quantile(0.995) / least;
   std::vector<double> widths;
-  for (const double share : {0.5, 0.8, 0.97})
-    widths.push_back(
-        0.6 * changes[static_cast<std::size_t>(share * static_cast<double>(changes.size() - 1))]);
+  for (int k = 0; k < kWidths; ++k) widths.push_back(least * std::pow(ratio, k / (kWidths - 1.0)));
   return widths;
 }
 

@@ -85,6 +85,16 @@ Eigen::MatrixXd ridged(const Eigen::MatrixXd& information, const Eigen::VectorXd
   return ridge;
 }
 
+/// Changes of theta that stand for a gain and an offset of a window's own.
+Eigen::MatrixXd gainAndOffset(const CurveModel& model) {
+  const int n = model.order;
+  Eigen::MatrixXd own = Eigen::MatrixXd::Zero(model.parameters(), 2);
+  own.col(0).segment(n, n) = model.theta.segment(n, n);
+  if (model.direct) own(2 * n, 0) = model.directGain();
+  own(model.biasIndex(), 1) = 1;
+  return own;
+}
+
 /// Exact leave-one-group-out of the linearised fit: theta without a group differs by
 /// (H - H_g + R)^-1 g_g.
 void leaveGroupsOut(const SimulationData& data, const Linearisation& at, WindowFit* fit) {
@@ -95,7 +105,8 @@ void leaveGroupsOut(const SimulationData& data, const Linearisation& at, WindowF
       fit->step.size() ? fit->step : Eigen::VectorXd::Zero(information.rows());
   Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(information.rows(), information.cols());
   const bool many = static_cast<int>(data.groups.size()) - 1 >= kManyGroups;
-  std::vector<double> parts;
+  const Eigen::MatrixXd own_level = gainAndOffset(fit->model);
+  std::vector<double> parts, beyond;
   fit->squared_error = fit->left_out = 0;
   for (std::size_t g = 0; g + 1 < data.groups.size(); ++g) {
     Eigen::MatrixXd rest = information + ridge;
@@ -109,8 +120,11 @@ void leaveGroupsOut(const SimulationData& data, const Linearisation& at, WindowF
     spread += gradient * gradient.transpose();
     const Eigen::VectorXd without = step - solved(rest, gradient);
     double of_group = 0;
+    beyond.push_back(0);
     for (int w = data.groups[g]; w < data.groups[g + 1]; ++w) {
-      for (const WindowProducts::Block& block : at.windows[static_cast<std::size_t>(w)].blocks) {
+      const WindowProducts& window = at.windows[static_cast<std::size_t>(w)];
+      beyond.back() += errorBeyond(window.total(), without, own_level);
+      for (const WindowProducts::Block& block : window.blocks) {
         const double error = errorAfter(block, without);
         of_group += error;
         if (!many) parts.push_back(error);
@@ -123,6 +137,8 @@ void leaveGroupsOut(const SimulationData& data, const Linearisation& at, WindowF
   if (!std::isfinite(fit->squared_error)) fit->squared_error = kHopeless;
   fit->left_out_of =
       Eigen::Map<Eigen::VectorXd>(parts.data(), static_cast<Eigen::Index>(parts.size()));
+  fit->left_out_beyond_gain =
+      Eigen::Map<Eigen::VectorXd>(beyond.data(), static_cast<Eigen::Index>(beyond.size()));
   const Eigen::MatrixXd inverse = (information + ridge).inverse();
   const auto groups = static_cast<double>(data.groups.size() - 1);
   fit->covariance = groups / std::max(groups - 1, 1.0) * (inverse * spread * inverse);

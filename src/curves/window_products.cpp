@@ -1,5 +1,6 @@
 #include "curves/window_products.h"
 
+#include <Eigen/Cholesky>
 #include <cmath>
 
 namespace uncertainty_identification {
@@ -55,6 +56,14 @@ WindowProducts productsOf(const CurveModel& model, const std::vector<CurveTable>
   }
   products.residual = std::move(residual);
   return products;
+}
+
+double errorBeyond(const WindowProducts::Block& block, const Eigen::VectorXd& step,
+                   const Eigen::MatrixXd& own) {
+  const Eigen::VectorXd gradient = own.transpose() * (block.jr - block.jj * step);
+  Eigen::MatrixXd information = own.transpose() * block.jj * own;
+  information.diagonal().array() += 1e-9 * information.trace() + 1e-12;
+  return errorAfter(block, step) - gradient.dot(information.ldlt().solve(gradient));
 }
 
 double errorAfter(const WindowProducts::Block& block, const Eigen::VectorXd& step) {

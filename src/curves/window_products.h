@@ -31,6 +31,11 @@ WindowProducts productsOf(const CurveModel& model, const std::vector<CurveTable>
 /// Orthonormal columns that span those of `columns`.
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns);
 
+/// What the error of a block becomes when theta changes by `step`, and the window's own gain and
+/// offset, which the columns of `own` are as changes of theta, are fitted to it.
+double errorBeyond(const WindowProducts::Block& block, const Eigen::VectorXd& step,
+                   const Eigen::MatrixXd& own);
+
 /// What the error of a block becomes when theta changes by `step` in the linearised model.
 double errorAfter(const WindowProducts::Block& block, const Eigen::VectorXd& step);
 

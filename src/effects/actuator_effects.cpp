@@ -44,7 +44,10 @@ MadeEffects actuatorDelay(const DataSummary& data) {
                        Stage::actuator,
                        ScreeningKind::regression,
                        {{"delay", "samples", 0.3, 0.0, data.samples / 4.0}},
-                       values({0.3, 0.7, 1, 1.5, 2, 3, 4, 5, 7, 10})},
+                       values({0.3, 0.7, 1, 1.5, 2, 3, 4, 5, 7, 10}),
+                       /*nonlinear=*/false,
+                       /*own_point=*/false,
+                       {Trait::order, Trait::moves_plant, Trait::many_optima}},
                       [](const VectorXd& psi, Chain* chain) {
                         const int whole = static_cast<int>(psi[0]);
                         const double rest = psi[0] - whole;

@@ -99,6 +99,11 @@ std::string Effect::label() const {
   return description_.variant.empty() ? name() : name() + " (" + description_.variant + ")";
 }
 
+bool Effect::has(Trait trait) const {
+  const std::vector<Trait>& traits = description_.traits;
+  return std::find(traits.begin(), traits.end(), trait) != traits.end();
+}
+
 bool Effect::admissible(const VectorXd& psi) const {
   for (Eigen::Index i = 0; i < psi.size(); ++i) {
     const EffectParameter& parameter = description_.parameters[static_cast<std::size_t>(i)];

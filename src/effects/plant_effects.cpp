@@ -112,7 +112,10 @@ MadeEffects plantResonance(const DataSummary& data) {
                          3.14 / data.sample_time},
                         {"g1", "unit of y per unit of u", gain},
                         {"g2", "unit of y per unit of u", gain}},
-                       starts},
+                       starts,
+                       /*nonlinear=*/false,
+                       /*own_point=*/false,
+                       {Trait::order}},
                       [sample_time = data.sample_time](const VectorXd& psi, Chain* chain) {
                         VectorXd numerator = VectorXd::Zero(3), denominator(2);
                         numerator.tail(2) = psi.tail(2);
@@ -135,7 +138,10 @@ MadeEffects plantPole(const DataSummary& /*data*/) {
                    Stage::plant,
                    ScreeningKind::regression,
                    {{"pole", "1", 0.2, -0.9, 0.99}},
-                   values({0.15, 0.5, 0.8})},
+                   values({0.15, 0.5, 0.8}),
+                   /*nonlinear=*/false,
+                   /*own_point=*/false,
+                   {Trait::order, Trait::moves_plant}},
                   [](const VectorXd& psi, Chain* chain) {
                     chain->filterOutput(VectorXd::Constant(1, 1 - psi[0]), -psi);
                   })};

@@ -25,7 +25,10 @@ class SensorLag : public Effect {
                 Stage::measurement,
                 ScreeningKind::regression,
                 {{"pole", "1", 0.2, -0.9, 0.93}},
-                values({0.15, 0.5, 0.8})}) {}
+                values({0.15, 0.5, 0.8}),
+                /*nonlinear=*/false,
+                /*own_point=*/false,
+                {Trait::order, Trait::moves_plant, Trait::differencing}}) {}
 
   void sense(const VectorXd& psi, Signals* signal) const override {
     Signals out;

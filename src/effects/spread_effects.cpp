@@ -30,7 +30,8 @@ class PlantParameterSpread : public Effect {
                 {logVariance("deviation", "relative")},
                 values({-6, -3, 0, 3, 6}),
                 /*nonlinear=*/true,
-                /*own_point=*/true}),
+                /*own_point=*/true,
+                {Trait::in_mixture}}),
         index_(index) {}
 
   /// Linearised about the parameter's value t_r in each experiment, as the error basis
@@ -104,7 +105,8 @@ class PlantTimeConstantSpread : public Effect {
                 {logVariance("deviation", "relative")},
                 values({-6, -3, 0, 3, 6}),
                 /*nonlinear=*/true,
-                /*own_point=*/true}) {}
+                /*own_point=*/true,
+                {Trait::in_mixture}}) {}
 
   /// Linearised about the value of c_r in each experiment, by a central difference.
   void apply(const VectorXd& psi, Chain* chain) const override {

@@ -6,6 +6,8 @@
 namespace uncertainty_identification {
 namespace {
 
+constexpr double kNear = 6;  ///< [nats] of score that the data may not tell apart
+
 /// Squared error of the simulation with a cause over that without it. NaN where either is none.
 double errorRatio(const Gain& gain) {
   const Comparison& fit = gain.nrmse_fit_percent;
@@ -47,23 +49,22 @@ bool isDifferencing(const Fit& fit) {
   constexpr double kEdge = 0.05;
   for (std::size_t k = 0; k < fit.model->effects().size(); ++k) {
     const EffectDescription& of = fit.model->effects()[k]->description();
-    if (of.name == "sens_lag" &&
+    if (fit.model->effects()[k]->has(Trait::differencing) &&
         fit.model->psi(fit.at.parameters, k)[0] > of.parameters[0].upper - kEdge)
       return true;
   }
   return false;
 }
 
-double confidenceOf(const FittedEffect& chosen, const std::vector<FittedEffect>& ranked) {
-  double sum = 0;
-  for (const FittedEffect& other : ranked)
-    sum += std::exp(std::min(other.score - chosen.score, 50.0));
-  return 1 / std::max(sum, 1.0);
+bool mayBeOrder(const FittedEffect& chosen, const std::vector<FittedEffect>& ranked) {
+  return chosen.effect->has(Trait::order) ||
+         std::any_of(ranked.begin(), ranked.end(), [&](const FittedEffect& other) {
+           return other.effect->has(Trait::order) && other.score > chosen.score - kNear;
+         });
 }
 
 std::vector<std::string> equivalentOf(const FittedEffect& chosen,
                                       const std::vector<FittedEffect>& ranked) {
-  constexpr double kNear = 6;  // [nats]
   std::vector<std::string> names = chosen.effect->description().equivalent;
   for (const FittedEffect& other : ranked) {
     const bool same = other.effect->name() == chosen.effect->name();

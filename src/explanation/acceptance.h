@@ -6,7 +6,7 @@
 #include "explanation/fitted_effect.h"
 #include "explanation/measure.h"
 
-/// When a candidate is accepted as a cause, and how sure that is.
+/// When a candidate is accepted as a cause, and what it may be confused with.
 namespace uncertainty_identification {
 
 /// What the gain of log density on the held-out experiments must be for a cause to be accepted.
@@ -38,13 +38,13 @@ bool isClear(const Gain& gain);
 /// The rule for an effect whose score is `score` [nats].
 AcceptanceRule acceptanceRule(const Effect& effect, double score);
 
-/// Whether the pole of a sensor lag (sens_lag) lies at the upper end of its range. Such a lag makes
-/// the model compare differences of the data, and so absorbs whatever drifts in them.
+/// Whether the pole of a sensor lag (Trait::differencing) lies at the upper end of its range. Such
+/// a lag makes the model compare differences of the data, and so absorbs whatever drifts in them.
 bool isDifferencing(const Fit& fit);
 
-/// Posterior probability of the chosen candidate among the ranked ones, all equally probable
-/// before: exp(score) over the sum of exp(score) of all.
-double confidenceOf(const FittedEffect& chosen, const std::vector<FittedEffect>& ranked);
+/// Whether a model of higher order or longer delay may explain the data as well as the chosen
+/// candidate: it is such dynamics itself, or one of a score within a few nats is.
+bool mayBeOrder(const FittedEffect& chosen, const std::vector<FittedEffect>& ranked);
 
 /// Names of the effects that the data may not distinguish from the chosen one: those that its
 /// description lists, and those of a score within a few nats. Another form of the same effect is

@@ -25,11 +25,11 @@ void merge(std::vector<FittedEffect> others, std::vector<FittedEffect>* candidat
   }
 }
 
-/// Effects whose fit must restart theta and the mixture: those that move theta far, and the spread
-/// of a parameter, which the mixture of the base may have absorbed. The latter only if the
-/// screening predicts that some effect gains.
+/// Effects whose fit must restart theta and the mixture: those that move theta far, and those that
+/// the mixture of the base may have absorbed. The latter only if the screening predicts that some
+/// effect gains.
 bool needsRestart(const Effect& effect, bool some_gain) {
-  return movesPlant(effect) || (some_gain && effect.name() == "plant_parameter_spread");
+  return effect.has(Trait::moves_plant) || (some_gain && effect.has(Trait::in_mixture));
 }
 
 /// Keeps the candidates, ordered by screening score, that are worth fitting.
@@ -75,7 +75,7 @@ std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
   if (!context.going_on()) keepFitted(&candidates);
   // A short delay is hidden from the screening, as the error model imitates it.
   for (std::size_t k = 0; some_gain && k < candidates.size(); ++k) {
-    if (candidates[k].effect->name() == "act_delay")
+    if (candidates[k].effect->has(Trait::many_optima))
       merge({fittedFromEachStart(candidates[k], base.at, base, data, context)}, &candidates);
   }
   if (some_gain) merge(fittedFromWhiteNoise(base, data, effects, context), &candidates);

@@ -34,6 +34,7 @@ class Explaining {
  public:
   Explaining(const Configuration& configuration, SearchProgress& progress)
       : configuration_(ofBaseModel(configuration)),
+        orders_are_chosen_(configuration.nominal_model.orders_auto),
         progress_(progress),
         pool_(threadCount(configuration.estimation.threads)) {}
 
@@ -54,6 +55,7 @@ class Explaining {
 
   Configuration configuration_;
   const LimitOptions limits_ = configuration_.limits;
+  bool orders_are_chosen_;  ///< and not stated, whatever becomes of configuration_
   SearchProgress& progress_;
   std::vector<std::string> leading_curves_;  ///< the only effects that the likelihood tries, if any
   std::string thinning_, simplification_;    ///< of long records and orders, as warnings tell them
@@ -179,6 +181,8 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
   if (progress_.outOfTime()) remarks.push_back(kOutOfTime);
   for (std::string& text : remarks)
     if (!text.empty()) explanation_.warnings.push_back(std::move(text));
+  if (!orders_are_chosen_)
+    for (FoundCause& cause : best->found.causes) cause.may_be_order = false;
   return std::move(*best);
 }
 
@@ -255,13 +259,11 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
       explanation_.warnings.push_back(
           "the input depends on the output (closed loop): the estimates are consistent only if the "
           "noise model is right");
-    if (passed || !isSymptom(cause, found)) {
+    const std::string reason = reasonNotToName(cause, found, passed);
+    if (reason.empty())
       explanation_.causes.push_back(described(cause, found));
-      continue;
-    }
-    explanation_.warnings.push_back(named(*cause.effect) +
-                                    " describes part of what is wrong, but may be only a symptom: "
-                                    "not all of it is explained");
+    else
+      explanation_.warnings.push_back(reason);
   }
   if (const Check check = parsimony(found); !check.passed) {
     explanation_.checks_before.push_back(parsimony(base));

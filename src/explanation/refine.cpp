@@ -93,11 +93,6 @@ std::optional<ModelParameters> fromStartsOfPlant(const Fit& fit, const Likelihoo
 
 }  // namespace
 
-bool movesPlant(const Effect& effect) {
-  return effect.name() == "act_delay" || effect.name() == "plant_pole" ||
-         effect.name() == "sens_lag";
-}
-
 Fit withNewMixture(const Fit& fit, const FitData& data, const FitContext& context, int components,
                    int restarts) {
   const Likelihood likelihood(*fit.model, data.blocks(), data.count(), 1);
@@ -117,7 +112,7 @@ Fit withNewStart(const Fit& fit, const FitData& data, const FitContext& context,
   constexpr double kHopeless = 100;  // [nats] below the fit: further steps do not catch up
   const auto& effects = fit.model->effects();
   const bool far = std::any_of(effects.begin(), effects.end(),
-                               [](const auto& effect) { return movesPlant(*effect); });
+                               [](const auto& effect) { return effect->has(Trait::moves_plant); });
   try {
     const std::shared_ptr<const ExtendedModel> model = aboutZero(fit, data.count());
     const Likelihood likelihood(*model, data.blocks(), data.count(), 1);

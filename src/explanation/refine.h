@@ -41,7 +41,4 @@ Fit withNewStart(const Fit& fit, const FitData& data, const FitContext& context,
 Fit withNewMixture(const Fit& fit, const FitData& data, const FitContext& context, int components,
                    int restarts);
 
-/// Whether theta with the effect may lie far from theta without it.
-bool movesPlant(const Effect& effect);
-
 }  // namespace uncertainty_identification

@@ -6,6 +6,7 @@
 
 #include "explanation/acceptance.h"
 #include "explanation/bootstrap.h"
+#include "explanation/confidence.h"
 #include "explanation/gains.h"
 #include "explanation/residual_checks.h"
 #include "math/information_criterion.h"
@@ -101,52 +102,11 @@ bool Search::extend(SearchState* state, const std::vector<FittedEffect>& ranked)
   return false;
 }
 
-/// Accepts a residual distribution if the held-out experiments confirm it. Outliers are then masked
-/// in all experiments, and the model is fitted again.
-bool Search::acceptDistribution(SearchState* state, const FittedEffect& best) {
-  constexpr double kClustered = 1e-6;  // p-value: bursts are no residual distribution
-  const Residuals residuals = residualsOf(state->fit, state->train);
-  const ResidualDistribution distribution =
-      residualDistribution(state->fit, state->train, residuals);
-  if (distribution.clustering < kClustered) {
-    state->banned.insert(state->banned.end(), {"noise_tails", "sens_outliers"});
-    return false;
-  }
-  const DistributionFamily family = familyOf(*best.effect);
-  FoundCause cause{best.effect, best.score, best.penalty, 1, {}, {}, {}};
-  const Fit on_held = evaluateOn(state->fit, state->held);
-  if (std::isfinite(on_held.log_likelihood)) {
-    const Residuals residuals_held = residualsOf(on_held, state->held);
-    const HeldOut before = heldOut(state->fit, state->held);
-    cause.gain = gainOf(before, before, distributionGains(*state, family));
-    if (!passes(*cause.gain, acceptanceRule(*best.effect, best.score))) return false;
-    const ResidualDistribution of_held = residualDistribution(on_held, state->held, residuals_held);
-    state->held = FitData(withoutOutliers(state->held, residuals_held, of_held));
-  }
-  if (family == DistributionFamily::student) {
-    cause.parameters = {{"degrees_of_freedom", "1", distribution.degrees, std::nan(""),
-                         std::nan(""), std::nan("")}};
-  } else {
-    cause.parameters = {
-        {"share", "1", distribution.share, std::nan(""), std::nan(""), std::nan("")},
-        {"ratio", "1", distribution.ratio, std::nan(""), std::nan(""), std::nan("")}};
-  }
-  if (distribution.mayBeReadings()) cause.equivalent = best.effect->description().equivalent;
-  state->train = FitData(withoutOutliers(state->train, residuals, distribution));
-  state->fit = optimiseWithRestarts(evaluated(state->fit.model, state->fit.at, state->train),
-                                    state->train, context_);
-  if (cause.gain) cause.gain->noise_variance.after = state->fit.at.noise_variance;
-  state->causes.push_back(std::move(cause));
-  state->banned.insert(state->banned.end(), {"noise_tails", "sens_outliers"});
-  state->heavy_tails = true;
-  state->total += best.score;
-  return true;
-}
-
 /// Fits a candidate to convergence and accepts it if the held-out experiments confirm its gain;
 /// causes that it makes needless are eliminated. False where it is not among the causes afterwards.
 bool Search::accept(SearchState* state, const FittedEffect& candidate,
                     const std::vector<FittedEffect>& ranked) {
+  constexpr double kImprobable = 0.05;
   if (isResidualDistribution(*candidate.effect)) return acceptDistribution(state, candidate);
   const std::string& name = candidate.effect->name();
   if (name == "exp_mode" && !beatsSimulation(*state, candidate)) return false;
@@ -162,13 +122,18 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
     refusals_.add(*candidate.effect, gain);
     return false;
   }
+  // Held-out data may refuse the effect that leads by far. The one behind it is then no cause.
+  const std::vector<FittedEffect> rivals = refusals_.left(ranked);
+  const double confidence = confidenceFor(*state, candidate, fit, rivals);
+  if (confidence < kImprobable) return false;
   refusals_.remove(*candidate.effect);
   SearchState next = *state;
   FoundCause cause{candidate.effect,
                    score,
                    candidate.penalty,
-                   confidenceOf(candidate, refusals_.left(ranked)),
-                   equivalentOf(candidate, refusals_.left(ranked)),
+                   confidence,
+                   equivalentOf(candidate, rivals),
+                   mayBeOrder(candidate, rivals),
                    gain,
                    {}};
   next.fit = fit;

@@ -17,8 +17,9 @@ namespace uncertainty_identification {
 struct FoundCause {
   std::shared_ptr<const Effect> effect;
   double score = 0, penalty = 0;           ///< [nats] as those of FittedEffect
-  double confidence = 1;                   ///< as confidenceOf()
+  double confidence = 1;                   ///< as confidenceFor()
   std::vector<std::string> equivalent;     ///< as equivalentOf()
+  bool may_be_order = false;               ///< as mayBeOrder(), and the orders were not stated
   std::optional<Gain> gain;                ///< on the held-out experiments
   std::vector<CauseParameter> parameters;  ///< only of causes that are no part of the chain of
                                            ///< signals; those of the others are in the fit

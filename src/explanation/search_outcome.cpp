@@ -5,6 +5,7 @@
 
 #include "explanation/estimate_fit.h"
 #include "explanation/feedback_check.h"
+#include "explanation/residual_checks.h"
 #include "explanation/spectral_peaks.h"
 #include "math/information_criterion.h"
 #include "model/sensitivity.h"
@@ -76,6 +77,21 @@ void addFeedback(const Effects& effects, SearchState* found) {
   found->causes.push_back(std::move(cause));
 }
 
+/// Whether the model with the causes found so far describes the data.
+bool describesAll(const SearchState& state) {
+  return allPassed(checkResiduals(state.fit, state.train, state.heavy_tails));
+}
+
+/// The causes that the curves name, and others of the whole catalogue beside them, if all tests
+/// pass with these. If they do not, further causes may be symptoms of what the model cannot
+/// contain.
+SearchState withOthers(SearchState found, const ExplanationOptions& options,
+                       const FitContext& context, const Effects& effects) {
+  if (describesAll(found) || !context.going_on()) return found;
+  SearchState more = Search(options, context, effects).run(found);
+  return describesAll(more) ? more : found;
+}
+
 }  // namespace
 
 double SearchOutcome::penalisedLikelihood() const {
@@ -103,10 +119,13 @@ SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& contex
   const Effects effects = catalogue(summary);
   addCausesThatSamplesShow(spoilt, effects, &base);
   const bool tests_feedback = !contains(options.exclude, "exp_feedback");
+  const ExplanationOptions whole = options;
   if (!only.empty()) excludeOthers(only, effects, summary, &options.exclude);
   Search search(options, context, effects);
   // The error of a coarse quantisation is neither Gaussian nor white, and hides other effects.
   SearchState found = base.quantised ? base : search.run(base);
+  if (!only.empty() && !base.quantised && !found.causes.empty())
+    found = withOthers(std::move(found), whole, context, effects);
   if (tests_feedback) addFeedback(effects, &found);
   return {std::move(estimate), std::move(base), std::move(found), search.tried(),
           search.refusals()};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "explanation/residual_checks.h"
+#include "explanation/wording.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -53,11 +54,22 @@ bool isSymptom(const FoundCause& found, const SearchState& state) {
   });
 }
 
+std::string reasonNotToName(const FoundCause& found, const SearchState& state, bool passed) {
+  if (found.may_be_order)
+    return named(*found.effect) +
+           ": the orders of the model were chosen, not stated, and one order more may be all that "
+           "this describes; it is not named as a cause";
+  if (passed || !isSymptom(found, state)) return "";
+  return named(*found.effect) +
+         " describes part of what is wrong, but may be only a symptom: not all of it is explained";
+}
+
 Check parsimony(const SearchState& state) {
   constexpr double kPrior = 0.005;  // probability that an effect is there
-  const auto causes = std::count_if(
-      state.causes.begin(), state.causes.end(),
-      [](const FoundCause& cause) { return cause.score != 0 && !isOfNoise(*cause.effect); });
+  const auto causes =
+      std::count_if(state.causes.begin(), state.causes.end(), [](const FoundCause& cause) {
+        return cause.score != 0 && !isOfNoise(*cause.effect) && !cause.may_be_order;
+      });
   const double p_value = std::pow(kPrior, static_cast<double>(causes));
   const bool passed = !(p_value < kCheckThreshold);
   return {"parsimony", static_cast<double>(causes), p_value, passed,

@@ -5,6 +5,10 @@
 
 namespace uncertainty_identification {
 
+/// Why an accepted cause is described by the model and not named, as a sentence; empty where it is
+/// named. `passed`: all tests of the residuals pass with the causes.
+std::string reasonNotToName(const FoundCause& found, const SearchState& state, bool passed);
+
 /// Whether a cause, while some check still fails, may be only a symptom of something that the
 /// catalogue lacks. That is so for every cause of the noise, and for a cause whose score is
 /// exceeded by that of another cause outside the noise, or by a third by that of a cause of the

@@ -30,6 +30,17 @@ enum class ScreeningKind {
                ///< which estimates of theta hardly correlate
 };
 
+/// What else the search for causes must know of an effect. Traits are declared by the effect, so
+/// that the search needs to know no effect by its name.
+enum class Trait {
+  order,        ///< linear dynamics, which a model of higher order or longer delay has as well
+  moves_plant,  ///< changes the best theta so much that fits must begin at new starts of it
+  many_optima,  ///< the likelihood has many local maxima: fits must begin at each start
+  in_mixture,   ///< the mixture of the base model may have absorbed it: fits must restart that
+  differencing  ///< near the upper limit of its parameter it takes differences of the data, and so
+                ///< would absorb any drift
+};
+
 /// A parameter of an effect.
 struct EffectParameter {
   std::string name, unit;
@@ -90,6 +101,7 @@ struct EffectDescription {
   /// about a point of its own in each experiment. The effect's first parameter must be the
   /// log-variance of that size.
   bool own_point = false;
+  std::vector<Trait> traits = {};
 };
 
 /// A physical effect that may be missing from a model. It changes the signals of the chain at its
@@ -103,6 +115,7 @@ class Effect {
   const EffectDescription& description() const { return description_; }
   const std::string& name() const { return description_.name; }
   Stage stage() const { return description_.stage; }
+  bool has(Trait trait) const;
   int parameterCount() const { return static_cast<int>(description_.parameters.size()); }
 
   /// Place in the catalogue. Effects of one stage act in rising order of it.

@@ -62,13 +62,13 @@ TEST(TiedWithFirst, AForceIsNamedAtThePosition) {
   EXPECT_EQ(tied[0].place.place, Place::position);
 }
 
-TEST(TiedWithFirst, DeadTimeStandsAlone) {
+TEST(TiedWithFirst, DynamicsOfThePlantAreNoRivals) {
   const std::vector<CurveCandidate> tied =
-      tiedWithFirst({leaving(CandidateKind::delay, Place::input, {1, 1, 1, 1}),
-                     curve(Place::input, {1, 1, 1, 1})},
+      tiedWithFirst({curve(Place::input, {1, 1, 1, 1}),
+                     leaving(CandidateKind::delay, Place::input, {1, 1, 1, 1})},
                     now());
   ASSERT_EQ(tied.size(), 1u);
-  EXPECT_EQ(tied[0].kind, CandidateKind::delay);
+  EXPECT_EQ(tied[0].kind, CandidateKind::curve);
 }
 
 }  // namespace

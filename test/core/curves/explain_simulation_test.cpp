@@ -154,6 +154,64 @@ TEST(ExplainSimulation, NamesAForceInThePlant) {
   EXPECT_GT(found.fit_after, found.fit_before + 2);
 }
 
+/// Runs of a flow that a PI controller holds at a setpoint of steps. The valve moves by `limit` per
+/// sample at most; the input is what the controller asks for.
+std::vector<Experiment> valveRuns(double limit) {
+  std::mt19937_64 engine(11);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(2, 8);
+  std::vector<Experiment> all(kRuns + kHeld);
+  for (Experiment& run : all) {
+    run.id = "run " + std::to_string(&run - all.data());
+    run.sample_time = 0.2;
+    run.u.resize(kSamples);
+    run.y.resize(kSamples);
+    double flow = 4, valve = 33, sum = 33, setpoint = 4;
+    for (int k = 0; k < kSamples; ++k) {
+      if (k % 40 == 10) setpoint = uniform(engine);
+      run.y[k] = flow + 0.02 * normal(engine);
+      sum += 0.4 * (setpoint - run.y[k]);
+      run.u[k] = 6 * (setpoint - run.y[k]) + sum;
+      valve += std::min(std::max(run.u[k] - valve, -limit), limit);
+      flow = 0.9 * flow + 0.1 * 0.12 * valve;
+    }
+  }
+  return all;
+}
+
+/// Most changes of the input are noise, far below the limit of the rate.
+TEST(ExplainSimulation, NamesALimitedRateInAClosedLoop) {
+  const SimulationCauses found = explained(valveRuns(2));
+  ASSERT_FALSE(found.causes.empty());
+  EXPECT_EQ(found.causes.front().what.name, "act_ratelimit");
+}
+
+/// A stirred heat exchanger whose thermometer lags: the flow multiplies the temperature, and the
+/// lag is no dead time.
+TEST(ExplainSimulation, CallsNoLagADeadTime) {
+  std::mt19937_64 engine(12);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(0.1, 2);
+  std::vector<Experiment> all(kRuns + kHeld);
+  for (Experiment& run : all) {
+    run.id = "run " + std::to_string(&run - all.data());
+    run.sample_time = 1;
+    run.u.resize(kSamples);
+    run.y.resize(kSamples);
+    double inside = 40, middle = 40, shown = 40;
+    for (int k = 0; k < kSamples; ++k) {
+      run.u[k] = k % 25 == 0 ? uniform(engine) : run.u[k - 1];
+      run.y[k] = shown + 0.1 * normal(engine);
+      shown += (middle - shown) / 2;
+      middle += (inside - middle) / 4;
+      inside += 0.045 * run.u[k] * (15 - inside) + 0.02 * (80 - inside);
+    }
+  }
+  const SimulationCauses found = explained(all);
+  ASSERT_FALSE(found.causes.empty());
+  for (const SimulationCause& cause : found.causes) EXPECT_EQ(cause.what.name, "plant_product");
+}
+
 /// Gains that differ by a tenth are no curve, though a memory of the first samples would help.
 TEST(ExplainSimulation, DoesNotTakeDifferencesBetweenRunsForACurve) {
   for (const unsigned seed : {6u, 7u, 8u})

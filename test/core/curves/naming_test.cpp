@@ -91,6 +91,42 @@ TEST_F(NamingACurve, NamesTheShapeOfTheTruth) {
   EXPECT_GT(limit.others.size(), 3u);
 }
 
+/// Windows of an input from 0 to 3.3 that acts up to 2.2 only. No start of a limit lies there.
+SimulationData limitedWindows() {
+  std::mt19937_64 engine(3);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(0, 3.3);
+  SimulationData data = sensorWindows([](double x) { return x; });
+  for (SimulationWindow& window : data.windows) {
+    double first = 1, x = 1;
+    for (int k = 0; k < window.samples(); ++k) {
+      window.u[k] = k % 10 == 0 ? uniform(engine) : window.u[k - 1];
+      window.y[k] = x + 0.01 * normal(engine);
+      x = 0.8 * x + 0.2 * first;
+      first = 0.6 * first + 0.4 * std::min(window.u[k], 2.2);
+    }
+  }
+  return data;
+}
+
+TEST_F(NamingACurve, FindsALimitBetweenItsStarts) {
+  const Naming found = named(limitedWindows(), {Place::input, ""});
+  EXPECT_EQ(found.shape, "saturation");
+}
+
+/// What the windows do not tell apart is told as a tie; what they do is not.
+TEST_F(NamingACurve, ShapesThatWindowsCannotTellAreAsGood) {
+  const Naming found =
+      named(sensorWindows([](double x) { return x + 0.1 * x * x; }), {Place::sensor, ""});
+  const auto as_good = [&](const char* shape) {
+    return std::any_of(found.others.begin(), found.others.end(), [&](const OtherShape& other) {
+      return other.shape == shape && other.is_as_good;
+    });
+  };
+  EXPECT_TRUE(found.shape == "exponential" || as_good("exponential")) << found.shape;
+  EXPECT_FALSE(as_good("cubic"));
+}
+
 /// With little noise no shape is exact, but it is what people call the curve.
 TEST_F(NamingACurve, NamesAShapeThatHasNearlyAllOfTheGain) {
   const Naming found =

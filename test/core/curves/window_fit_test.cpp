@@ -148,6 +148,25 @@ TEST(HeldOut, ErrorsBeyondGainIgnoreGainAndOffset) {
   EXPECT_GT(heldOutFit(held, errorsBeyondGain(held, fit.model)), 85);
 }
 
+/// Windows that are left out may have a gain and an offset of their own as well.
+TEST(HeldOut, UnseenErrorsBeyondGainIgnoreGainAndOffset) {
+  const SimulationData held = firstOrderWindows(6, 100, 0.05, 6);
+  SimulationData alike = firstOrderWindows(20, 100, 0.05, 7), different = alike;
+  for (std::size_t w = 0; w < 20; ++w) different.windows[w].y *= w % 2 == 0 ? 1.3 : 0.7;
+  const WindowFit of_alike = fitted(alike), of_different = fitted(different);
+  EXPECT_GT(of_different.left_out, 5 * of_alike.left_out);
+  const Eigen::VectorXd beyond = unseenBeyondGain(of_different, held);
+  ASSERT_EQ(beyond.size(), 26);
+  EXPECT_EQ(beyond.tail(6), errorsBeyondGain(held, of_different.model));
+  EXPECT_LT(beyond.head(20).sum(), 1.5 * of_alike.left_out);
+}
+
+TEST(HeldOut, OneExperimentHasNothingBeyondGain) {
+  SimulationData held = firstOrderWindows(6, 100, 0.05, 6);
+  for (SimulationWindow& window : held.windows) window.record = 0;
+  EXPECT_EQ(unseenBeyondGain(fitted(firstOrderWindows(20, 100, 0.05, 7)), held).size(), 0);
+}
+
 TEST(HeldOut, SingleStepsShowNothingBeyondGain) {
   SimulationData held = firstOrderWindows(4, 50, 0.05, 8);
   const WindowFit fit = fitted(firstOrderWindows(20, 100, 0.05, 7));

@@ -48,5 +48,18 @@ TEST(WindowProducts, GiveTheErrorAfterAStep) {
   EXPECT_NEAR(errorAfter(products.total(), step), after.total().rr, 1e-9);
 }
 
+/// r = [3 1 2], J = I: a window's own level along the first two parameters takes their errors away.
+TEST(WindowProducts, AWindowsOwnGainAndOffsetAreFittedToIt) {
+  WindowProducts::Block block;
+  block.jj = Eigen::Matrix3d::Identity();
+  block.jr = Eigen::Vector3d(3, 1, 2);
+  block.rr = 14;
+  Eigen::MatrixXd own = Eigen::MatrixXd::Zero(3, 2);
+  own(0, 0) = 5;
+  own(1, 1) = -2;
+  EXPECT_NEAR(errorBeyond(block, Eigen::Vector3d::Zero(), own), 4, 1e-6);
+  EXPECT_NEAR(errorBeyond(block, Eigen::Vector3d(7, 7, 1.5), own), 0.25, 1e-6);
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

@@ -11,13 +11,15 @@ namespace {
 /// An effect that does nothing.
 class Named : public Effect {
  public:
-  explicit Named(const std::string& name) : Effect(described(name)) {}
+  explicit Named(const std::string& name, std::vector<Trait> traits = {})
+      : Effect(described(name, std::move(traits))) {}
   void apply(const Eigen::VectorXd& /*psi*/, Chain* /*chain*/) const override {}
 
  private:
-  static EffectDescription described(const std::string& name) {
+  static EffectDescription described(const std::string& name, std::vector<Trait> traits) {
     EffectDescription description;
     description.name = name;
+    description.traits = std::move(traits);
     return description;
   }
 };
@@ -29,9 +31,9 @@ Gain gainOf(double value, double standard_error) {
   return gain;
 }
 
-FittedEffect scored(const std::string& name, double score) {
+FittedEffect scored(const std::string& name, double score, std::vector<Trait> traits = {}) {
   FittedEffect candidate;
-  candidate.effect = std::make_shared<Named>(name);
+  candidate.effect = std::make_shared<Named>(name, std::move(traits));
   candidate.score = score;
   return candidate;
 }
@@ -96,13 +98,22 @@ TEST(AcceptanceRules, DependOnTheEffectAndItsScore) {
   EXPECT_EQ(acceptanceRule(Named("exp_mode"), 16), AcceptanceRule::no_significant_loss);
 }
 
-TEST(Confidence, IsThePosteriorProbabilityAmongTheCandidates) {
+TEST(Equivalence, IsThatOfScoresThatAreNear) {
   const std::vector<FittedEffect> ranked{scored("act_deadzone", 10), scored("act_backlash", 9)};
-  EXPECT_NEAR(confidenceOf(ranked[0], ranked), 1 / (1 + std::exp(-1.0)), 1e-12);
   EXPECT_EQ(equivalentOf(ranked[0], ranked), std::vector<std::string>{"act_backlash"});
 }
 
-TEST(Confidence, EffectsOfAMuchLowerScoreAreNotEquivalent) {
+/// What a model of higher order has as well is no cause where the orders are not known.
+TEST(Equivalence, ToAnOrderIsThatOfSuchAnEffectOrOfOneThatIsNear) {
+  const FittedEffect spread = scored("plant_parameter_spread", 10);
+  FittedEffect lag = scored("plant_pole", 9, {Trait::order});
+  EXPECT_TRUE(mayBeOrder(lag, {lag}));
+  EXPECT_TRUE(mayBeOrder(spread, {spread, lag}));
+  lag.score = 3;
+  EXPECT_FALSE(mayBeOrder(spread, {spread, lag}));
+}
+
+TEST(Equivalence, EffectsOfAMuchLowerScoreAreNotEquivalent) {
   const std::vector<FittedEffect> ranked{scored("act_deadzone", 10), scored("act_backlash", 3)};
   EXPECT_TRUE(equivalentOf(ranked[0], ranked).empty());
 }

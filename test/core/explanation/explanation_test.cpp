@@ -298,6 +298,42 @@ TEST(Explain, NamesTheOtherFormOfAnEffectThatTheDataCannotTell) {
   EXPECT_TRUE(forms.count("plant_parameter_spread (b2)"));
 }
 
+/// A plant of second order, a model of first order. Stated, the order is wrong: what it lacks is
+/// named. Where the order was chosen, one order more is all that is missing.
+TEST(Explain, NamesALagOnlyWhereTheOrdersAreStated) {
+  std::mt19937_64 engine(5);
+  std::normal_distribution<double> normal;
+  std::vector<Experiment> all(10);
+  for (std::size_t r = 0; r < all.size(); ++r) {
+    Experiment& experiment = all[r];
+    experiment.id = "run" + std::to_string(r);
+    experiment.sample_time = 1;
+    experiment.u.resize(150);
+    experiment.y.resize(150);
+    double fast = 0, slow = 0;
+    for (int t = 0; t < 150; ++t) {
+      experiment.y[t] = slow + 0.05 * normal(engine);
+      experiment.u[t] = normal(engine);
+      slow = 0.85 * slow + 0.15 * fast;
+      fast = 0.7 * fast + 0.3 * experiment.u[t];
+    }
+  }
+  Configuration first_order = test::atRest(1, 1, 0, 0, 1);
+  first_order.error_model.taps = 0;
+  first_order.bounds.frequencies = 0;
+  const Explanation stated = explain(first_order, all);
+  ASSERT_EQ(stated.causes.size(), 1u) << stated.message;
+  EXPECT_EQ(stated.causes[0].name, "plant_resonance");  // two poles, as the plant has
+  first_order.nominal_model = NominalModelOptions();
+  first_order.nominal_model.orders_auto = true;
+  first_order.nominal_model.max_order = 1;
+  const Explanation chosen = explain(first_order, all);
+  EXPECT_TRUE(chosen.causes.empty()) << chosen.message;
+  EXPECT_TRUE(std::any_of(chosen.warnings.begin(), chosen.warnings.end(), [](const auto& warning) {
+    return warning.find("one order more") != std::string::npos;
+  }));
+}
+
 TEST(Explain, SaysUnknownWhereItMayNameNothing) {
   Configuration none = configuration();
   none.explanation.max_causes = 0;

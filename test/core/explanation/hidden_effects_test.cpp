@@ -92,6 +92,17 @@ TEST(HiddenEffects, AreNamedThoughTheMixtureHadTakenThemUp) {
   EXPECT_EQ(explanation.causes[0].name, "plant_parameter_spread");
 }
 
+// In the first run of these pairs the free simulation shows the second input, and the likelihood
+// tries only what its curves name. The noise that changes within each experiment is no curve.
+TEST(HiddenEffects, AreNamedBesideACurve) {
+  const Explanation explanation =
+      explainedInBenchmark({"exp_input2", "noise_step"}, 7971646382547159552U);
+  EXPECT_EQ(explanation.verdict, Verdict::explained) << explanation.message;
+  ASSERT_EQ(explanation.causes.size(), 2U) << explanation.message;
+  EXPECT_EQ(explanation.causes[0].name, "exp_input2");
+  EXPECT_EQ(explanation.causes[1].name, "noise_step");
+}
+
 // In run 12 of scripts/benchmark_explanation the noise model has a pole and a zero at 1, where they
 // describe the bias of each experiment, and the colour of the noise is left in the residuals.
 TEST(HiddenEffects, AreNamedThoughTheDeclaredNoiseModelHoldsThem) {

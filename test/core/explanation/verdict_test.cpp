@@ -1,0 +1,60 @@
+// Which of the accepted causes are named, and which only describe.
+#include "explanation/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include "support/mentions.h"
+
+namespace uncertainty_identification {
+namespace {
+
+/// An effect that does nothing.
+class Idle : public Effect {
+ public:
+  explicit Idle(const std::string& name) : Effect(described(name)) {}
+  void apply(const Eigen::VectorXd& /*psi*/, Chain* /*chain*/) const override {}
+
+ private:
+  static EffectDescription described(const std::string& name) {
+    EffectDescription description;
+    description.name = name;
+    return description;
+  }
+};
+
+FoundCause found(const std::string& name, double score) {
+  FoundCause cause;
+  cause.effect = std::make_shared<Idle>(name);
+  cause.score = score;
+  return cause;
+}
+
+SearchState with(const std::vector<FoundCause>& causes) {
+  SearchState state{{}, FitData({}), FitData({}), causes, {}};
+  return state;
+}
+
+TEST(ReasonNotToName, IsThatTheOrdersWereChosen) {
+  FoundCause lag = found("plant_pole", 100);
+  EXPECT_EQ(reasonNotToName(lag, with({lag}), true), "");
+  lag.may_be_order = true;
+  EXPECT_TRUE(test::mentions(reasonNotToName(lag, with({lag}), true), "orders of the model"));
+}
+
+TEST(ReasonNotToName, IsThatTestsFailAndItMayBeASymptom) {
+  const FoundCause first = found("act_deadzone", 100), second = found("sens_hum", 50);
+  EXPECT_EQ(reasonNotToName(first, with({first, second}), false), "");
+  EXPECT_EQ(reasonNotToName(second, with({first, second}), true), "");
+  EXPECT_TRUE(test::mentions(reasonNotToName(second, with({first, second}), false), "symptom"));
+}
+
+TEST(Parsimony, DoesNotCountWhatOneOrderMoreWouldDescribe) {
+  std::vector<FoundCause> causes{found("act_deadzone", 9), found("sens_hum", 9),
+                                 found("plant_pole", 9)};
+  EXPECT_FALSE(parsimony(with(causes)).passed);
+  causes[2].may_be_order = true;
+  EXPECT_TRUE(parsimony(with(causes)).passed);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
