@@ -120,6 +120,7 @@ std::vector<double> widthsFor(const SimulationData& data, Place place) {
   constexpr int kWidths = 8;
   const double least = 0.3 * quantile(0.5), ratio = 0.9 * quantile(0.995) / least;
   std::vector<double> widths;
+  widths.reserve(kWidths);
   for (int k = 0; k < kWidths; ++k) widths.push_back(least * std::pow(ratio, k / (kWidths - 1.0)));
   return widths;
 }
