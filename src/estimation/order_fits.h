@@ -23,14 +23,15 @@ struct OrderFit {
   std::vector<Eigen::VectorXd> held_out_errors;  ///< of this simulation; empty if a fit failed
 };
 
-/// Fits models of any orders to two thirds of the data, and simulates what is held out. The
-/// experiments must outlive it.
+/// Fits models of any orders to two thirds of the data, and simulates the third that is held out.
+/// The configuration must outlive it.
 class OrderFits {
  public:
   OrderFits(const Configuration& configuration, double sample_time,
             const std::vector<Experiment>& experiments, int threads);
 
-  /// The data that models are fitted to: all but the last part, which is the future.
+  /// The two thirds that fit() uses: all but every third experiment or, of fewer than three, but
+  /// the last third of each.
   const std::vector<Experiment>& experiments() const { return splits_.front().fitted; }
 
   /// From the starts that the data give, and from `start` where it is not empty.

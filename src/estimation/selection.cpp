@@ -121,11 +121,11 @@ class Selection {
 
   /// Whether a smaller model simulates as well as `best`, as far as the data can tell.
   static bool isAsGood(const OrderFit& smaller, const OrderFit& best) {
-    constexpr double kAlways = 0.5,
-                     kNever = 5;  // [% of fit] that do not, or do, justify more poles
+    constexpr double kNegligible = 0.5;  // [% of fit] that never justifies more poles
+    constexpr double kDecisive = 5;      // [% of fit] that always does
     const double loss = best.held_out_fit - smaller.held_out_fit;
-    if (loss <= kAlways) return true;
-    return loss <= kNever && best.fit - smaller.fit <= kNever &&
+    if (loss <= kNegligible) return true;
+    return loss <= kDecisive && best.fit - smaller.fit <= kDecisive &&
            !areNoticeablyLarger(smaller.held_out_errors, best.held_out_errors);
   }
 

@@ -27,9 +27,8 @@ constexpr int kLargestNoiseOrder = 3;
 /// Chooses orders and delay from the data (docs/method.md, section on automatic choices).
 /// Focus simulation: output-error models are compared by their free simulation of data that they
 /// were not fitted to: a third of the experiments at a time, or of each if there are fewer than
-/// three. The smallest model whose
-/// simulation is as good as the best one's, as far as the data can tell, is chosen, and is then
-/// fitted to its simulation error.
+/// three. The smallest model whose simulation is as good as the best one's, as far as the data can
+/// tell, is chosen, and is then fitted to its simulation error.
 /// Focus prediction: all orders are chosen by BIC, and the model is then fitted by likelihood.
 /// Appends all candidates to the list.
 NominalModelOptions selectOrders(const Configuration& configuration, double sample_time,

@@ -43,7 +43,7 @@ Eigen::VectorXd errorOf(const Response& response, const Block& block, int lane) 
   return error;
 }
 
-/// Number, sum and sum of squares of the measured outputs.
+/// Number, sum and sum of squares of values.
 struct Moments {
   double sum = 0, squares = 0, count = 0;
 

@@ -11,6 +11,17 @@ namespace {
 
 constexpr int kRuns = 12, kHeld = 6, kSamples = 200;
 
+std::vector<Experiment> emptyRuns(int count, double sample_time) {
+  std::vector<Experiment> all(static_cast<std::size_t>(count));
+  for (Experiment& run : all) {
+    run.id = "run " + std::to_string(&run - all.data());
+    run.sample_time = sample_time;
+    run.u.resize(kSamples);
+    run.y.resize(kSamples);
+  }
+  return all;
+}
+
 /// Runs of y' = 0.9 y + 0.2 through(u) - force(y), with inputs held for some samples.
 std::vector<Experiment> runs(int count, unsigned seed, const std::function<double(double)>& through,
                              const std::function<double(double)>& force,
@@ -22,12 +33,8 @@ std::vector<Experiment> runs(int count, unsigned seed, const std::function<doubl
     for (int k = 0; k < 12; ++k) sum += uniform();
     return sum;
   };
-  std::vector<Experiment> all(static_cast<std::size_t>(count));
+  std::vector<Experiment> all = emptyRuns(count, 0.1);
   for (Experiment& run : all) {
-    run.id = "run " + std::to_string(&run - all.data());
-    run.sample_time = 0.1;
-    run.u.resize(kSamples);
-    run.y.resize(kSamples);
     const double gain = 1 + gain_spread * normal();
     double x = 0, level = 0;
     int left = 0;
@@ -160,12 +167,8 @@ std::vector<Experiment> valveRuns(double limit) {
   std::mt19937_64 engine(11);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform(2, 8);
-  std::vector<Experiment> all(kRuns + kHeld);
+  std::vector<Experiment> all = emptyRuns(kRuns + kHeld, 0.2);
   for (Experiment& run : all) {
-    run.id = "run " + std::to_string(&run - all.data());
-    run.sample_time = 0.2;
-    run.u.resize(kSamples);
-    run.y.resize(kSamples);
     double flow = 4, valve = 33, sum = 33, setpoint = 4;
     for (int k = 0; k < kSamples; ++k) {
       if (k % 40 == 10) setpoint = uniform(engine);
@@ -192,12 +195,8 @@ TEST(ExplainSimulation, CallsNoLagADeadTime) {
   std::mt19937_64 engine(12);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform(0.1, 2);
-  std::vector<Experiment> all(kRuns + kHeld);
+  std::vector<Experiment> all = emptyRuns(kRuns + kHeld, 1);
   for (Experiment& run : all) {
-    run.id = "run " + std::to_string(&run - all.data());
-    run.sample_time = 1;
-    run.u.resize(kSamples);
-    run.y.resize(kSamples);
     double inside = 40, middle = 40, shown = 40;
     for (int k = 0; k < kSamples; ++k) {
       run.u[k] = k % 25 == 0 ? uniform(engine) : run.u[k - 1];

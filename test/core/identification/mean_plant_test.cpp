@@ -4,12 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
-#include <random>
 
-#include "identification/identify.h"
 #include "identification/steps.h"
-#include "math/polynomial.h"
 #include "support/core_setup.h"
 #include "support/identify_example1.h"
 
@@ -90,41 +86,6 @@ TEST(PlantsExist, WhereADeadTimeStaysPositive) {
   };
   EXPECT_TRUE(existWith(0.2));
   EXPECT_FALSE(existWith(0.8));
-}
-
-/// 600 samples of a plant of second order, driven by white noise.
-Experiment recordOf(double a1, double a2, double b, const std::function<double(int)>& disturbance) {
-  Experiment record;
-  record.id = "record";
-  record.sample_time = 1;
-  record.u = record.y = Eigen::VectorXd::Zero(600);
-  std::mt19937_64 random(5);
-  std::normal_distribution<double> normal;
-  for (int k = 0; k < record.u.size(); ++k) record.u[k] = normal(random);
-  for (int k = 2; k < record.u.size(); ++k)
-    record.y[k] = -a1 * record.y[k - 1] - a2 * record.y[k - 2] + b * record.u[k - 1];
-  for (int k = 0; k < record.u.size(); ++k) record.y[k] += disturbance(k) + 0.05 * normal(random);
-  return record;
-}
-
-/// A disturbance that oscillates throughout one record looks like the free response of a mode that
-/// never decays, and would be simulated as such.
-TEST(OrdersOfAPlant, DoNotIncludeADisturbanceThatOscillates) {
-  const auto hum = [](int k) { return 1.5 * std::sin(0.5 * k + 1); };
-  const Estimate estimate = identify({}, {recordOf(-0.9, 0, 0.5, hum)}, {});
-  for (const std::complex<double>& root : roots(estimate.nominal_model.a))
-    EXPECT_TRUE(root.imag() == 0 || std::abs(root) < 0.995) << root;
-  EXPECT_NEAR(estimate.nominal_model.b.sum() / (1 + estimate.nominal_model.a.sum()), 5, 0.5);
-}
-
-/// Without its oscillation the plant would simulate held-out data far worse.
-TEST(OrdersOfAPlant, IncludeAnOscillationThatTheInputExcites) {
-  const double radius = 0.998, angle = 0.3;
-  const double a1 = -2 * radius * std::cos(angle), a2 = radius * radius;
-  const Estimate estimate = identify({}, {recordOf(a1, a2, 0.1, [](int) { return 0.0; })}, {});
-  ASSERT_EQ(estimate.nominal_model.a.size(), 2);
-  EXPECT_NEAR(estimate.nominal_model.a[0], a1, 1e-3);
-  EXPECT_NEAR(estimate.nominal_model.a[1], a2, 1e-3);
 }
 
 }  // namespace
