@@ -113,6 +113,7 @@ Outcome judge(bool dead_time, bool automatic, std::uint64_t seed,
     const Estimate found = Identifier(given).identify(experiments, validation);
     outcome.seconds = processorSeconds() - before;
     startAtTruth(drawn.model, &given);
+    given.estimation.offsets = found.configuration.estimation.offsets;  // the same model
     const Estimate best = Identifier(given).identify(experiments);
     outcome.below = best.log_likelihood - found.log_likelihood;
     outcome.converged = found.termination == Termination::converged;

@@ -197,7 +197,8 @@ VectorXd thetaOf(const EmbeddedModel& model) {
   VectorXd plant(model.b.size() + model.a.size());
   plant << model.b, model.a;
   if (!model.plant.time_constants.empty()) {
-    const std::vector<double>& taus = model.plant.time_constants;
+    std::vector<double> taus = model.plant.time_constants;
+    std::sort(taus.begin(), taus.end());  // results list them so
     plant.resize(static_cast<Index>(taus.size()) + 2);
     plant[0] = model.plant.gain;
     for (std::size_t k = 0; k < taus.size(); ++k) plant[static_cast<Index>(k) + 1] = taus[k];

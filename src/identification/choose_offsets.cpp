@@ -3,6 +3,7 @@
 
 #include "estimation/excerpt.h"
 #include "identification/mean_plant.h"
+#include "identification/own_levels.h"
 #include "identification/steps.h"
 #include "identification/structure_fit.h"
 #include "model/evaluation.h"
@@ -104,8 +105,9 @@ Configuration chooseOffsets(const Problem& problem, Journal* journal) {
   const Scored own = bestWith(Offsets::per_experiment, simple, &beginning);
   journal->passes += beginning.passes;
   if (!common.fit || !own.fit || beginning.progress.searchEnds()) return chosen;
-  const bool differ =
-      own.score > common.score + kWorthIt && simulatesAsWell(simple, *own.fit, *common.fit);
+  const bool differ = own.score > common.score + kWorthIt &&
+                      simulatesAsWell(simple, *own.fit, *common.fit) &&
+                      levelsDiffer(problem.data.experiments);
   if (differ) offsets = Offsets::per_experiment;
   journal->candidates.push_back({"offsets", "common", 0, {}, -2 * common.score, {}, !differ, {}});
   journal->candidates.push_back(

@@ -162,6 +162,16 @@ StructureFit withNoiseOrders(const Problem& problem, const StructureFit& chosen,
   return bestOf(problem, fits, "noise orders", false, journal);
 }
 
+/// The structures with the number of poles in their descriptions.
+std::vector<ErrorStructure> ofOrder(Eigen::Index poles, std::vector<ErrorStructure> structures) {
+  const std::string order = " (na=" + std::to_string(poles) + ")";
+  for (ErrorStructure& structure : structures) {
+    structure.description += order;
+    if (!structure.if_better.empty()) structure.if_better += order;
+  }
+  return structures;
+}
+
 /// Fits of models with fewer poles than the problem's, as long as one pole less is better: more of
 /// a plant's parameters that vary look like another pole. `orders` holds the models whose gain
 /// varies, by decreasing order; a model that lacks more than all differences between the plants of
@@ -175,12 +185,8 @@ std::vector<StructureFit> fitSmaller(Problem problem, const std::vector<Structur
     if (of_first - scoreOf(problem, each) > highest - of_first) break;
     const StartingPoint start = each.start();
     problem.configuration.nominal_model = each.structure.configuration.nominal_model;
-    std::vector<ErrorStructure> structures = variedStructures(problem, &start.polynomials);
-    const std::string order = " (na=" + std::to_string(start.polynomials.a.size()) + ")";
-    for (ErrorStructure& structure : structures) {
-      structure.description += order;
-      if (!structure.if_better.empty()) structure.if_better += order;
-    }
+    const std::vector<ErrorStructure> structures =
+        ofOrder(start.polynomials.a.size(), variedStructures(problem, &start.polynomials));
     const double before = highest;
     for (StructureFit& fit : fitAll(problem, structures, {start}, journal)) {
       highest = std::max(highest, scoreOf(problem, fit));
@@ -189,6 +195,24 @@ std::vector<StructureFit> fitSmaller(Problem problem, const std::vector<Structur
     if (highest == before) break;
   }
   return fits;
+}
+
+/// The fit with more poles or coefficients as long as its residuals depend on the input and BIC
+/// improves. With too few poles, the differences between the plants seem to be what Go lacks: once
+/// there are more, the structures are compared again.
+StructureFit withRaisedOrders(Problem problem, const StructureFit& chosen, Journal* journal) {
+  StructureFit raised = withBetterOrders(problem, chosen, true, journal);
+  const NominalModelOptions& nominal = raised.structure.configuration.nominal_model;
+  const StartingPoint start = raised.start();
+  const Eigen::Index poles = start.polynomials.a.size();
+  if (poles == chosen.start().polynomials.a.size() || nominal.structure != Structure::box_jenkins ||
+      journal->progress.searchEnds())
+    return raised;
+  problem.configuration.nominal_model = nominal;
+  std::vector<StructureFit> fits = fitAll(
+      problem, ofOrder(poles, errorStructures(problem, &start.polynomials)), {start}, journal);
+  fits.push_back(std::move(raised));
+  return bestOf(problem, fits, "error model", true, journal);
 }
 
 StructureFit chooseStructure(Problem problem, bool free_orders, bool free_offsets,
@@ -211,7 +235,8 @@ StructureFit chooseStructure(Problem problem, bool free_orders, bool free_offset
       fits.size() == 1 ? fits.front() : bestOf(problem, fits, "error model", automatic, journal);
   if (!free_orders) return chosen;
   if (!problem.plant) {
-    chosen = withBetterOrders(problem, std::move(chosen), true, journal);
+    chosen = automatic ? withRaisedOrders(problem, chosen, journal)
+                       : withBetterOrders(problem, std::move(chosen), true, journal);
     chosen = withWholeDelay(problem, std::move(chosen), journal);
   }
   chosen = withNoiseOrders(problem, chosen, journal);

@@ -9,6 +9,7 @@
 #include "identification/structure_fit.h"
 #include "simulation/simulate.h"
 #include "support/core_setup.h"
+#include "uncertainty_identification/identifier.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -126,6 +127,35 @@ TEST_F(StructureChoice, RaisesOrdersThatTheResidualsAskFor) {
 
 // More of a plant's parameters that vary look like another pole, so that the model before the last
 // one is still compared.
+/// Third-order plants whose relative errors have three taps and no static gain, by about their
+/// whole size: pooled simulations show no more than two poles.
+std::vector<Experiment> plantsThatDifferMuch() {
+  Truth truth;
+  truth.experiments = 30;
+  truth.samples = {200};
+  truth.plant.b = vectorOf({0.0188});
+  truth.plant.a = vectorOf({-2.253, 1.8227, -0.5133});
+  truth.error_model.basis.taps = 3;
+  const Eigen::MatrixXd covariance = 0.0225 * Eigen::MatrixXd::Identity(2, 2);
+  truth.error_model.mixture = {
+      {0.26, 0.28, 0.46},
+      {vectorOf({-0.31, 0.92}), vectorOf({-0.07, -0.05}), vectorOf({1.17, 0.51})},
+      {covariance, covariance, covariance}};
+  truth.noise.variance = 4e-5;
+  truth.noise.c = vectorOf({-0.8795});
+  truth.noise.d = vectorOf({-0.6629});
+  return simulate(truth, 1);
+}
+
+TEST(StructureChoiceAgain, FollowsRaisedOrders) {
+  const std::vector<Experiment> experiments = plantsThatDifferMuch();
+  const Estimate estimate = Identifier(Configuration()).identify(experiments);
+  EXPECT_EQ(estimate.nominal_model.a.size(), 3);
+  EXPECT_EQ(estimate.error_model.options.constraint, Constraint::zero_static_gain);
+  EXPECT_GE(estimate.error_model.options.taps, 3);
+  EXPECT_TRUE(estimate.trust.trusted) << estimate.trust.reasons.front();
+}
+
 TEST_F(StructureChoice, KeepsTheModelWithFewerPolesBesideTheRaisedOne) {
   const auto experiments = simulatedPlants(vectorOf({0.2, 0.1}), vectorOf({-1.3, 0.4}));
   const std::vector<StructureFit> fits = jointOrders(problemOf(experiments, 1, 1), {}, &journal_);
