@@ -21,17 +21,18 @@ constexpr double kSingular = 1e-8;
 /// computed again along their direction.
 constexpr double kSuspicious = 1e-6;
 
+/// Share of the largest one from which a coordinate takes part in a direction.
+constexpr double kInvolved = 0.05;
+
 const char* const kNotFinite =
     "no standard errors: the curvature of the log-likelihood at the estimate is not finite; check "
     "the units of u and y, or lower the orders";
 
 /// Text of a warning, e.g. "b1, mean1[1] and mean2[1] cannot be told apart: ..."
-std::string sentence(const VectorXd& direction, const std::vector<std::string>& names) {
-  const double largest = direction.cwiseAbs().maxCoeff();
+std::string sentence(const VectorXd& shares, const std::vector<std::string>& names) {
   std::vector<std::string> involved;
-  for (Index k = 0; k < direction.size(); ++k) {
-    if (std::abs(direction[k]) > 0.05 * largest)
-      involved.push_back(names[static_cast<std::size_t>(k)]);
+  for (Index k = 0; k < shares.size(); ++k) {
+    if (shares[k] > kInvolved) involved.push_back(names[static_cast<std::size_t>(k)]);
   }
   std::string list;
   for (std::size_t k = 0; k < involved.size(); ++k) {
@@ -116,13 +117,18 @@ class DirectionStrength {
 /// The inverse of the observed information, without the directions that the data do not determine.
 struct InvertedInformation {
   MatrixXd inverse;
-  std::vector<std::string> singular;  ///< a sentence for each direction left out
-  std::vector<bool> unknown;          ///< natural coordinates that these directions move
+  std::vector<std::string> singular;  ///< a sentence for each parameter that is left out alone
+  std::vector<bool> unknown;          ///< natural coordinates that the directions left out move
+  VectorXd together{};  ///< largest share of each natural coordinate in a direction of several
 
   /// Leaves out a direction that changes the natural coordinates by `relative`, in standard errors
   /// of each alone.
   void leaveOut(const VectorXd& relative, const std::vector<std::string>& names) {
-    singular.push_back(sentence(relative, names));
+    const VectorXd shares = relative.cwiseAbs() / relative.cwiseAbs().maxCoeff();
+    if ((shares.array() > kInvolved).count() < 2)
+      singular.push_back(sentence(shares, names));
+    else
+      together = together.size() == 0 ? shares : VectorXd(together.cwiseMax(shares));
     for (std::size_t i = 0; i < unknown.size(); ++i) {
       if (std::abs(relative[static_cast<Index>(i)]) > 1e-3 * relative.cwiseAbs().maxCoeff())
         unknown[i] = true;
@@ -152,6 +158,8 @@ InvertedInformation invert(const Likelihood& likelihood, const Parametrisation& 
       result.leaveOut((jacobian * direction).cwiseQuotient(alone), parametrisation.naturalNames());
     }
   }
+  if (result.together.size() > 0)
+    result.singular.push_back(sentence(result.together, parametrisation.naturalNames()));
   return result;
 }
 

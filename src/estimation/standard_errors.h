@@ -21,7 +21,7 @@ struct StandardErrors {
   /// Covariance in the unbounded coordinates. Singular directions are left out instead.
   Eigen::MatrixXd coordinate_covariance;
   Eigen::MatrixXd robust_coordinate_covariance;
-  std::vector<std::string> singular;  ///< one sentence per singular direction
+  std::vector<std::string> singular;  ///< sentences that name the parameters
 };
 
 /// Needs two sweeps per model parameter. `scores`, if not empty, are those of independent parts of

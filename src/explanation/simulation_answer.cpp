@@ -148,7 +148,8 @@ void lendCurves(Explanation* explanation) {
       if (found.what.name == cause.name) cause.simulation = found;
 }
 
-/// Tests of what cannot be predicted may pass though the input explains little of the output.
+/// Tests of what cannot be predicted may pass though the input explains little of the output. Then
+/// not all is explained.
 void warnOfPoorSimulation(Explanation* explanation) {
   constexpr double kPoor = 50;  // [%] fit
   const Verdict verdict = explanation->verdict;
@@ -164,6 +165,13 @@ void warnOfPoorSimulation(Explanation* explanation) {
        << " % only: the input explains little of the output, the noise model describes the rest, "
           "and the tests cannot see what the simulation lacks";
   explanation->warnings.push_back(text.str());
+  if (verdict != Verdict::explained) return;
+  explanation->verdict = Verdict::partly_explained;
+  std::string names;
+  for (const Cause& cause : explanation->causes)
+    names += (names.empty() ? "" : ", ") + cause.description + " (" + cause.name + ")";
+  explanation->message =
+      names + ": with this in the model all checks of the residuals pass, but " + text.str();
 }
 
 void joinCurves(Explanation* explanation) {

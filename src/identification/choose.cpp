@@ -12,8 +12,13 @@ namespace uncertainty_identification {
 Configuration chooseOrders(const Problem& problem, Journal* journal) {
   // What a single step shows beyond two poles is the plant's nonlinearity, or noise.
   constexpr int kMostOfStep = 2;
+  // Fewer samples for each coefficient describe the noise, above all in a closed loop.
+  constexpr long kSamplesEach = 20, kAlways = 2;
   Configuration chosen = problem.configuration;
   if (!chosen.nominal_model.orders_auto) return chosen;
+  const long most = std::max(kAlways, problem.data.validSamples() / (2 * kSamplesEach));
+  chosen.nominal_model.max_order =
+      static_cast<int>(std::min<long>(chosen.nominal_model.max_order, most));
   if (problem.data.single_steps)
     chosen.nominal_model.max_order = std::min(chosen.nominal_model.max_order, kMostOfStep);
   chosen.nominal_model = selectOrders(

@@ -68,6 +68,17 @@ void addErrorRatio(const std::vector<ParameterEstimate>& parameters, int experim
                           : "experiments differ in a way that the error model cannot express"));
 }
 
+void addUndetermined(const std::vector<ParameterEstimate>& parameters,
+                     std::vector<std::string>* reasons) {
+  std::string names;
+  for (const ParameterEstimate& one : parameters)
+    if (!std::isfinite(one.standard_error)) names += (names.empty() ? "" : ", ") + one.name;
+  if (names.empty()) return;
+  reasons->push_back(
+      "the data do not determine every parameter of the nominal model (" + names +
+      " without a standard error): use smaller orders, or an input that excites more");
+}
+
 void addFit(const Problem& problem, const FittedModel& fitted, std::vector<std::string>* reasons) {
   const NominalModel& nominal = fitted.model->nominal();
   const ModelParameters& point = fitted.optimum.point;
@@ -96,6 +107,7 @@ Trust trustOf(const Problem& problem, const FittedModel& fitted, const Estimate&
   }
   addResidualTests(estimate.residual_tests, &reasons);
   addErrorRatio(estimate.nominal_model.parameters, count, &reasons);
+  addUndetermined(estimate.nominal_model.parameters, &reasons);
   // An error model may explain more of the output than the nominal model alone.
   if (fitted.model->regressors() == 0) addFit(problem, fitted, &reasons);
   if (!isStable(estimate.nominal_model.a, kAlmostUnstable))

@@ -79,13 +79,21 @@ std::string ofFilters(const Estimate& estimate, const ErrorBasis& basis) {
          " rad/s)";
 }
 
+/// Whether the spread is as good as none, as at the lower limit of its covariance.
+bool isImmaterial(const Estimate& estimate, const ErrorBasis& basis) {
+  constexpr double kMaterial = 1e-4;
+  const Eigen::MatrixXd of_eta =
+      basis.T() * estimate.error_model.mixture.covariance() * basis.T().transpose();
+  return std::sqrt(of_eta.diagonal().maxCoeff()) < kMaterial;
+}
+
 }  // namespace
 
 std::string variationText(const Estimate& estimate, const LinearModel& model) {
   if (estimate.experiment_count < 2) return "";
   const bool own = estimate.configuration.estimation.offsets == Offsets::per_experiment;
   const std::string offsets = own ? " Each experiment has an offset of its own." : "";
-  if (model.regressors() == 0)
+  if (model.regressors() == 0 || isImmaterial(estimate, model.basis()))
     return "The experiments show no difference between their plants." + offsets;
   const bool varies = variesParameters(estimate.error_model.options.basis);
   return "From experiment to experiment " +

@@ -20,9 +20,10 @@ const std::map<std::string, std::string> kNamesWithUnit = {
     {"rosbagtimestamp", "ns"}, {"seconds", "s"},       {"secs", "s"},   {"sec", "s"},
     {"millis", "ms"},          {"milliseconds", "ms"}, {"micros", "us"}};
 
-const std::set<std::string> kNames = {"t",      "time",    "timestamp",   "time_stamp",
-                                      "__time", "stamp",   "elapsed",     "elapsed_time",
-                                      "timer",  "rostime", "header_stamp"};
+const std::set<std::string> kNames = {"t",        "time",          "timestamp",    "time_stamp",
+                                      "__time",   "stamp",         "elapsed",      "elapsed_time",
+                                      "timer",    "rostime",       "header_stamp", "timestamps",
+                                      "sim_time", "sampling_time", "unix_time"};
 
 }  // namespace
 

@@ -180,5 +180,25 @@ TEST(StandardErrors, NameAParameterThatIsNotExcited) {
   EXPECT_GT(errors.covariance(0, 0), 0);
 }
 
+/// A constant input shows the sum of b1, b2 and b3 alone, and leaves two directions undetermined.
+TEST(StandardErrors, NameParametersOfSeveralDirectionsOnce) {
+  test::RandomSystemOptions options;
+  options.nb = 3;
+  options.na = options.nc = options.nd = options.taps = 0;
+  auto system = test::randomSystem(options, 7);
+  for (Experiment& experiment : system.experiments) {
+    experiment.u.setOnes();
+    experiment.valid.assign(static_cast<std::size_t>(experiment.samples()), 1);
+    std::fill_n(experiment.valid.begin(), 4, std::uint8_t{0});
+  }
+  const test::CoreSetup setup(test::configurationOf(options), system.experiments);
+  const Parametrisation parametrisation(setup.model(), Constraint::free, 1, MatrixXd(0, 0));
+  const StandardErrors errors =
+      standardErrors(setup.likelihood(), parametrisation, test::parametersOf(system.truth));
+  ASSERT_EQ(errors.singular.size(), 1u);
+  EXPECT_EQ(errors.singular[0].find("b1, b2 and b3 cannot be told apart"), 0u)
+      << errors.singular[0];
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

@@ -84,6 +84,19 @@ TEST(SimulationAnswer, WarnsWhereTestsPassThoughTheSimulationIsPoor) {
   EXPECT_TRUE(warnings(60).empty());
 }
 
+TEST(SimulationAnswer, IsNoExplanationWhereTheInputExplainsLittle) {
+  const auto answered = [](double fit) {
+    Explanation found = withFriction(true, {ofLikelihood("sens_quant", fit, fit)});
+    found.simulation.causes.clear();
+    joinSimulation(&found);
+    return found;
+  };
+  EXPECT_EQ(answered(60).verdict, Verdict::explained);
+  const Explanation poor = answered(22);
+  EXPECT_EQ(poor.verdict, Verdict::partly_explained);
+  EXPECT_TRUE(test::mentions(poor.message, "pass, but the simulation")) << poor.message;
+}
+
 TEST(SimulationAnswer, LeadsWhereCurvesTakeHalfOfTheSquaredErrorAway) {
   SimulationCauses simulation = withFriction(false, {}).simulation;
   EXPECT_EQ(leadingCurves(simulation), (std::vector<std::string>{"plant_coulomb", "act_backlash"}));

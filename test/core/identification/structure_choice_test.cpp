@@ -104,6 +104,23 @@ TEST_F(StructureChoice, SingleStepsDetermineNoMoreThanTwoPoles) {
   EXPECT_EQ(largestOrder(), 2);
 }
 
+TEST_F(StructureChoice, FewSamplesDetermineFewPoles) {
+  const auto largestOrder = [&](std::vector<Experiment> experiments, Eigen::Index samples) {
+    for (Experiment& each : experiments) {
+      each.u.conservativeResize(samples);
+      each.y.conservativeResize(samples);
+    }
+    Problem problem = problemOf(experiments, 1, 1);
+    problem.configuration.nominal_model = NominalModelOptions();
+    return chooseOrders(problem, &journal_).nominal_model.max_order;
+  };
+  const auto one = simulatedPlants(vectorOf({0.2}), vectorOf({-0.8}), 1);
+  EXPECT_EQ(largestOrder(one, 200), 5) << "20 samples for each coefficient of A and B";
+  EXPECT_EQ(largestOrder(one, 60), 2);
+  const auto three = simulatedPlants(vectorOf({0.2}), vectorOf({-0.8}), 3);
+  EXPECT_EQ(largestOrder(three, 80), 6);
+}
+
 TEST_F(StructureChoice, ComparesNothingButTapsWhereTheBasisIsGiven) {
   Problem problem = problemOf(simulatedPlants(vectorOf({0.2}), vectorOf({-0.8})), 1, 1);
   problem.configuration.error_model = paperErrorModel();

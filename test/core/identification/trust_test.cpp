@@ -112,6 +112,11 @@ TEST_F(TrustOf, ExperimentsThatScatterMoreThanTheModelSays) {
   expectReason("scatter 3.5 times as much in b1");
 }
 
+TEST_F(TrustOf, ParametersThatTheDataDoNotDetermine) {
+  estimate_.nominal_model.parameters[0].standard_error = std::nan("");
+  expectReason("do not determine every parameter of the nominal model (b1 without");
+}
+
 TEST_F(TrustOf, APoleAtTheEdgeOfStability) {
   estimate_.nominal_model.a = test::vectorOf({-0.9999});
   expectReason("edge of stability");

@@ -13,7 +13,8 @@ std::string unitOf(const std::string& name) {
 }
 
 TEST(CsvTimeNames, WellKnownNamesTellTheirUnitAtTheEnd) {
-  for (const char* name : {"t", "time", "Time", "TIMESTAMP", "__time", "stamp", "elapsed_time"})
+  for (const char* name : {"t", "time", "Time", "TIMESTAMP", "__time", "stamp", "elapsed_time",
+                           "sampling_time", "sim_time"})
     EXPECT_EQ(unitOf(name), "?") << name;
   EXPECT_EQ(unitOf("time_ms"), "ms");
   EXPECT_EQ(unitOf("Timestamp_US"), "us");
