@@ -8,13 +8,12 @@ namespace {
 
 constexpr double kNear = 6;  ///< [nats] of score that the data may not tell apart
 
-/// Squared error of the simulation with a cause over that without it. NaN where either is none.
+}  // namespace
+
 double errorRatio(const Gain& gain) {
   const Comparison& fit = gain.nrmse_fit_percent;
   return std::pow((100 - fit.after) / (100 - fit.before), 2);
 }
-
-}  // namespace
 
 bool passes(const Gain& gain, AcceptanceRule rule) {
   if (std::isnan(gain.standard_error) || rule == AcceptanceRule::any_gain)

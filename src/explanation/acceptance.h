@@ -31,6 +31,9 @@ bool simulatesAsWell(const Effect& effect, const Gain& gain);
 /// lowers the fit of the simulation as above.
 bool stillHolds(const Effect& effect, const Gain& gain);
 
+/// Squared error of the simulation with a cause over that without it. NaN where either is none.
+double errorRatio(const Gain& gain);
+
 /// Whether held-out experiments speak clearly for a cause: the squared error of simulating them
 /// falls by a twentieth or more, or their log density gains more than three standard errors.
 bool isClear(const Gain& gain);

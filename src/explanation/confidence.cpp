@@ -11,6 +11,8 @@ namespace {
 
 using Eigen::VectorXd;
 
+constexpr Eigen::Index kFewest = 4;  ///< experiments that show how far the experiments agree
+constexpr double kMostOfFew = 0.8;   ///< probability where there are fewer
 constexpr double kBeyondDoubt = 50;  ///< [nats] by which a rival may be behind and still count
 
 /// ln(Phi(z)/Phi(-z)), the odds that a normal estimate of z standard errors has the right sign.
@@ -21,7 +23,6 @@ double logOddsOf(double z) {
 
 /// Logarithm of the odds of the chosen effect against one rival.
 double logOdds(const Evidence& chosen, const Evidence& rival) {
-  constexpr Eigen::Index kFewest = 4;  // experiments that give a standard error
   const double lead = chosen.score - rival.score;
   const Eigen::Index count = chosen.gains.size();
   if (lead <= 0 || count < kFewest || rival.gains.size() != count) return lead;
@@ -47,7 +48,8 @@ double confidenceOf(const Evidence& chosen, const std::vector<Evidence>& rivals)
   double sum = 1;
   for (const Evidence& rival : rivals)
     sum += std::exp(std::min(-logOdds(chosen, rival), kBeyondDoubt));
-  return 1 / sum;
+  const Eigen::Index count = chosen.gains.size();
+  return std::min(1 / sum, count > 0 && count < kFewest ? kMostOfFew : 1.0);
 }
 
 double confidenceFor(const SearchState& state, const FittedEffect& chosen, const Fit& fit,

@@ -18,7 +18,8 @@ struct Evidence {
 /// exp(score) over the sum of exp(score) of all. The models are approximations, so that scores
 /// differ by more than the experiments support: an effect is no more probable than a rival by more
 /// than the odds Phi(z) : Phi(-z), where z is the difference of scores over the standard error that
-/// the differences of the experiments give.
+/// the differences of the experiments give. Fewer than four experiments do not show how far they
+/// agree: no probability is above 80 % then.
 double confidenceOf(const Evidence& chosen, const std::vector<Evidence>& rivals);
 
 /// The same for a candidate whose final fit is `fit`, among those of `ranked` that are other

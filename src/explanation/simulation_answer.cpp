@@ -141,6 +141,29 @@ void dropUnconfirmed(Explanation* explanation) {
   conclude(explanation);
 }
 
+/// Where the data are too few to search for what the simulation lacks, what makes the residuals
+/// white may stand for it: a cause in the plant or its sensor and actuator has to make the
+/// simulation better.
+void dropUnsimulated(Explanation* explanation) {
+  constexpr double kBetter = 0.95;  // of the error
+  if (explanation->simulation.skipped.rfind("fewer than", 0) != 0) return;
+  const auto is_doubtful = [](const Cause& cause) {
+    const bool changes = cause.group == "plant" || cause.group == "actuator" ||
+                         (cause.group == "sensor" && !isOfSamples(cause));
+    return changes && cause.gain && !(errorRatio(*cause.gain) < kBetter);
+  };
+  const auto first = std::stable_partition(explanation->causes.begin(), explanation->causes.end(),
+                                           [&](const Cause& each) { return !is_doubtful(each); });
+  if (first == explanation->causes.end()) return;
+  const std::vector<Cause> dropped(first, explanation->causes.end());
+  explanation->causes.erase(first, explanation->causes.end());
+  explanation->warnings.push_back(
+      namesOf(dropped) + ": makes the residuals white, but the simulation no better, and " +
+      explanation->simulation.skipped + " do not show what the simulation lacks; not named");
+  forgetModelWithCauses(explanation);
+  conclude(explanation);
+}
+
 /// Gives the likelihood's causes the curves of the same name.
 void lendCurves(Explanation* explanation) {
   for (Cause& cause : explanation->causes)
@@ -148,8 +171,8 @@ void lendCurves(Explanation* explanation) {
       if (found.what.name == cause.name) cause.simulation = found;
 }
 
-/// Tests of what cannot be predicted may pass though the input explains little of the output. Then
-/// not all is explained.
+/// Tests of what cannot be predicted may pass though the input explains little of the output. What
+/// the samples show, as steps of the sensor, does not explain that.
 void warnOfPoorSimulation(Explanation* explanation) {
   constexpr double kPoor = 50;  // [%] fit
   const Verdict verdict = explanation->verdict;
@@ -165,10 +188,11 @@ void warnOfPoorSimulation(Explanation* explanation) {
        << " % only: the input explains little of the output, the noise model describes the rest, "
           "and the tests cannot see what the simulation lacks";
   explanation->warnings.push_back(text.str());
-  if (verdict != Verdict::explained) return;
+  const std::vector<Cause>& causes = explanation->causes;
+  if (causes.empty() || !std::all_of(causes.begin(), causes.end(), isOfSamples)) return;
   explanation->verdict = Verdict::partly_explained;
   std::string names;
-  for (const Cause& cause : explanation->causes)
+  for (const Cause& cause : causes)
     names += (names.empty() ? "" : ", ") + cause.description + " (" + cause.name + ")";
   explanation->message =
       names + ": with this in the model all checks of the residuals pass, but " + text.str();
@@ -204,7 +228,7 @@ std::vector<std::string> leadingCurves(const SimulationCauses& simulation) {
 }
 
 void joinSimulation(Explanation* explanation) {
-  if (!explanation->simulation.skipped.empty()) return;
+  if (!explanation->simulation.skipped.empty()) return dropUnsimulated(explanation);
   if (!explanation->simulation.refused.empty())
     explanation->warnings.push_back(explanation->simulation.refused);
   joinCurves(explanation);

@@ -41,11 +41,14 @@ TEST(Confidence, DoesNotRiseWhereTheExperimentsDisagree) {
   EXPECT_NEAR(confidenceOf(measured(3, 3), {measured(5, 0)}), std::exp(-20.0), 1e-9);
 }
 
-TEST(Confidence, OfAFewExperimentsIsThatOfTheScores) {
-  Evidence chosen = scored(12), rival = scored(10);
-  chosen.gains = Eigen::Vector3d(9, 1, 2);
+TEST(Confidence, OfAFewExperimentsIsThatOfTheScoresButNeverHigh) {
+  Evidence chosen = scored(11), rival = scored(10);
+  chosen.gains = Eigen::Vector3d(8, 1, 2);
   rival.gains = Eigen::Vector3d(2, 6, 2);
-  EXPECT_NEAR(confidenceOf(chosen, {rival}), 1 / (1 + std::exp(-2.0)), 1e-12);
+  EXPECT_NEAR(confidenceOf(chosen, {rival}), 1 / (1 + std::exp(-1.0)), 1e-12);
+  chosen.score = 30;
+  EXPECT_EQ(confidenceOf(chosen, {rival}), 0.8);
+  EXPECT_EQ(confidenceOf(chosen, {}), 0.8);
 }
 
 }  // namespace
