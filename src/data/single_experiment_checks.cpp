@@ -126,7 +126,8 @@ void checkExcitation(const Experiment& experiment, Findings& findings) {
   if ((u.array() != u(0)).any()) return;
   findings.reject("the input is constant (" + text(u(0)) +
                   "), so that the plant is not excited; apply an input that changes, e.g. a random "
-                  "binary sequence");
+                  "binary sequence; if it was switched on when the record began, begin the record "
+                  "before, at rest");
 }
 
 void checkResponse(const Experiment& experiment, Findings& findings) {

@@ -90,7 +90,8 @@ FittedModel fitChosen(const Configuration& asked, Problem* problem, Journal* jou
   }
   journal->warnings.push_back(
       "Go was fitted to its simulation alone: fitted together with the noise and the differences "
-      "between the experiments it simulates worse, so the plant is probably not linear");
+      "between the experiments it simulates worse, so the plant may not be linear, or the data "
+      "are too few");
   return alone;
 }
 

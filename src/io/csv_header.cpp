@@ -98,10 +98,12 @@ class HeadFinder {
     const std::vector<CsvCell> cells = dialect.split(names);
     const std::size_t columns = dialect.split(table_.front().text).size();
     if (comment_.number == 0 || cells.size() != columns || cells.size() < 2 || anyNumber(cells))
-      refuseFile(head_.header.path,
-                 "line " + std::to_string(table_.front().number) + " is '" +
-                     table_.front().text.substr(0, 60) +
-                     "', numbers without names above them; write a header line such as t,u,y");
+      refuseFile(
+          head_.header.path,
+          "line " + std::to_string(table_.front().number) + " is '" +
+              table_.front().text.substr(0, 60) +
+              "', numbers without names above them; write a header line such as t,u,y, or u,y "
+              "and state time: {unit: index, sample_time: 0.01} where there is no time");
     head_.dialect = dialect;
     takeNames({comment_.number, names}, 0);
   }

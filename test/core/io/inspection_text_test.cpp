@@ -98,6 +98,14 @@ TEST(InspectionText, TellsADoubtAndOtherPairs) {
   EXPECT_TRUE(mentions(inspectionText(data), "Cannot tell: no two signals move."));
 }
 
+TEST(InspectionText, TellsWhereRowsAreCountedForTime) {
+  InspectedData data = inspectedMotor();
+  EXPECT_FALSE(mentions(chosenText(data), "a row is taken for"));
+  data.configuration.time.unit = TimeUnit::index;
+  data.configuration.time.sample_time = 1;
+  EXPECT_TRUE(mentions(chosenText(data), "a row is taken for 1 s"));
+}
+
 TEST(InspectionText, SaysNotesOfOneKindOnce) {
   InspectedData data = inspectedMotor();
   for (int k = 0; k < 5; ++k)
