@@ -171,11 +171,17 @@ void lendCurves(Explanation* explanation) {
       if (found.what.name == cause.name) cause.simulation = found;
 }
 
+/// Whether another linear model simulates the data far better than by `fit` %.
+bool isBehind(const SimulationCauses& simulation, double fit) {
+  constexpr double kFar = 10;  // [%] fit
+  return fit < simulation.fit_before - kFar;
+}
+
 /// What the tests do not see of a simulation that fits by `fit` %: most of the output, or what
 /// another linear model simulates. Empty where it is neither.
 std::string shortcoming(const SimulationCauses& simulation, double fit) {
-  constexpr double kPoor = 50, kFar = 10;  // [%] fit
-  const bool is_behind = fit < simulation.fit_before - kFar;
+  constexpr double kPoor = 50;  // [%] fit
+  const bool is_behind = isBehind(simulation, fit);
   if (!(fit < kPoor) && !is_behind) return "";
   std::ostringstream text;
   text.precision(2);
@@ -204,7 +210,7 @@ void warnOfPoorSimulation(Explanation* explanation) {
   if (lacks.empty()) return;
   explanation->warnings.push_back(lacks);
   const bool is_aside = std::all_of(causes.begin(), causes.end(), [&](const Cause& cause) {
-    return isOfSamples(cause) || (cause.group == "noise" && fit < simulation.fit_before);
+    return isOfSamples(cause) || (cause.group == "noise" && isBehind(simulation, fit));
   });
   if (causes.empty() || !is_aside) return;
   explanation->verdict = Verdict::partly_explained;

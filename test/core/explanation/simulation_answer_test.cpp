@@ -97,6 +97,23 @@ TEST(SimulationAnswer, IsNoExplanationWhereTheInputExplainsLittle) {
   EXPECT_TRUE(test::mentions(poor.message, "pass, but the simulation")) << poor.message;
 }
 
+TEST(SimulationAnswer, TooFewSamplesToSearchItNeedCausesThatMakeItBetter) {
+  const auto answered = [](const std::string& group, double after) {
+    Explanation found = withFriction(true, {ofLikelihood("sens_drift", 84, after)});
+    found.causes[0].group = group;
+    found.simulation = {};
+    found.simulation.skipped = "fewer than 200 samples";
+    joinSimulation(&found);
+    return found;
+  };
+  const Explanation dropped = answered("sensor", 84.1);
+  EXPECT_TRUE(dropped.causes.empty());
+  ASSERT_EQ(dropped.warnings.size(), 1u);
+  EXPECT_TRUE(test::mentions(dropped.warnings[0], "sens_drift: makes the residuals white, but"));
+  EXPECT_EQ(answered("sensor", 90).causes.size(), 1u);
+  EXPECT_EQ(answered("noise", 84).causes.size(), 1u) << "changes no simulation";
+}
+
 TEST(SimulationAnswer, IsNoExplanationWhereAnotherLinearModelSimulatesFarBetter) {
   const auto verdict = [](const std::string& group, double fit) {
     Explanation found = withFriction(true, {ofLikelihood("noise_tails", fit, fit)});
