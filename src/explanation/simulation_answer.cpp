@@ -214,11 +214,8 @@ void warnOfPoorSimulation(Explanation* explanation) {
   });
   if (causes.empty() || !is_aside) return;
   explanation->verdict = Verdict::partly_explained;
-  std::string names;
-  for (const Cause& cause : causes)
-    names += (names.empty() ? "" : ", ") + cause.description + " (" + cause.name + ")";
-  explanation->message =
-      names + ": with this in the model all checks of the residuals pass, but " + lacks;
+  explanation->message = describedNames(causes) +
+                         ": with this in the model all checks of the residuals pass, but " + lacks;
 }
 
 void joinCurves(Explanation* explanation) {

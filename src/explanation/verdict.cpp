@@ -76,6 +76,13 @@ Check parsimony(const SearchState& state) {
           passed ? "" : "so many causes at once are unlikely; the catalogue may lack the true one"};
 }
 
+std::string describedNames(const std::vector<Cause>& causes) {
+  std::string names;
+  for (const Cause& cause : causes)
+    names = joined(names, cause.description + " (" + cause.name + ")");
+  return names;
+}
+
 void conclude(Explanation* explanation) {
   const bool passed = allPassed(explanation->checks_after);
   if (explanation->causes.empty()) {
@@ -83,9 +90,8 @@ void conclude(Explanation* explanation) {
   } else {
     explanation->verdict = passed ? Verdict::explained : Verdict::partly_explained;
   }
-  std::string names, failed;
-  for (const Cause& cause : explanation->causes)
-    names = joined(names, cause.description + " (" + cause.name + ")");
+  const std::string names = describedNames(explanation->causes);
+  std::string failed;
   for (const Check& check : explanation->checks_after)
     if (!check.passed) failed = joined(failed, check.name);
   const bool ended_early = explanation->termination == Termination::iteration_limit;

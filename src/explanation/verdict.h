@@ -20,6 +20,9 @@ bool isSymptom(const FoundCause& found, const SearchState& state);
 /// lacks.
 Check parsimony(const SearchState& state);
 
+/// The causes in words with their names in parentheses, as messages list them.
+std::string describedNames(const std::vector<Cause>& causes);
+
 /// Sets verdict and message of an explanation from its causes and checks.
 void conclude(Explanation* explanation);
 

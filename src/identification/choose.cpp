@@ -12,7 +12,7 @@ namespace uncertainty_identification {
 Configuration chooseOrders(const Problem& problem, Journal* journal) {
   // What a single step shows beyond two poles is the plant's nonlinearity, or noise.
   constexpr int kMostOfStep = 2;
-  // Fewer samples for each coefficient describe the noise, above all in a closed loop.
+  // With fewer samples for each coefficient of A and B, further poles describe the noise.
   constexpr long kSamplesEach = 20, kAlways = 2;
   Configuration chosen = problem.configuration;
   if (!chosen.nominal_model.orders_auto) return chosen;

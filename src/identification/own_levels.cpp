@@ -33,7 +33,7 @@ bool levelsDiffer(const std::vector<Experiment>& experiments) {
   for (std::size_t r = 0; r < experiments.size(); ++r) {
     Experiment moved = experiments[r];
     moved.y.array() -= *middle;
-    const double samples = std::min(moved.samples(), kMostSamples) - 3 * kOrder - 2;
+    const double samples = std::min(moved.validSamples(), kMostSamples) - 3 * kOrder - 2;
     const double ratio = fitted(moved, false).residual_squares / own[r].residual_squares;
     if (samples > 0 && std::isfinite(ratio)) statistic += samples * std::log(std::max(ratio, 1.0));
   }

@@ -157,6 +157,13 @@ TEST(StandardErrors, ZeroMeanRemovesTheSingularity) {
   EXPECT_GT(top.errorOf("b1"), 0);
 }
 
+StandardErrors errorsAtTruth(const test::RandomSystemOptions& options,
+                             const test::RandomSystem& system) {
+  const test::CoreSetup setup(test::configurationOf(options), system.experiments);
+  const Parametrisation parametrisation(setup.model(), Constraint::free, 1, MatrixXd(0, 0));
+  return standardErrors(setup.likelihood(), parametrisation, test::parametersOf(system.truth));
+}
+
 /// An input that moves only just before the end shows b1 but never b2.
 TEST(StandardErrors, NameAParameterThatIsNotExcited) {
   test::RandomSystemOptions options;
@@ -169,10 +176,7 @@ TEST(StandardErrors, NameAParameterThatIsNotExcited) {
     experiment.u[last - 1] = 3;
     experiment.y[last] = system.truth.b[0] * 3;
   }
-  const test::CoreSetup setup(test::configurationOf(options), system.experiments);
-  const Parametrisation parametrisation(setup.model(), Constraint::free, 1, MatrixXd(0, 0));
-  const StandardErrors errors =
-      standardErrors(setup.likelihood(), parametrisation, test::parametersOf(system.truth));
+  const StandardErrors errors = errorsAtTruth(options, system);
   ASSERT_EQ(errors.singular.size(), 1u);
   EXPECT_EQ(errors.singular[0].find("b2 cannot be determined"), 0u) << errors.singular[0];
   EXPECT_TRUE(std::isnan(errors.covariance(1, 1)));
@@ -191,10 +195,7 @@ TEST(StandardErrors, NameParametersOfSeveralDirectionsOnce) {
     experiment.valid.assign(static_cast<std::size_t>(experiment.samples()), 1);
     std::fill_n(experiment.valid.begin(), 4, std::uint8_t{0});
   }
-  const test::CoreSetup setup(test::configurationOf(options), system.experiments);
-  const Parametrisation parametrisation(setup.model(), Constraint::free, 1, MatrixXd(0, 0));
-  const StandardErrors errors =
-      standardErrors(setup.likelihood(), parametrisation, test::parametersOf(system.truth));
+  const StandardErrors errors = errorsAtTruth(options, system);
   ASSERT_EQ(errors.singular.size(), 1u);
   EXPECT_EQ(errors.singular[0].find("b1, b2 and b3 cannot be told apart"), 0u)
       << errors.singular[0];

@@ -127,6 +127,18 @@ TEST_F(Families, NoErrorModelWherePlantsDoNotDiffer) {
   EXPECT_TRUE(test::mentions(estimate.variation, "no difference")) << estimate.variation;
 }
 
+// Equal plants leave the covariance at its lower limit, which is no difference to speak of.
+TEST_F(Families, EqualPlantsAreNotSaidToDifferWhereTheErrorModelIsStated) {
+  Configuration stated;
+  stated.error_model = paperErrorModel();
+  stated.error_model.taps = 1;
+  stated.error_model.constraint = Constraint::zero_mean;
+  const Estimate estimate = Identifier(stated).identify(measured({}, 4, 150));
+  EXPECT_GT(estimate.error_model.mixture.dimension(), 0);
+  EXPECT_EQ(estimate.variation.rfind("The experiments show no difference", 0), 0u)
+      << estimate.variation;
+}
+
 TEST_F(Families, ThreeExperimentsAreNotTrusted) {
   const Estimate estimate = identified(measured({0.1, 0.1, 0}, 3, 150));
   EXPECT_FALSE(estimate.trust.trusted);

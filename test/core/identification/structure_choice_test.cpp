@@ -142,8 +142,6 @@ TEST_F(StructureChoice, RaisesOrdersThatTheResidualsAskFor) {
   EXPECT_EQ(large.parameters, small.parameters + 2);
 }
 
-// More of a plant's parameters that vary look like another pole, so that the model before the last
-// one is still compared.
 /// Third-order plants whose relative errors have three taps and no static gain, by about their
 /// whole size: pooled simulations show no more than two poles.
 std::vector<Experiment> plantsThatDifferMuch() {
@@ -164,6 +162,7 @@ std::vector<Experiment> plantsThatDifferMuch() {
   return simulate(truth, 1);
 }
 
+// These data are a case in which the search first ends with two poles, as in two of four seeds.
 TEST(StructureChoiceAgain, FollowsRaisedOrders) {
   const std::vector<Experiment> experiments = plantsThatDifferMuch();
   const Estimate estimate = Identifier(Configuration()).identify(experiments);
@@ -173,6 +172,8 @@ TEST(StructureChoiceAgain, FollowsRaisedOrders) {
   EXPECT_TRUE(estimate.trust.trusted) << estimate.trust.reasons.front();
 }
 
+// More of a plant's parameters that vary look like another pole, so that the model before the last
+// one is still compared.
 TEST_F(StructureChoice, KeepsTheModelWithFewerPolesBesideTheRaisedOne) {
   const auto experiments = simulatedPlants(vectorOf({0.2, 0.1}), vectorOf({-1.3, 0.4}));
   const std::vector<StructureFit> fits = jointOrders(problemOf(experiments, 1, 1), {}, &journal_);
