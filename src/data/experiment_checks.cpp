@@ -1,6 +1,7 @@
 #include "data/experiment_checks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -62,7 +63,12 @@ class Checker {
   void checkEach(const LimitOptions& limits, const std::vector<std::string>& required_covariates) {
     for (std::size_t i = 0; i < experiments_.size(); ++i) {
       for (Finding& finding : checkExperiment(experiments_[i], limits, required_covariates)) {
-        if (finding.rejects) {
+        if (finding.constant_input && isOfUse(i)) {
+          report_.warnings.push_back(
+              named(finding.experiment) +
+              ": the input is constant from the first sample on; where it was switched on just "
+              "then, at rest, this is a step, otherwise it shows the gain only");
+        } else if (finding.rejects) {
           reject(i, finding.message);
         } else {
           report_.warnings.push_back(std::move(finding.message));
@@ -121,6 +127,15 @@ class Checker {
   }
 
  private:
+  /// Whether the constant input of experiment i moves something, and another one has another input.
+  bool isOfUse(std::size_t i) const {
+    const double level = experiments_[i].u(0);
+    return level != 0 && std::isfinite(level) &&
+           std::any_of(experiments_.begin(), experiments_.end(), [&](const Experiment& other) {
+             return other.u.allFinite() && (other.u.array() != level).any();
+           });
+  }
+
   void reject(std::size_t i, const std::string& message) {
     std::string& reason = reasons_[i];
     reason += (reason.empty() ? "" : "; ") + message;

@@ -14,6 +14,7 @@ struct Finding {
   std::string experiment;  ///< id
   bool rejects = false;    ///< whether the experiment is left out because of it
   std::string message;     ///< which experiment, what was found, what to record instead
+  bool constant_input = false;  ///< rejects an experiment that is of use beside others
 };
 
 /// Which experiments a fit may use, and why not the others.
@@ -39,8 +40,10 @@ std::string defectOf(const Experiment& experiment, const LimitOptions& limits);
 
 /// Checks all experiments before a fit. Beyond checkExperiment: a second experiment of the same id
 /// is rejected, and so is one whose sample time differs by more than a thousandth from
-/// `sample_time` [s] (0: from that of most experiments). There is a warning if every usable input
-/// is a single step.
+/// `sample_time` [s] (0: from that of most experiments). An experiment whose input is constant, but
+/// not zero, is used, with a warning, where another one has another input: steps are often recorded
+/// from the moment on at which they are applied. There is a warning if every usable input is a
+/// single step.
 CheckReport checkExperiments(const std::vector<Experiment>& experiments, const LimitOptions& limits,
                              const std::vector<std::string>& required_covariates,
                              double sample_time);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "math/constants.h"
@@ -100,6 +101,31 @@ std::vector<long> findSlots(const std::vector<double>& stamps, double period) {
   return slots;
 }
 
+/// Whether the stamps are those of a uniform clock, printed with a resolution that is little finer
+/// than its period: a period of 1.2 ms in whole ms gives steps of 1 and 2 ms. Rows that are lost at
+/// random leave such steps too, but do not stay within the rounding of one line.
+bool areCoarselyRounded(const std::vector<double>& stamps, const std::vector<double>& spacing) {
+  constexpr std::ptrdiff_t kFewest = 8;  // double steps; so many, lost at random, leave the line
+  constexpr double kSame = 0.01, kRounding = 0.75;  // [resolutions]
+  const double resolution = *std::min_element(spacing.begin(), spacing.end());
+  const auto isStep = [&](double step, double multiple) {
+    return std::abs(step - multiple * resolution) <= kSame * resolution;
+  };
+  const auto isEither = [&](double step) { return isStep(step, 1) || isStep(step, 2); };
+  const auto isDouble = [&](double step) { return isStep(step, 2); };
+  if (std::count_if(spacing.begin(), spacing.end(), isDouble) < kFewest ||
+      !std::all_of(spacing.begin(), spacing.end(), isEither))
+    return false;
+  std::vector<long> counted(stamps.size());
+  std::iota(counted.begin(), counted.end(), 0L);
+  const Line line = fitLine(stamps, counted, stamps.size());
+  for (std::size_t i = 0; i < stamps.size(); ++i) {
+    const double expected = line.origin + static_cast<double>(i) * line.period;
+    if (std::abs(stamps[i] - expected) > kRounding * resolution) return false;
+  }
+  return true;
+}
+
 /// The decimal number with the fewest digits that differs from a positive value by at most
 /// `halfwidth`; the value itself if there is none.
 double simplestDecimal(double value, double halfwidth) {
@@ -169,11 +195,16 @@ SampleGrid fitSampleGrid(const std::vector<double>& stamps) {
   if (stamps.size() < 2) return grid;
   const std::vector<double> spacing = spacings(stamps);
   const double middle = median(spacing);
-  grid.slots = findSlots(stamps, meanStep(spacing, middle));
+  const bool counted = areCoarselyRounded(stamps, spacing);
+  if (counted)
+    std::iota(grid.slots.begin(), grid.slots.end(), 0L);
+  else
+    grid.slots = findSlots(stamps, meanStep(spacing, middle));
   const double fitted = fitLine(stamps, grid.slots, stamps.size()).period;
   grid.period = fitted > 0 ? fitted : middle;
   measureDepartures(stamps, grid);
-  grid.one_to_one = allDistinct(grid.slots) && grid.max_departure < 0.5 * grid.period;
+  const auto followsGrid = [&] { return counted || grid.max_departure < 0.5 * grid.period; };
+  grid.one_to_one = allDistinct(grid.slots) && followsGrid();
   if (!grid.one_to_one) {
     grid.period = middle;
     return grid;
@@ -183,7 +214,7 @@ SampleGrid fitSampleGrid(const std::vector<double>& stamps) {
                     ? first_step
                     : simplestDecimal(grid.period, periodUncertainty(stamps, grid));
   measureDepartures(stamps, grid);
-  grid.one_to_one = grid.max_departure < 0.5 * grid.period;
+  grid.one_to_one = followsGrid();
   return grid;
 }
 

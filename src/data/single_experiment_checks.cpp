@@ -14,8 +14,12 @@ class Findings {
  public:
   explicit Findings(const std::string& id) : id_(id) {}
 
-  void reject(const std::string& what) { found_.push_back({id_, true, named(id_) + ": " + what}); }
-  void warn(const std::string& what) { found_.push_back({id_, false, named(id_) + ": " + what}); }
+  void reject(const std::string& what, bool constant_input = false) {
+    found_.push_back({id_, true, named(id_) + ": " + what, constant_input});
+  }
+  void warn(const std::string& what) {
+    found_.push_back({id_, false, named(id_) + ": " + what, false});
+  }
   bool empty() const { return found_.empty(); }
   std::vector<Finding> take() { return std::move(found_); }
 
@@ -127,7 +131,8 @@ void checkExcitation(const Experiment& experiment, Findings& findings) {
   findings.reject("the input is constant (" + text(u(0)) +
                   "), so that the plant is not excited; apply an input that changes, e.g. a random "
                   "binary sequence; if it was switched on when the record began, begin the record "
-                  "before, at rest");
+                  "before, at rest",
+                  true);
 }
 
 void checkResponse(const Experiment& experiment, Findings& findings) {

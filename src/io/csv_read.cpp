@@ -23,20 +23,25 @@ std::string assumptions(const CsvFile& file) {
   return "the columns were read as follows: " + what;
 }
 
-/// Tells, once for a file, that its time is probably not in the unit that was assumed.
+/// Tells, once for a file, that its time may not be in the unit that was assumed: loggers also
+/// print milliseconds and counts of rows as whole numbers.
 void warnOfTime(CsvFile& file, const CsvTable& table, double period, LoadedData& data) {
   if (!file.unit_is_assumed) return;
-  const bool whole = period >= kLongest && std::all_of(table.t.begin(), table.t.end(),
-                                                       [](double t) { return t == std::floor(t); });
+  const bool whole =
+      std::all_of(table.t.begin(), table.t.end(), [](double t) { return t == std::floor(t); });
   if (!whole && period <= kLongest && period >= kShortest) return;
   file.unit_is_assumed = false;
-  data.warnings.push_back(
-      file.path + ": " + file.time_name + " holds " + (whole ? "whole numbers " : "stamps ") +
-      text(period) + " apart, taken for seconds: " +
-      (period < kShortest
-           ? "if they are not, write time: {unit: NAME}, one of s, ms, us, ns"
-           : "if they are milliseconds, write time: {unit: ms}; if they are seconds, "
-             "time: {unit: s}"));
+  const std::string found = file.path + ": " + file.time_name + " holds " +
+                            (whole ? "whole numbers " : "stamps ") + text(period) +
+                            " apart, taken for seconds: ";
+  const char* const remedy =
+      period < kShortest ? "if they are not, write time: {unit: NAME}, one of s, ms, us, ns"
+      : whole && period < kLongest
+          ? "if they are milliseconds, write time: {unit: ms}; if they count the rows, time: "
+            "{unit: index, sample_time: 0.01}; if they are seconds, time: {unit: s}"
+          : "if they are milliseconds, write time: {unit: ms}; if they are seconds, "
+            "time: {unit: s}";
+  data.warnings.push_back(found + remedy);
 }
 
 /// Whether the rows can be used as samples without resampling.

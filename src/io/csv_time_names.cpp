@@ -15,15 +15,26 @@ std::string lowered(std::string text) {
 }
 
 /// Names that tell their unit.
-const std::map<std::string, std::string> kNamesWithUnit = {
-    {"%time", "ns"},  // rostopic echo -p
-    {"rosbagtimestamp", "ns"}, {"seconds", "s"},       {"secs", "s"},   {"sec", "s"},
-    {"millis", "ms"},          {"milliseconds", "ms"}, {"micros", "us"}};
+const std::map<std::string, std::string> kNamesWithUnit = {{"%time", "ns"},  // rostopic echo -p
+                                                           {"rosbagtimestamp", "ns"},
+                                                           {"second", "s"},
+                                                           {"seconds", "s"},
+                                                           {"secs", "s"},
+                                                           {"sec", "s"},
+                                                           {"millis", "ms"},
+                                                           {"millisecond", "ms"},
+                                                           {"milliseconds", "ms"},
+                                                           {"msec", "ms"},
+                                                           {"micros", "us"},
+                                                           {"microsecond", "us"},
+                                                           {"microseconds", "us"},
+                                                           {"usec", "us"}};
 
 const std::set<std::string> kNames = {"t",        "time",          "timestamp",    "time_stamp",
                                       "__time",   "stamp",         "elapsed",      "elapsed_time",
                                       "timer",    "rostime",       "header_stamp", "timestamps",
-                                      "sim_time", "sampling_time", "unix_time"};
+                                      "sim_time", "sampling_time", "unix_time",    "x-axis",
+                                      "tiempo",   "zeit",          "temps",        "tempo"};
 
 }  // namespace
 

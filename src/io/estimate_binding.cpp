@@ -165,6 +165,7 @@ void bind(Archive& archive, Estimate& estimate) {
   archive("passes", estimate.passes);
   archive("seconds", estimate.seconds);
   archive("trace", estimate.trace);
+  archive.ifThere("simulation_fit_percent", orNull(estimate.simulation_fit_percent));
   archive("validation", estimate.validation);
   archive("residual_tests", estimate.residual_tests);
   archive("candidates", estimate.candidates);

@@ -1,5 +1,6 @@
 #include "io/result_text.h"
 
+#include <cmath>
 #include <vector>
 
 #include "io/text_table.h"
@@ -71,6 +72,13 @@ std::string errorModelText(const ErrorModelEstimate& model) {
          "; mixture of xi (eta = T xi, T = " + matrixText(model.T) + ")\n" + textTable(rows);
 }
 
+std::string simulationText(const Estimate& estimate) {
+  if (!estimate.simulation_fit_percent || !std::isfinite(*estimate.simulation_fit_percent))
+    return "";
+  return "The simulation of the nominal model fits the experiments that it was identified from by " +
+         numberText(*estimate.simulation_fit_percent) + " % (100 (1 - |y - ysim|/|y - mean y|))\n";
+}
+
 std::string fitText(const Estimate& estimate) {
   std::string text = "Noise variance " + numberText(estimate.noise_variance.value) +
                      ", offset of u " + numberText(estimate.offset_u) + ", of y " +
@@ -102,8 +110,9 @@ std::string validationText(const Validation& validation) {
   for (std::size_t i = 0; i < validation.experiments.size(); ++i) {
     rows.push_back({validation.experiments[i], numberText(validation.simulation_fit_percent[i])});
   }
-  rows.push_back({"pooled", numberText(validation.simulation_fit_percent_pooled)});
-  rows.push_back({"pooled, from rest", numberText(validation.at_rest_fit_percent_pooled)});
+  rows.push_back({"all together", numberText(validation.simulation_fit_percent_pooled)});
+  rows.push_back({"all together, if each began at rest",
+                  numberText(validation.at_rest_fit_percent_pooled)});
   return "Validation, log density per experiment " +
          numberText(validation.log_density_per_experiment) + "\n" + textTable(rows);
 }
@@ -129,7 +138,7 @@ std::string findingsText(const Estimate& estimate) {
 std::string resultText(const Estimate& estimate, const std::string& sentence) {
   const auto line = [](const std::string& text) { return text.empty() ? "" : text + "\n"; };
   return trustText(estimate.trust) + line(sentence) + line(estimate.variation) +
-         nominalModelText(estimate) + errorModelText(estimate.error_model) +
+         nominalModelText(estimate) + simulationText(estimate) + errorModelText(estimate.error_model) +
          parametersText(estimate) + fitText(estimate) + candidatesText(estimate.candidates) +
          validationText(estimate.validation) + findingsText(estimate);
 }

@@ -39,7 +39,8 @@ int run(const po::variables_map& arguments) {
   if (arguments.count("html") > 0)
     ui::writeFileAtomically(arguments["html"].as<std::string>(), ui::inspectionHtml(data));
   if (arguments.count("write") == 0) {
-    std::cout << "\ninspect --write C.yaml writes a configuration that reads the data so.\n";
+    if (data.failure.empty() && !data.loaded.experiments.empty())
+      std::cout << "\ninspect --write C.yaml writes a configuration that reads the data so.\n";
     return ui::kDone;
   }
   const auto path = arguments["write"].as<std::string>();

@@ -99,8 +99,30 @@ TEST(Check, NonFiniteOutputOnlyWhereMeasured) {
 
 TEST(Check, ConstantInput) {
   Experiment bad = good("bad");
+  bad.u.setZero();
+  expectRejected(bad, "the input is constant (0)");
   bad.u.setConstant(2.5);
-  expectRejected(bad, "the input is constant (2.5)");
+  const CheckReport alone = check({bad});
+  ASSERT_EQ(alone.rejected.size(), 1u);
+  EXPECT_NE(alone.rejected[0].reason.find("the input is constant (2.5)"), std::string::npos);
+}
+
+TEST(Check, AConstantInputIsOfUseBesideAnother) {
+  Experiment low = good("low"), high = good("high"), off = good("off");
+  low.u.setConstant(1);
+  high.u.setConstant(2.5);
+  off.u.setZero();
+  const CheckReport report = check({low, high, off});
+  EXPECT_EQ(report.usable, (std::vector<int>{0, 1}));
+  ASSERT_EQ(report.rejected.size(), 1u);
+  EXPECT_NE(report.rejected[0].reason.find("the input is constant (0)"), std::string::npos);
+  ASSERT_GE(report.warnings.size(), 2u);
+  EXPECT_NE(report.warnings[0].find("'low': the input is constant from the first sample on"),
+            std::string::npos)
+      << report.warnings[0];
+  Experiment same = good("same");
+  same.u.setConstant(1);
+  EXPECT_TRUE(check({low, same}).usable.empty());
 }
 
 TEST(Check, ConstantOutputWhereMeasured) {

@@ -38,6 +38,31 @@ TEST(SampleGrid, ExactStampsGiveTheirPeriodToTheLastBit) {
   }
 }
 
+TEST(SampleGrid, StampsRoundedToAboutAPeriodLoseNoRow) {
+  for (const double start : {0.0, 1.7e9}) {
+    for (const double period : {1.05e-3, 1.2e-3, 1.37e-3, 1.45e-3}) {
+      std::vector<double> stamps;
+      for (int k = 0; k < 500; ++k)
+        stamps.push_back(start + std::floor(0.4 + k * period / 1e-3) * 1e-3);
+      const SampleGrid grid = fitSampleGrid(stamps);
+      EXPECT_TRUE(grid.one_to_one) << start << " " << period;
+      EXPECT_EQ(grid.slots.back(), 499) << start << " " << period;
+      EXPECT_NEAR(grid.period, period, 2e-3 / 499);
+    }
+  }
+}
+
+TEST(SampleGrid, RowsLostAtRandomStayLost) {
+  std::mt19937_64 engine(3);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int run = 0; run < 200; ++run) {
+    std::vector<double> stamps{0};
+    for (long k = 1, lost = 0; lost < 8; ++k)
+      uniform(engine) < 0.1 ? ++lost : (stamps.push_back(1e-3 * static_cast<double>(k)), 0);
+    EXPECT_EQ(fitSampleGrid(stamps).period, 1e-3) << run;
+  }
+}
+
 TEST(SampleGrid, EventsFollowNoGrid) {
   std::mt19937_64 engine(2);
   std::exponential_distribution<double> wait(1.0);

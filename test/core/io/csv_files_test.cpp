@@ -136,7 +136,7 @@ TEST(CsvFiles, SignalsMayBeSampledInDifferentRows) {
 }
 
 TEST(CsvFiles, CovariatesAreThoseNamedOrAllThatAreLeft) {
-  const std::string content = "t,u,y,temp [K],load,note\n0,1,1,300,5,a\n1,2,2,310,5,b\n";
+  const std::string content = "t,u,y,temp [K],load,note\n0,1,1,300,5,a\n0.5,2,2,310,5,b\n";
   const LoadedData all = readText(content);
   EXPECT_EQ(all.experiments.at(0).signals.at("temp [K]"), Eigen::Vector2d(300, 310));
   EXPECT_EQ(all.experiments.at(0).scalars, (std::map<std::string, double>{{"load", 5}}));
@@ -182,7 +182,11 @@ TEST(CsvFiles, ATimeThatIsProbablyNotInSecondsIsTold) {
   EXPECT_TRUE(warnings("t", 20, TimeUnit::milliseconds).empty());
   EXPECT_TRUE(warnings("t", 20, TimeUnit::seconds).empty());
   EXPECT_TRUE(warnings("t", 10, TimeUnit::seconds).empty());
-  EXPECT_TRUE(warnings("t", 5, TimeUnit::automatic).empty());
+  EXPECT_TRUE(anyMentions(warnings("t", 1, TimeUnit::automatic),
+                          "t holds whole numbers 1 apart, taken for seconds: if they are "
+                          "milliseconds, write time: {unit: ms}; if they count the rows, time: "
+                          "{unit: index, sample_time: 0.01}"));
+  EXPECT_TRUE(warnings("t", 2.5, TimeUnit::automatic).empty());
   EXPECT_EQ(warnings("time_ms", 20, TimeUnit::automatic),
             (Ids{"the columns were read as follows: the time is 'time_ms' in ms"}));
 }
@@ -197,7 +201,7 @@ TEST(CsvFiles, CountedRowsNeedNoStamps) {
 }
 
 TEST(CsvFiles, WhatIsAssumedIsToldInOneRemark) {
-  const LoadedData data = readText("Time;u;y;mode\n0;0,5;1;a\n1;0,5;2;b\n2;0,7;3;b\n");
+  const LoadedData data = readText("Time;u;y;mode\n0;0,5;1;a\n0,5;0,5;2;b\n1;0,7;3;b\n");
   EXPECT_EQ(data.warnings, (Ids{"the columns were read as follows: the time is 'Time' in s "
                                 "(assumed); the text columns 'mode' are passed over; commas are "
                                 "decimal points"}));

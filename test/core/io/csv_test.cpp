@@ -121,7 +121,7 @@ TEST_F(Csv, EmptyAndNanOutputsAreMissing) {
 TEST_F(Csv, MissingOutputsAreCounted) {
   std::string rows = "t,u,y\n";
   for (int k = 0; k < 100; ++k)
-    rows += std::to_string(k) + "," + std::to_string(k % 7) +
+    rows += std::to_string(0.5 * k) + "," + std::to_string(k % 7) +
             (k < 3     ? ",nan\n"
              : k == 3  ? ",-inf\n"
              : k == 50 ? ",\n"

@@ -26,6 +26,8 @@ TEST(CsvTimeNames, WellKnownNamesTellTheirUnitAtTheEnd) {
   EXPECT_EQ(unitOf("rosbagTimestamp"), "ns");
   EXPECT_EQ(unitOf("seconds"), "s");
   EXPECT_EQ(unitOf("millis"), "ms");
+  EXPECT_EQ(unitOf("Second"), "s");
+  EXPECT_EQ(unitOf("Tiempo (s)"), "s");
 }
 
 TEST(CsvTimeNames, OtherNamesAreNotGuessed) {
