@@ -45,7 +45,8 @@ CheckedData checkData(const Configuration& configuration,
     throw DataError(experiments.empty()
                         ? "no experiments were given"
                         : "no usable experiment is left:" + reasonsOf(checked.rejected));
-  if (auto warning = closedLoopWarning(followingOf(data.experiments), "the input", "the output"))
+  data.following = followingOf(data.experiments);
+  if (auto warning = closedLoopWarning(data.following, "the input", "the output"))
     journal->warnings.push_back(std::move(*warning));
   data.thinning = thinningOf(configuration, data.experiments);
   data.experiments = thinned(std::move(data.experiments), data.thinning);

@@ -3,6 +3,7 @@
 #include "estimation/selection.h"
 #include "identification/steps.h"
 #include "math/information_criterion.h"
+#include "estimation/simulation_fit.h"
 #include "residual_tests/residual_tests.h"
 
 namespace uncertainty_identification {
@@ -92,7 +93,12 @@ Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* jo
                                        model.regressors(), point.mixture.components()),
                      static_cast<double>(estimate.sample_count), estimate.experiment_count);
   estimate.variation = variationText(estimate, model);
-  estimate.trust = trustOf(problem, fitted, estimate);
+  estimate.simulation_fit_percent =
+      simulationFit(nominal, point.parameters.head(nominal.parameterCount()),
+                    offsetOf(problem, model, point), problem.configuration.estimation,
+                    problem.data.experiments)
+          .pooled;
+  estimate.trust = trustOf(fitted, estimate);
   journal->passes += fitted.likelihood->passes();
   return estimate;
 }

@@ -7,6 +7,7 @@
 
 #include "estimation/optimisation.h"
 #include "identification/progress_phases.h"
+#include "inspection/following.h"
 #include "model/linear_model.h"
 
 namespace uncertainty_identification {
@@ -26,6 +27,7 @@ struct CheckedData {
   std::vector<RejectedExperiment> rejected;
   int thinning = 1;           ///< each so manieth sample was kept (EstimationOptions)
   bool single_steps = false;  ///< whether every input changes only once
+  Following following;        ///< how input and output follow each other
 
   int count() const { return static_cast<int>(experiments.size()); }
   double sampleTime() const { return experiments.front().sample_time; }  ///< [s]

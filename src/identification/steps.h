@@ -131,7 +131,11 @@ std::string variationText(const Estimate& estimate, const LinearModel& model);
 
 /// Whether the data contradict the model: residual tests, standard errors that disagree with the
 /// scatter of the experiments, a poor simulation, too few experiments.
-Trust trustOf(const Problem& problem, const FittedModel& fitted, const Estimate& estimate);
+Trust trustOf(const FittedModel& fitted, const Estimate& estimate);
+
+/// The same for data in which the input may follow the output, as that of a controller does.
+/// `answers_at_once`: it was concluded from the data, not stated, that Go has no delay.
+Trust trustOfDirection(Trust trust, const Following& following, bool answers_at_once);
 
 /// The same after simulating experiments that were not fitted.
 Trust trustAfterValidation(Trust trust, const Validation& validation);

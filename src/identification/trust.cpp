@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "estimation/simulation_fit.h"
 #include "identification/steps.h"
 #include "math/polynomial.h"
 
@@ -79,13 +78,7 @@ void addUndetermined(const std::vector<ParameterEstimate>& parameters,
       " without a standard error): use smaller orders, or an input that excites more");
 }
 
-void addFit(const Problem& problem, const FittedModel& fitted, std::vector<std::string>* reasons) {
-  const NominalModel& nominal = fitted.model->nominal();
-  const ModelParameters& point = fitted.optimum.point;
-  const double fit = simulationFit(nominal, point.parameters.head(nominal.parameterCount()),
-                                   offsetOf(problem, *fitted.model, point),
-                                   problem.configuration.estimation, problem.data.experiments)
-                         .pooled;
+void addFit(double fit, std::vector<std::string>* reasons) {
   if (fit >= kLeastFit) return;
   reasons->push_back("the simulation of the nominal model explains little of the output (fit " +
                      number(fit) + " %)");
@@ -93,7 +86,7 @@ void addFit(const Problem& problem, const FittedModel& fitted, std::vector<std::
 
 }  // namespace
 
-Trust trustOf(const Problem& problem, const FittedModel& fitted, const Estimate& estimate) {
+Trust trustOf(const FittedModel& fitted, const Estimate& estimate) {
   std::vector<std::string> reasons;
   if (estimate.termination == Termination::stalled ||
       estimate.termination == Termination::iteration_limit ||
@@ -109,12 +102,29 @@ Trust trustOf(const Problem& problem, const FittedModel& fitted, const Estimate&
   addErrorRatio(estimate.nominal_model.parameters, count, &reasons);
   addUndetermined(estimate.nominal_model.parameters, &reasons);
   // An error model may explain more of the output than the nominal model alone.
-  if (fitted.model->regressors() == 0) addFit(problem, fitted, &reasons);
+  if (fitted.model->regressors() == 0 && estimate.simulation_fit_percent)
+    addFit(*estimate.simulation_fit_percent, &reasons);
   if (!isStable(estimate.nominal_model.a, kAlmostUnstable))
     reasons.push_back(
         "a pole of the nominal model is at the edge of stability: low frequencies are not "
         "determined");
   return {reasons.empty(), std::move(reasons)};
+}
+
+Trust trustOfDirection(Trust trust, const Following& following, bool answers_at_once) {
+  if (following.inputFollows())
+    trust.reasons.push_back(
+        "the input follows the output, as in a closed loop: noise that a controller feeds back "
+        "biases the model, which the bounds do not include");
+  if (answers_at_once && following.moveTogether())
+    trust.reasons.push_back(
+        "the input and the output move within the same sample, so the data do not show which "
+        "causes the other: where a controller computes the input from the output, this model is "
+        "the inverse of the controller. If the output really answers at once, state "
+        "nominal_model: {delay: 0} and the orders; otherwise record an input that does not depend "
+        "on the output");
+  trust.trusted = trust.reasons.empty();
+  return trust;
 }
 
 Trust trustAfterValidation(Trust trust, const Validation& validation) {

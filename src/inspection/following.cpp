@@ -174,6 +174,11 @@ bool Following::inputFollows() const {
   return measured && matters(before, chance) && before > kShareOfAnswer * after;
 }
 
+bool Following::moveTogether() const {
+  constexpr double kMost = 0.6;  // correlation
+  return outputFollows() && delay == 0 && after > kMost;
+}
+
 Following followingOf(const Channel& input, const Channel& output, double output_band,
                       double period) {
   Following following;

@@ -21,6 +21,10 @@ struct Following {
   /// round: a signal is said to follow only where it does so at least half as much as the other.
   bool outputFollows() const;
   bool inputFollows() const;
+
+  /// Whether most of what is new in one signal appears in the other within the same reading, so
+  /// that either may cause the other.
+  bool moveTogether() const;
 };
 
 /// Both signals are read at `period` [s], held; 0: at ten samples a period of the output's

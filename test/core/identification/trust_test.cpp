@@ -1,13 +1,16 @@
 // Each finding that speaks against a model, by itself. Data: a first-order plant, simulated.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "identification/identify.h"
 #include "identification/steps.h"
 #include "simulation/simulate.h"
 #include "support/core_setup.h"
 #include "support/mentions.h"
+#include "uncertainty_identification/identifier.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -34,7 +37,7 @@ class TrustOf : public testing::Test {
     ASSERT_TRUE(trusted());
   }
 
-  Trust trust() { return trustOf(problem_, fitted_, estimate_); }
+  Trust trust() { return trustOf(fitted_, estimate_); }
   bool trusted() { return trust().trusted; }
 
   void expectReason(const std::string& words) {
@@ -123,8 +126,57 @@ TEST_F(TrustOf, APoleAtTheEdgeOfStability) {
 }
 
 TEST_F(TrustOf, ASimulationThatExplainsLittle) {
+  ASSERT_TRUE(estimate_.simulation_fit_percent.has_value());
+  EXPECT_GT(*estimate_.simulation_fit_percent, 90);
   fitted_.optimum.point.parameters[0] = 0;  // b1
+  const Estimate without_gain = describe(problem_, fitted_, &journal_);
+  EXPECT_LT(*without_gain.simulation_fit_percent, 10);
+  estimate_.simulation_fit_percent = without_gain.simulation_fit_percent;
   expectReason("explains little of the output");
+}
+
+TEST(TrustOfDirection, NeedsAnOutputThatComesAfterTheInput) {
+  Following following;
+  following.measured = true;
+  following.chance = 0.1;
+  following.after = 0.9;
+  const auto reasons = [&](bool answers_at_once) {
+    return trustOfDirection({}, following, answers_at_once).reasons;
+  };
+  EXPECT_TRUE(trustOfDirection({}, following, false).trusted) << "the delay was stated";
+  ASSERT_EQ(reasons(true).size(), 1u);
+  EXPECT_TRUE(test::mentions(reasons(true)[0], "the inverse of the controller"));
+  following.after = 0.5;
+  EXPECT_TRUE(reasons(true).empty()) << "most of the output is something else";
+  following.after = 0.9;
+  following.delay = 0.1;
+  EXPECT_TRUE(reasons(true).empty());
+  following.before = 0.6;
+  EXPECT_FALSE(trustOfDirection({}, following, false).trusted);
+  EXPECT_TRUE(test::mentions(reasons(false).at(0), "closed loop"));
+}
+
+/// A first-order plant in a loop: u(k) = -2 y(k) + r(k), with more noise than reference.
+TEST(TrustOfDirection, TheInverseOfAControllerIsNotTrusted) {
+  std::mt19937_64 engine(5);
+  std::normal_distribution<double> normal;
+  Experiment loop;
+  loop.id = "loop";
+  loop.sample_time = 0.1;
+  loop.u = loop.y = Eigen::VectorXd::Zero(400);
+  double state = 0;
+  for (Eigen::Index k = 0; k < 400; ++k) {
+    loop.y[k] = state;
+    loop.u[k] = -2 * loop.y[k] + 0.3 * normal(engine);
+    state = 0.8 * state + 0.2 * loop.u[k] + normal(engine);
+  }
+  const Estimate estimate = Identifier(Configuration()).identify({loop});
+  EXPECT_FALSE(estimate.trust.trusted);
+  EXPECT_TRUE(std::any_of(estimate.trust.reasons.begin(), estimate.trust.reasons.end(),
+                          [](const std::string& reason) {
+                            return test::mentions(reason, "the inverse of the controller");
+                          }))
+      << estimate.nominal_model.delay;
 }
 
 TEST(TrustAfterCalibration, WidensNoDoubtBelowOneAndAHalf) {

@@ -62,6 +62,7 @@ Estimate estimate() {
   full.candidates = {{"orders", "output_error nb=2 na=2 delay=1", 4, {}, 5.0, 93.5, true}};
   full.validation = {{"v1", "v2"}, {90.5, -3}, 85, -12};
   full.residual_tests = {150, {0.1, -0.2}, {1.0 / 3, 0.01}, 0.25, kNan};
+  full.simulation_fit_percent = 87.25;
   full.structure_error = {vector({0.5, 20}), vector({1.0 / 3, 7})};
   full.warnings = {"a warning"};
   return full;
@@ -138,6 +139,7 @@ TEST(ResultJson, RoundTripThroughTextKeepsEveryBit) {
   EXPECT_EQ(back.nominal_model.parameters[1].standard_error, 5e-324);
   EXPECT_EQ(back.error_model.T, estimate().error_model.T);
   EXPECT_EQ(back.structure_error.relative, estimate().structure_error.relative);
+  EXPECT_EQ(back.simulation_fit_percent, 87.25);
   EXPECT_EQ(back.error_model.options.T.size(), 0);
   EXPECT_EQ(back.error_model.options.components, 2);
   EXPECT_EQ(back.noise_variance.unit, "V^2");
@@ -223,7 +225,9 @@ TEST(ResultJson, NamesEveryMissingField) {
   for (const auto& [key, value] : tree.items()) {
     if (key == "bounds") continue;  // written, never read
     // Results of older versions lack these.
-    if (key == "trust" || key == "variation" || key == "structure_error") continue;
+    if (key == "trust" || key == "variation" || key == "structure_error" ||
+        key == "simulation_fit_percent")
+      continue;
     json without = tree;
     without.erase(key);
     EXPECT_EQ(complaint(without), key + ": missing (is the file truncated?)");

@@ -74,9 +74,18 @@ TEST(ResultText, ShowsFindingsOnlyWhereThereAreAny) {
              "arx nb=1 na=1 delay=1  3           -5              20   87.5              -3.5"
              "              chosen\n");
   expectPart(text, "Validation, log density per experiment -12\n");
-  expectPart(text, "v1                 91.5\n");
-  expectPart(text, "pooled, from rest  40.5\n");
-  expectPart(text, "pooled             90.5\n");
+  expectPart(text, "v1                                   91.5\n");
+  expectPart(text, "all together                         90.5\n");
+  expectPart(text, "all together, if each began at rest  40.5\n");
+}
+
+TEST(ResultText, TellsHowWellTheModelSimulatesItsOwnData) {
+  Estimate estimate = example();
+  EXPECT_EQ(resultText(estimate).find("The simulation of"), std::string::npos);
+  estimate.simulation_fit_percent = 91.5;
+  expectPart(resultText(estimate),
+             "The simulation of the nominal model fits the experiments that it was identified from "
+             "by 91.5 %");
 }
 
 TEST(ResultText, NamesTheParametersThatVary) {
