@@ -34,8 +34,6 @@ Configuration ofBaseModel(Configuration configuration) {
   if (start == InitialState::automatic) start = InitialState::estimate;
   Offsets& offsets = configuration.estimation.offsets;
   if (offsets == Offsets::automatic) offsets = Offsets::estimate;
-  double& precision = configuration.estimation.initial_precision;
-  if (precision == kAutomatic) precision = 0;
   configuration.estimation.thinning = 1;  // long records are thinned for all steps together
   NominalModelOptions& nominal = configuration.nominal_model;
   if (nominal.orders_auto && nominal.focus == Focus::simulation) nominal.fit = PlantFit::simulation;

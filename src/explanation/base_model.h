@@ -12,9 +12,8 @@ namespace uncertainty_identification {
 void requireKnown(const std::vector<std::string>& excluded,
                   const std::vector<Experiment>& experiments);
 
-/// The configuration of the base model. Effects can be added to filters in series with Go only;
-/// where the orders are free the search starts from the best simulation; and gains of effects are
-/// compared with a flat prior of initial values, which none of them can exploit.
+/// The configuration of the base model. Effects can be added to filters in series with Go only, and
+/// where the orders are free the search starts from the best simulation.
 Configuration ofBaseModel(Configuration configuration);
 
 }  // namespace uncertainty_identification

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/fixed_plant.h"
 #include "uncertainty_identification/identifier.h"
 
 namespace uncertainty_identification {
@@ -20,21 +21,40 @@ std::vector<Experiment> usedBy(const Estimate& estimate, std::vector<Experiment>
   return used;
 }
 
+namespace {
+
+bool isPlantHeld(const Estimate& estimate) {
+  return estimate.configuration.nominal_model.fit == PlantFit::simulation;
+}
+
+/// Sets the value of the parameter of that name, which is added where there is none.
+void setValue(const std::string& name, double value, std::vector<ParameterEstimate>* parameters) {
+  const auto known = std::find_if(parameters->begin(), parameters->end(),
+                                  [&](const ParameterEstimate& one) { return one.name == name; });
+  if (known == parameters->end())
+    parameters->push_back({name, "", value, 0, 0});
+  else
+    known->value = value;
+}
+
+}  // namespace
+
 Fit fitOf(const Estimate& estimate, const FitData& data, const DataSummary& summary) {
-  NominalModelOptions options = estimate.configuration.nominal_model;
-  options.fit = PlantFit::likelihood;
-  const auto nominal = makeNominalModel(options, estimate.nominal_model.sample_time);
-  const ErrorBasis basis(estimate.configuration.error_model);
-  const auto model = std::make_shared<const ExtendedModel>(
-      nominal, basis, estimate.configuration.estimation, Effects(), summary, data.count());
-  ModelParameters at{VectorXd::Zero(model->LinearModel::parameterCount()),
-                     estimate.error_model.mixture, estimate.noise_variance.value};
+  const NominalModelOptions& options = estimate.configuration.nominal_model;
   Polynomials p;
   p.delay = estimate.nominal_model.delay;
   p.b = estimate.nominal_model.b;
   p.a = estimate.nominal_model.a;
   p.c = estimate.nominal_model.c;
   p.d = estimate.nominal_model.d;
+  const auto nominal = isPlantHeld(estimate)
+                           ? fixPlant(p, static_cast<int>(p.c.size()), static_cast<int>(p.d.size()))
+                           : makeNominalModel(options, estimate.nominal_model.sample_time);
+  const ErrorBasis basis(estimate.configuration.error_model);
+  const auto model = std::make_shared<const ExtendedModel>(
+      nominal, basis, estimate.configuration.estimation, Effects(), summary, data.count());
+  ModelParameters at{VectorXd::Zero(model->LinearModel::parameterCount()),
+                     estimate.error_model.mixture, estimate.noise_variance.value};
   const Index own = nominal->parameterCount();
   if (static_cast<Index>(estimate.nominal_model.parameters.size()) == own) {
     for (Index k = 0; k < own; ++k)
@@ -51,16 +71,14 @@ Fit fitOf(const Estimate& estimate, const FitData& data, const DataSummary& summ
 
 Estimate estimateOf(const Fit& fit, const FitData& data, const Estimate& base, int iterations) {
   Estimate start = base;
-  start.configuration.nominal_model.fit = PlantFit::likelihood;
   start.configuration.error_model.components = fit.at.mixture.components();
   start.error_model.mixture = fit.at.mixture;
   start.noise_variance.value = fit.at.noise_variance;
   const NominalModel& nominal = fit.model->nominal();
   const std::vector<std::string> names = nominal.names();
-  start.nominal_model.parameters.clear();
+  if (!isPlantHeld(base)) start.nominal_model.parameters.clear();
   for (std::size_t k = 0; k < names.size(); ++k)
-    start.nominal_model.parameters.push_back(
-        {names[k], "", fit.at.parameters[static_cast<Index>(k)], 0, 0});
+    setValue(names[k], fit.at.parameters[static_cast<Index>(k)], &start.nominal_model.parameters);
   const auto own = static_cast<Index>(names.size());
   const Index offsets = fit.at.parameters.size() - fit.model->effectParameterCount() - own;
   if (offsets > 0) start.offset_u = start.offset_y = fit.at.parameters[own];

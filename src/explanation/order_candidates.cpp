@@ -3,9 +3,12 @@
 #include <cmath>
 #include <optional>
 
+#include "estimation/simulation_fit.h"
 #include "explanation/estimate_fit.h"
+#include "identification/mean_plant.h"
 #include "math/information_criterion.h"
 #include "math/polynomial.h"
+#include "model/fixed_plant.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
@@ -19,6 +22,12 @@ double likelihoodOf(const Estimate& estimate, const std::vector<Experiment>& exp
   const FitData data(usedBy(estimate, experiments));
   return optimise(fitOf(estimate, data, summarise(data.experiments())), data, context)
       .log_likelihood;
+}
+
+/// The estimate with its orders as they are, and Go as one of its parameters.
+Estimate withFreePlant(Estimate estimate) {
+  estimate.configuration.nominal_model.fit = PlantFit::likelihood;
+  return estimate;
 }
 
 /// Estimates of models with other orders than a given estimate has, and compares them by BIC.
@@ -43,7 +52,7 @@ class OrderSearch {
   };
 
   Model chosen() const {
-    const Model as_it_is{chosen_, likelihoodOf(chosen_, experiments_, context_)};
+    const Model as_it_is{chosen_, likelihoodOf(withFreePlant(chosen_), experiments_, context_)};
     return with(chosen_.configuration.nominal_model, as_it_is).value_or(as_it_is);
   }
 
@@ -164,17 +173,38 @@ int persistentPoles(const Estimate& estimate) {
   return static_cast<int>((roots(estimate.nominal_model.d).array().abs() > kPersistent).count());
 }
 
+/// [%] fit of the free simulation of the mean plant of an estimate.
+double simulatedFit(const Estimate& estimate, const std::vector<Experiment>& experiments) {
+  const FitData data(usedBy(estimate, experiments));
+  const Fit fit = fitOf(estimate, data, summarise(data.experiments()));
+  const Eigen::Index own = fit.model->nominal().parameterCount();
+  const double offset = fit.at.parameters.size() > own ? fit.at.parameters[own] : 0.0;
+  return simulationFit(*fixPlant(meanPlant(*fit.model, fit.at), 0, 0), Eigen::VectorXd(0), offset,
+                       estimate.configuration.estimation, data.experiments())
+      .pooled;
+}
+
+/// Whether the likelihood of a model has left the simulation of the data behind.
+bool simulatesFarWorse(const Estimate& one, const Estimate& other,
+                       const std::vector<Experiment>& experiments) {
+  constexpr double kFar = 10;  // [% of fit]
+  return simulatedFit(one, experiments) < simulatedFit(other, experiments) - kFar;
+}
+
 }  // namespace
 
 std::vector<Estimate> orderCandidates(const Configuration& asked, const Estimate& estimate,
                                       const std::vector<Experiment>& experiments,
                                       const FitContext& context, const ProgressCallback& progress) {
-  if (!asked.nominal_model.orders_auto || !estimate.usable()) return {estimate};
+  if (!asked.nominal_model.orders_auto || !estimate.usable()) return {withFreePlant(estimate)};
   const OrderSearch search(estimate, experiments, context, progress);
   const auto chosen = search.chosen();
+  if (simulatesFarWorse(chosen.estimate, estimate, experiments)) return {estimate};
   constexpr int kMostMore = 2;  // where BIC asks for more, something else than a pole is missing
-  const int most = std::min(asked.nominal_model.max_order, chosen.orders().na + kMostMore);
+  const int most = std::min(estimate.configuration.nominal_model.max_order,
+                            chosen.orders().na + kMostMore);
   const auto largest = search.pruned(search.raised(search.pruned(chosen), most));
+  if (simulatesFarWorse(largest.estimate, estimate, experiments)) return {estimate};
   std::vector<Estimate> all{largest.estimate};
   const auto add = [&](const NominalModelOptions& orders) {
     if (const auto other = search.with(orders, chosen)) all.push_back(other->estimate);

@@ -19,6 +19,9 @@ namespace uncertainty_identification {
 ///    orders of the first model;
 ///  - if noise poles of the first model lie near the unit circle, where they describe a bias, a
 ///    drift or a hum, the first model without them.
+/// Where the optimum of the likelihood simulates the data far worse than the estimate, the noise
+/// model describes there what Go lacks: the estimate is then returned alone, with Go held at its
+/// simulation (nominal_model.fit: simulation).
 std::vector<Estimate> orderCandidates(const Configuration& asked, const Estimate& estimate,
                                       const std::vector<Experiment>& experiments,
                                       const FitContext& context, const ProgressCallback& progress);

@@ -60,12 +60,16 @@ long repeats(const std::vector<double>& sorted) {
   return count;
 }
 
-/// Number of samples at a value. If the sensor `holds` samples, those that repeat the sample before
+/// Number of samples at a value that was reached and left again: a record that begins or ends there
+/// may show a machine at rest. If the sensor `holds` samples, those that repeat the sample before
 /// are not counted.
 long visits(const std::vector<Experiment>& experiments, double value, bool holds) {
   long count = 0;
   for (const Experiment& experiment : experiments) {
-    for (int t = 0; t < experiment.samples(); ++t) {
+    int first = 0, last = experiment.samples();
+    while (first < last && experiment.y[first] == value) ++first;
+    while (last > first && experiment.y[last - 1] == value) --last;
+    for (int t = first; t < last; ++t) {
       const bool there = experiment.isValid(t) && experiment.y[t] == value;
       const bool stays =
           there && t > 0 && experiment.isValid(t - 1) && experiment.y[t - 1] == value;
@@ -110,8 +114,38 @@ double visitsNextTo(Iterator first, Iterator end) {
   return counts[1 + (counts.size() - 1) / 2];
 }
 
+/// Whether readings after a value that was repeated make up for what was not read meanwhile, as
+/// those of a sensor do that holds its last value. A machine that stands still, as friction or a
+/// dead zone makes it, goes on from where it stood. Noise on every reading tells it as well: no
+/// machine that stands still hides it.
+bool catchesUp(const std::vector<Experiment>& experiments, double low, double high) {
+  constexpr double kSmooth = 0.3;  // correlation of two steps of a reading that has little noise
+  constexpr double kShare = 0.5;   // of what a steady motion would have made meanwhile
+  double products = 0, squares = 0, made = 0, expected = 0;
+  for (const Experiment& experiment : experiments) {
+    const Eigen::VectorXd& y = experiment.y;
+    for (int t = 2; t + 1 < experiment.samples(); ++t) {
+      const bool known = experiment.isValid(t - 2) && experiment.isValid(t - 1) &&
+                         experiment.isValid(t) && experiment.isValid(t + 1);
+      if (!known || isHeld(experiment, t, low, high)) continue;
+      if (!isHeld(experiment, t - 1, low, high)) {
+        products += (y[t] - y[t - 1]) * (y[t + 1] - y[t]);
+        squares += (y[t] - y[t - 1]) * (y[t] - y[t - 1]);
+        continue;
+      }
+      int first = t - 1;  // the reading that was repeated
+      while (isHeld(experiment, first, low, high)) --first;
+      const double before = first > 0 ? std::abs(y[first] - y[first - 1]) : 0;
+      made += std::abs(y[t] - y[t - 1]);
+      expected += (t - first) * 0.5 * (before + std::abs(y[t + 1] - y[t]));
+    }
+  }
+  return products < kSmooth * squares || made >= kShare * expected;
+}
+
 /// Share of the samples that the sensor holds. 0 where so few samples repeat the one before that
-/// this may be chance, or where values are repeated apart in time, which is coarse resolution.
+/// this may be chance, where values are repeated apart in time, which is coarse resolution, or
+/// where the machine stands still.
 double heldShare(const std::vector<Experiment>& experiments, const std::vector<double>& sorted) {
   constexpr double kInARow = 0.9;  // share of the repeats that follow the sample they repeat
   long held = 0;
@@ -119,20 +153,35 @@ double heldShare(const std::vector<Experiment>& experiments, const std::vector<d
     for (int t = 1; t < experiment.samples(); ++t)
       held += isHeld(experiment, t, sorted.front(), sorted.back());
   }
-  if (held < kFewest || static_cast<double>(held) < kInARow * static_cast<double>(repeats(sorted)))
+  if (held < kFewest ||
+      static_cast<double>(held) < kInARow * static_cast<double>(repeats(sorted)) ||
+      !catchesUp(experiments, sorted.front(), sorted.back()))
     return 0;
   return static_cast<double>(held) / static_cast<double>(sorted.size());
+}
+
+/// The experiment without its first samples.
+Experiment startedAt(Experiment experiment, int first) {
+  const Eigen::Index count = experiment.samples() - first;
+  for (Eigen::VectorXd* signal : {&experiment.u, &experiment.y, &experiment.stamp_offset})
+    if (signal->size() > 0) *signal = signal->tail(count).eval();
+  for (auto& [name, values] : experiment.signals) values = values.tail(count).eval();
+  if (!experiment.valid.empty())
+    experiment.valid.erase(experiment.valid.begin(), experiment.valid.begin() + first);
+  experiment.start_time += first * experiment.sample_time;
+  return experiment;
 }
 
 }  // namespace
 
 std::vector<Experiment> withoutRest(std::vector<Experiment> experiments) {
+  constexpr int kKept = kFewest - 1;  // samples that show where the system rested
   for (Experiment& experiment : experiments) {
+    const Eigen::VectorXd &u = experiment.u, &y = experiment.y;
     int moves = 1;
-    while (moves < experiment.samples() && experiment.y[moves] == experiment.y[0]) ++moves;
-    if (moves < kFewest || moves == experiment.samples()) continue;
-    experiment.valid.resize(static_cast<std::size_t>(experiment.samples()), 1);
-    std::fill_n(experiment.valid.begin(), moves, 0);
+    while (moves < experiment.samples() && y[moves] == y[0] && u[moves] == u[0]) ++moves;
+    if (moves > kKept && moves < experiment.samples())
+      experiment = startedAt(std::move(experiment), moves - kKept);
   }
   return experiments;
 }

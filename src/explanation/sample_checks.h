@@ -16,8 +16,9 @@ struct SpoiltSamples {
   std::vector<CauseParameter> parameters;
 };
 
-/// The experiments with the outputs masked that precede the first change of the output. A recording
-/// of a system at rest repeats values though its sensor neither hangs nor is at a limit.
+/// The experiments from just before the first change of input or output on. A recording of a system
+/// at rest repeats values though its sensor neither hangs nor is at a limit; the last three samples
+/// stay, as they show where it rested.
 std::vector<Experiment> withoutRest(std::vector<Experiment> experiments);
 
 /// The defects found: quantisation alone, or clipping or held samples or both.

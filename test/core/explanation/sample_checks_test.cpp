@@ -117,6 +117,21 @@ TEST(SampleChecks, AMachineThatRestsAtItsLargestOutputHasNoLimit) {
 }
 
 /// A sensor whose steps are uneven repeats all its values, its extremes no more than others.
+TEST(SampleChecks, ARecordThatBeginsAndEndsAtRestHasNoLimit) {
+  std::vector<Experiment> experiments = noise();
+  for (Experiment& experiment : experiments) {
+    experiment.y = experiment.y.array().abs() + 1;
+    experiment.y.head(6).setZero();
+  }
+  EXPECT_TRUE(checkSamples(experiments).empty());
+  experiments[1].y.tail(8).setZero();
+  EXPECT_TRUE(checkSamples(experiments).empty());
+  for (int t = 50; t < 500; t += 60) experiments[0].y[t] = 0;
+  const auto found = checkSamples(experiments);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].name, "sens_clip");
+}
+
 TEST(SampleChecks, ExtremesOfACoarseSensorAreNoLimit) {
   std::vector<Experiment> coarse = noise();
   for (Experiment& experiment : coarse)
@@ -138,6 +153,54 @@ TEST(SampleChecks, RepeatedValuesAreASensorThatHolds) {
   EXPECT_EQ(kept[0].validSamples(), 500);
   EXPECT_EQ(kept[1].validSamples(), 495);
   EXPECT_FALSE(kept[1].isValid(110));
+}
+
+/// A motor whose friction lets it move only where the input exceeds it, read by an encoder of whole
+/// steps; `loses`: instead, it always moves, and one reading in ten is the last one again.
+std::vector<Experiment> encoder(bool loses) {
+  std::mt19937_64 engine(7);
+  std::vector<Experiment> all(2);
+  for (Experiment& experiment : all) {
+    experiment.u = experiment.y = Eigen::VectorXd::Zero(400);
+    double speed = 0, angle = &experiment == &all.front() ? 0 : 1e6;
+    for (int t = 0; t < 400; ++t) {
+      const double input = 100 + (t / 40 % 3) * 30;
+      experiment.u[t] = loses || t / 20 % 2 == 1 ? input : 0;
+      speed += 0.4 * (experiment.u[t] - speed);
+      if (!loses && speed < 20) speed = 0;
+      angle += speed;
+      const bool lost = loses && t > 0 && engine() % 10 == 0;
+      experiment.y[t] = lost ? experiment.y[t - 1] : std::round(angle);
+    }
+  }
+  return all;
+}
+
+TEST(SampleChecks, AMachineThatStandsStillIsNoSensorThatHolds) {
+  EXPECT_TRUE(checkSamples(encoder(false)).empty());
+  const auto found = checkSamples(encoder(true));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].name, "sens_dropout");
+}
+
+TEST(SampleChecks, OfARestBeforeTheTestThreeSamplesStay) {
+  Experiment rested;
+  rested.sample_time = 0.5;
+  rested.u = Eigen::VectorXd::Zero(50);
+  rested.y = Eigen::VectorXd::Constant(50, 2);
+  rested.u.tail(30).setOnes();
+  rested.y.tail(28).setLinSpaced(2.1, 5);
+  rested.signals["load"] = Eigen::VectorXd::LinSpaced(50, 0, 49);
+  const Experiment cut = withoutRest({rested}).front();
+  ASSERT_EQ(cut.samples(), 33);
+  EXPECT_EQ(cut.start_time, 8.5);
+  EXPECT_EQ(cut.u[2], 0);
+  EXPECT_EQ(cut.u[3], 1);
+  EXPECT_EQ(cut.y[4], 2);
+  EXPECT_EQ(cut.signals.at("load")[0], 17);
+  EXPECT_EQ(cut.validSamples(), 33) << "the dead time of the output is left";
+  rested.u[2] = 1;
+  EXPECT_EQ(withoutRest({rested}).front().samples(), 50) << "the input moves, the output does not";
 }
 
 TEST(SampleChecks, ALargestValueThatIsHeldIsNoLimit) {
