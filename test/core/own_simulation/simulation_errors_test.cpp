@@ -10,6 +10,8 @@
 #include <cmath>
 #include <random>
 
+#include "own_simulation/describe_errors.h"
+
 namespace uncertainty_identification {
 namespace {
 
@@ -199,6 +201,16 @@ TEST(SimulationErrors, AreThoseOfTheCovariateOfAnExperiment) {
   experiment.signals.clear();
   experiment.scalars["sim"] = 0.4;
   EXPECT_NEAR(simulationErrors(experiment, "sim")->bias.value, experiment.y.mean() - 0.4, 1e-9);
+}
+
+TEST(SimulationErrors, AreToldInWords) {
+  SimulationErrors errors;
+  errors.fit = {87.34, 1, 85.1, 89.6};
+  errors.bias = {0.4, 0.1, 0.2, 0.6};
+  errors.untold = {"Gain and delay error are not told."};
+  EXPECT_EQ(describe(errors),
+            "The simulation has fit 87.3 % (85.1 to 89.6), bias 0.4 (0.2 to 0.6). Gain and delay "
+            "error are not told.");
 }
 
 }  // namespace
