@@ -138,6 +138,16 @@ void trim(Rows& rows, std::size_t first, std::size_t last, double sample_time) {
   keep(rows.valid, first, last);
 }
 
+/// [s] until when a covariate may have come to belong to a row: its instant, or the stamp of its
+/// output where that is later, so that what bears the same stamp belongs together.
+std::vector<double> covariateTimes(const Rows& rows, double sample_time) {
+  std::vector<double> times = rows.instants;
+  for (std::size_t k = 0; k < times.size(); ++k)
+    times[k] =
+        std::max(times[k], rows.origin + static_cast<double>(k) * sample_time + rows.offsets[k]);
+  return times;
+}
+
 Eigen::VectorXd asVector(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
@@ -152,7 +162,7 @@ Experiment assemble(const Recording& recording, const Rows& rows, double sample_
   experiment.y = asVector(rows.y);
   if (std::count(rows.valid.begin(), rows.valid.end(), 0) > 0) experiment.valid = rows.valid;
   if (with_offsets) experiment.stamp_offset = asVector(rows.offsets);
-  addCovariates(recording, rows.instants, experiment);
+  addCovariates(recording, covariateTimes(rows, sample_time), experiment);
   return experiment;
 }
 

@@ -87,6 +87,19 @@ std::unique_ptr<Simulation> openSimulation(const OwnSimulationOptions& options,
                               "the transfer function of simulation.model");
 }
 
+void requirePublishedSimulation(const Configuration& configuration) {
+  if (!configuration.simulation) return;
+  const bool whole = configuration.experiment.mode == ExperimentMode::message;
+  if (whole && !configuration.simulation->column.empty()) return;
+  if (!whole && !configuration.simulation->topic.empty()) return;
+  throw ConfigurationError(
+      std::string("simulation: a node starts no program of the user, but compares what one "
+                  "publishes; give ") +
+      (whole ? "column: the name of a covariate in the messages (experiment.mode is message)"
+             : "topic, and field where its messages have several") +
+      ", or leave it out, and run the program explain with it");
+}
+
 void refuseSimulation(const Configuration& configuration, const std::string& who) {
   if (configuration.simulation)
     throw ConfigurationError("simulation: " + who +

@@ -20,6 +20,11 @@ Configuration withLoggedSimulation(Configuration configuration);
 /// a network. Throws ConfigurationError, or FileError for a result that cannot be read.
 std::unique_ptr<Simulation> openSimulation(const OwnSimulationOptions& options, double sample_time);
 
+/// Throws ConfigurationError where the configuration gives a simulation that does not arrive at a
+/// node beside the measurement: as a topic, or, where whole experiments arrive as messages, as
+/// `column`, the name of a covariate in them.
+void requirePublishedSimulation(const Configuration& configuration);
+
 /// Throws ConfigurationError where the configuration gives a simulation: `who` does not compare
 /// one.
 void refuseSimulation(const Configuration& configuration, const std::string& who);

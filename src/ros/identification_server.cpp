@@ -2,7 +2,9 @@
 
 #include <utility>
 
+#include "io/open_simulation.h"
 #include "live/live_page.h"
+#include "own_simulation/logged_simulation.h"
 #include "ros/checked_service.h"
 #include "ros/experiment_bag.h"
 #include "ros/identify_request.h"
@@ -49,13 +51,14 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
       store_(openStore(parameters, storeListener())),
       stored_(store_ ? store_->load() : StoredState()),
       configuration_(configurationAtStart(parameters, stored_.configuration)),
+      simulation_errors_(private_node, configuration_),
       worker_(configuration_, workerListener()),
       reconfiguration_(parameters, configuration_, worker_,
                        [this](const StoredConfiguration& configuration) {
                          if (store_) store_->keep(configuration);
                        }),
       saved_(parameters.store_directory, experimentBags(), parameters.limits, worker_),
-      recorder_(node, private_node, configuration_,
+      recorder_(node, private_node, withLoggedSimulation(configuration_),
                 {[this](FinishedExperiment experiment) { worker_.add(std::move(experiment)); },
                  [this](const std::string& problem) {
                    warn(problem);
@@ -91,12 +94,18 @@ std::unique_ptr<LivePage> IdentificationServer::openLivePage(int port) {
 }
 
 ExplanationServer::Source IdentificationServer::explanationSource() {
-  return {[this] { return reconfiguration_.current(); },
-          [this] { return worker_.snapshot().experiments; }, [this] { return results_.sequence(); },
-          beginning(),
+  return {[this] { return reconfiguration_.current(); }, [this] { return machineExperiments(); },
+          [this] { return results_.sequence(); }, beginning(),
           [this](const Explanation& explanation) {
             if (live_) live_->show(explanation);
           }};
+}
+
+/// The experiments without the user's simulation, which is no covariate of the machine.
+std::vector<Experiment> IdentificationServer::machineExperiments() const {
+  std::vector<Experiment> experiments = worker_.snapshot().experiments;
+  if (!configuration_.simulation) return experiments;
+  return withoutSignal(std::move(experiments), loggedName(*configuration_.simulation));
 }
 
 /// Serves what was restored from the store, and from now on requests.
@@ -127,6 +136,10 @@ void IdentificationServer::addDiagnostics() {
   diagnostics_.add("activity", [this](auto& status) {
     diagnoseActivity(activities_.running(), waitingRequests(), ros::Time::now().toSec(), status);
   });
+  if (simulation_errors_.active())
+    diagnostics_.add("simulation", [this](auto& status) {
+      diagnoseSimulation(simulation_errors_.last(), status);
+    });
   if (store_)
     diagnostics_.add("store", [this](auto& status) { diagnoseStore(store_->status(), status); });
 }
@@ -179,6 +192,7 @@ std_srvs::Trigger::Response IdentificationServer::reset() {
   warned_.forget();
   recorder_.reset();
   worker_.reset();
+  simulation_errors_.reset();
   if (store_) store_->reset();
   const std::uint32_t last = results_.forget();
   explanations_.reset();

@@ -12,6 +12,7 @@
 #include "ros/report_writer.h"
 #include "ros/result_publisher.h"
 #include "ros/service_thread.h"
+#include "ros/simulation_error_publisher.h"
 #include "ros/status_publisher.h"
 #include "ros/summary_publisher.h"
 #include "session/log_lines.h"
@@ -24,7 +25,8 @@ class LivePage;
 
 /// The identification node. ExperimentRecorder makes experiments of the messages on topics,
 /// IdentificationWorker makes results of the experiments, StoreWriter keeps both on the disk, and
-/// ResultPublisher, SummaryPublisher, BoundsPublisher and StatusPublisher publish the results.
+/// ResultPublisher, SummaryPublisher, BoundsPublisher and StatusPublisher publish the results,
+/// SimulationErrorPublisher how far the simulation of the user is from the experiments.
 /// ExplanationServer explains them, LivePage shows them. This class connects these parts and serves
 /// the services.
 ///
@@ -50,6 +52,7 @@ class IdentificationServer {
   NodeStatus nodeStatus() const;
   std::unique_ptr<LivePage> openLivePage(int port);
   ExplanationServer::Source explanationSource();
+  std::vector<Experiment> machineExperiments() const;
   std::function<Activities::Token(const std::string&)> beginning();
   void summarised(const Result& result, const ResultContext& context);
   void bounded(const Result& result, const ResultContext& context);
@@ -85,6 +88,7 @@ class IdentificationServer {
   std::unique_ptr<StoreWriter> store_;  // null if store_directory is not configured
   StoredState stored_;                  // what the store held; empty after restore()
   const Configuration configuration_;   // with which the node started
+  SimulationErrorPublisher simulation_errors_;
   IdentificationWorker worker_;
   Reconfiguration reconfiguration_;
   SavedExperiments saved_;

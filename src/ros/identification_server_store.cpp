@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "data/experiment_checks.h"
 #include "io/printable.h"
 #include "live/live_page.h"
 #include "ros/answer.h"
@@ -38,6 +39,7 @@ IdentificationWorker::Listener IdentificationServer::workerListener() {
   listener.kept = [this](const KeptExperiment& experiment) {
     ROS_INFO_STREAM(keptLine(experiment, configuration_.limits));
     explanations_.experimentAdded();
+    if (experiment.defect.empty()) simulation_errors_.add(experiment.experiment);
     if (store_) store_->keep(experiment);
   };
   listener.rejected = [this](const RejectedExperiment& rejected) {
@@ -98,6 +100,9 @@ void IdentificationServer::restore() {
   if (!stored_.kept.empty())
     ROS_INFO_STREAM("the node continues with " << stored_.kept.size()
                                                << " experiments of its store");
+  for (const KeptExperiment& kept : stored_.kept)
+    if (defectOf(*kept.experiment, configuration_.limits).empty())
+      simulation_errors_.add(kept.experiment);
   worker_.restore(std::move(stored_.kept), std::move(stored_.rejected), stored_.last_number, last);
   stored_ = {};
 }

@@ -73,7 +73,7 @@ YAML::Node toYaml(XmlRpcValue value, const std::string& path) {
 
 Configuration parseParameters(const XmlRpcValue& parameters) {
   Configuration configuration = parseConfiguration(withoutForeignKeys(toYaml(parameters)));
-  refuseSimulation(configuration, "the node compares none, and starts no program of the user");
+  requirePublishedSimulation(configuration);
   return configuration;
 }
 

@@ -16,6 +16,7 @@
 #include <uncertainty_identification/NominalModel.h>
 #include <uncertainty_identification/RobustMargin.h>
 #include <uncertainty_identification/Sample.h>
+#include <uncertainty_identification/SimulationError.h>
 #include <uncertainty_identification/Summary.h>
 #include <uncertainty_identification/UncertaintyBounds.h>
 #undef uncertainty_identification

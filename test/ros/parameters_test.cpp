@@ -45,10 +45,23 @@ TEST(Parameters, EveryKindOfValueArrives) {
 TEST(Parameters, NoNodeStartsASimulationOfTheUser) {
   XmlRpcValue parameters = minimal();
   parameters["simulation"]["command"][0] = "./my_sim";
-  EXPECT_NE(messageOf<ConfigurationError>([&] {
-              parseParameters(parameters);
-            }).find("simulation: the node compares none, and starts no program of the user"),
+  EXPECT_NE(messageOf<ConfigurationError>([&] { parseParameters(parameters); })
+                .find("simulation: a node starts no program of the user, but compares what one "
+                      "publishes; give topic"),
             std::string::npos);
+}
+
+TEST(Parameters, ASimulationThatIsPublishedIsCompared) {
+  XmlRpcValue parameters = minimal();
+  parameters["simulation"]["topic"] = "sim/measurement";
+  EXPECT_EQ(parseParameters(parameters).simulation->topic, "sim/measurement");
+  parameters["experiment"]["mode"] = "message";
+  EXPECT_NE(messageOf<ConfigurationError>([&] { parseParameters(parameters); }).find("give column"),
+            std::string::npos);
+  XmlRpcValue whole = minimal();
+  whole["experiment"]["mode"] = "message";
+  whole["simulation"]["column"] = "y_sim";
+  EXPECT_EQ(parseParameters(whole).simulation->column, "y_sim");
 }
 
 TEST(Parameters, NumbersMayBeTextAsRosparamReadsThem) {

@@ -1,10 +1,13 @@
 // What goes wrong on topics: publishers that come late, restart, change their type or send broken
 // messages. The node reports it and records on.
 
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <std_msgs/Float64.h>
 #include <std_msgs/String.h>
 #include <topic_tools/shape_shifter.h>
+
+#include <cmath>
 
 #include "support/example1.h"
 #include "support/node_client.h"
@@ -160,6 +163,80 @@ TEST_F(TopicsTest, HowTheSamplesCameIsToldOfEachExperiment) {
   EXPECT_NEAR(summary.output.jitter, 0.001, 1e-5);
   EXPECT_GE(summary.input.age, summary.input.delay);
   EXPECT_GT(summary.input.delay, 0);
+}
+
+/// Publishes the output of a simulation beside the measurement, which is `gain` times as large.
+class SimulatedRig {
+ public:
+  explicit SimulatedRig(NodeClient& client) : client_(client) {
+    waitFor([this] {
+      return command_.getNumSubscribers() > 0 && measurement_.getNumSubscribers() > 0 &&
+             simulation_.getNumSubscribers() > 0;
+    });
+  }
+
+  /// One experiment of 100 samples; number `seed` of them.
+  bool record(int seed, double gain) {
+    if (!client_.call<std_srvs::Trigger>("start_experiment").success) return false;
+    const ros::Time begin = ros::Time::now();
+    messages::Sample sample;
+    for (int k = 0; k < 100; ++k) {
+      ros::Time::sleepUntil(begin + ros::Duration(0.01 * k));
+      sample.header.stamp = ros::Time::now();
+      const double simulated = 2 + std::sin(0.31 * k + seed) + 0.5 * std::sin(0.73 * k);
+      publish(command_, simulated, sample);
+      publish(measurement_, 0.3 + gain * simulated + 0.02 * std::sin(2.1 * k * (seed + 1)), sample);
+      publish(simulation_, simulated, sample);
+    }
+    return client_.call<std_srvs::Trigger>("finish_experiment").success != 0;
+  }
+
+ private:
+  static void publish(ros::Publisher& publisher, double value, messages::Sample& sample) {
+    sample.value = value;
+    publisher.publish(sample);
+  }
+
+  NodeClient& client_;
+  ros::NodeHandle node_;
+  ros::Publisher command_ = node_.advertise<messages::Sample>("/actuator/command", 1000);
+  ros::Publisher measurement_ = node_.advertise<messages::Sample>("/sensor/measurement", 1000);
+  ros::Publisher simulation_ = node_.advertise<messages::Sample>("/sim/measurement", 1000);
+};
+
+/// The part "simulation" of the newest diagnostics.
+diagnostic_msgs::DiagnosticStatus simulationPart(
+    const Latest<diagnostic_msgs::DiagnosticArray>& diagnostics) {
+  for (const auto& status : diagnostics.get().status)
+    if (status.name == "identification: simulation") return status;
+  return {};
+}
+
+// The machine becomes twice as strong after six experiments: 0.3 + 1.2 y_sim, then 0.3 + 2.4 y_sim.
+TEST_F(TopicsTest, ASimulationBesideTheSensorIsComparedAndItsDriftIsTold) {
+  signals_.shutdown();
+  const Latest<messages::SimulationError> told("/identification/simulation_error");
+  const Latest<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
+  SimulatedRig rig(client_);
+  for (int i = 0; i < 6; ++i) ASSERT_TRUE(rig.record(i, 1.2));
+  ASSERT_TRUE(waitFor([&] { return told.get().drift_message.find("as far") != std::string::npos; }))
+      << told.get();
+  EXPECT_NEAR(told.get().gain.value, 1.2, 0.05);
+  EXPECT_NEAR(told.get().bias.value, 0.3, 0.1);
+  EXPECT_NEAR(told.get().delay.value, 0, 0.005);
+  EXPECT_LT(told.get().gain.lower, told.get().gain.upper);
+  EXPECT_FALSE(told.get().drifted);
+  EXPECT_TRUE(waitFor([&] {
+    const auto status = simulationPart(diagnostics);
+    return !status.values.empty() && status.level == diagnostic_msgs::DiagnosticStatus::OK;
+  })) << simulationPart(diagnostics);
+  for (int i = 6; i < 9; ++i) ASSERT_TRUE(rig.record(i, 2.4));
+  EXPECT_TRUE(waitFor([&] { return told.get().drifted; })) << told.get();
+  EXPECT_TRUE(waitFor([&] {
+    const auto status = simulationPart(diagnostics);
+    return status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
+           status.message.find("has drifted away from the machine") != std::string::npos;
+  })) << simulationPart(diagnostics);
 }
 
 }  // namespace

@@ -235,6 +235,20 @@ TEST(Resample, NonFiniteOutputIsMissing) {
   EXPECT_EQ(experiment.validSamples(), 28);
 }
 
+// As a simulation does that answers each measurement with the measurement's stamp.
+TEST(Resample, ACovariateWithTheStampsOfTheOutputBelongsToItsSample) {
+  Recording recording = recordingOf(ramp(0, 0.1, 100, 0), ramp(0, 0.1, 100, 7));
+  for (std::size_t i = 0; i < 100; ++i)
+    recording.output.stamps[i] += 0.01 * std::sin(static_cast<double>(i * i));
+  recording.output.stamps[0] = 0;
+  recording.covariates["sim"] = recording.output;
+  recording.covariates["sim"].stamps.insert(recording.covariates["sim"].stamps.begin(), -5);
+  recording.covariates["sim"].values.insert(recording.covariates["sim"].values.begin(), 1);
+  const Experiment experiment = resample(recording, 0.1, {});
+  ASSERT_GE(experiment.samples(), 98);
+  EXPECT_EQ(experiment.signals.at("sim"), experiment.y);
+}
+
 TEST(Resample, ConstantCovariatesAreScalarsOthersSignals) {
   Recording recording = recordingOf(ramp(0, 1, 6, 0), ramp(0, 1, 6, 0));
   recording.covariates["once"] = {{3}, {42}};
