@@ -59,6 +59,13 @@ TEST(SimulationErrors, AreExactWithoutNoise) {
   }
 }
 
+// From no delay, Gauss and Newton's method would end at a wrong period of the fastest sine.
+TEST(SimulationErrors, ADelayOfSeveralPeriodsIsFound) {
+  const SimulationErrors errors = errorsOf(measured(2000, 2.507), sampled(2000, 0));
+  EXPECT_NEAR(errors.delay.value, 2.507, 1e-5);
+  EXPECT_NEAR(errors.gain.value, kGain, 1e-4);
+}
+
 TEST(SimulationErrors, TheFitIsThatOfItsDefinition) {
   const Eigen::VectorXd y = measured(300, kDelay), y_sim = sampled(300, 0);
   const double deviation = (y.array() - y.mean()).matrix().norm();
@@ -123,6 +130,20 @@ TEST(SimulationErrors, IntervalsHoldTheTruthAsOftenAsTheySayWithCorrelatedNoise)
       EXPECT_LE(count, kMost) << samples << " samples, pole " << pole;
     }
   }
+}
+
+// Two seconds are shorter than the period of the slowest sine. The regression takes so much out of
+// the residuals that without making up for it a fifth of the intervals would miss.
+TEST(SimulationErrors, IntervalsFromFewSamplesAreWideEnough) {
+  int bias = 0, gain = 0;
+  for (unsigned seed = 1; seed <= 400; ++seed) {
+    const SimulationErrors errors =
+        errorsOf(measured(100, kDelay) + autoregressive(100, 0, 0.3, seed), sampled(100, 0));
+    bias += holds(errors.bias, kBias);
+    gain += holds(errors.gain, kGain);
+  }
+  EXPECT_GE(bias, 362);
+  EXPECT_GE(gain, 362);
 }
 
 // The truth is made of the variances of the simulation and of the noise.
