@@ -9,6 +9,7 @@
 #include "ros/experiment_bag.h"
 #include "ros/identify_request.h"
 #include "ros/message_conversions.h"
+#include "ros/simulation_error_publisher.h"
 #include "session/mebibytes.h"
 #include "uncertainty_identification/errors.h"
 
@@ -51,7 +52,7 @@ IdentificationServer::IdentificationServer(const ros::NodeHandle& node,
       store_(openStore(parameters, storeListener())),
       stored_(store_ ? store_->load() : StoredState()),
       configuration_(configurationAtStart(parameters, stored_.configuration)),
-      simulation_errors_(private_node, configuration_),
+      simulation_errors_(std::make_unique<SimulationErrorPublisher>(private_node, configuration_)),
       worker_(configuration_, workerListener()),
       reconfiguration_(parameters, configuration_, worker_,
                        [this](const StoredConfiguration& configuration) {
@@ -136,9 +137,9 @@ void IdentificationServer::addDiagnostics() {
   diagnostics_.add("activity", [this](auto& status) {
     diagnoseActivity(activities_.running(), waitingRequests(), ros::Time::now().toSec(), status);
   });
-  if (simulation_errors_.active())
+  if (simulation_errors_->active())
     diagnostics_.add("simulation", [this](auto& status) {
-      diagnoseSimulation(simulation_errors_.last(), status);
+      diagnoseSimulation(simulation_errors_->last(), status);
     });
   if (store_)
     diagnostics_.add("store", [this](auto& status) { diagnoseStore(store_->status(), status); });
@@ -192,7 +193,7 @@ std_srvs::Trigger::Response IdentificationServer::reset() {
   warned_.forget();
   recorder_.reset();
   worker_.reset();
-  simulation_errors_.reset();
+  simulation_errors_->reset();
   if (store_) store_->reset();
   const std::uint32_t last = results_.forget();
   explanations_.reset();

@@ -12,7 +12,6 @@
 #include "ros/report_writer.h"
 #include "ros/result_publisher.h"
 #include "ros/service_thread.h"
-#include "ros/simulation_error_publisher.h"
 #include "ros/status_publisher.h"
 #include "ros/summary_publisher.h"
 #include "session/log_lines.h"
@@ -22,6 +21,7 @@
 namespace uncertainty_identification {
 
 class LivePage;
+class SimulationErrorPublisher;
 
 /// The identification node. ExperimentRecorder makes experiments of the messages on topics,
 /// IdentificationWorker makes results of the experiments, StoreWriter keeps both on the disk, and
@@ -88,7 +88,7 @@ class IdentificationServer {
   std::unique_ptr<StoreWriter> store_;  // null if store_directory is not configured
   StoredState stored_;                  // what the store held; empty after restore()
   const Configuration configuration_;   // with which the node started
-  SimulationErrorPublisher simulation_errors_;
+  const std::unique_ptr<SimulationErrorPublisher> simulation_errors_;  // used by the worker
   IdentificationWorker worker_;
   Reconfiguration reconfiguration_;
   SavedExperiments saved_;

@@ -8,6 +8,7 @@
 #include "ros/answer.h"
 #include "ros/identification_server.h"
 #include "ros/keeping_requests.h"
+#include "ros/simulation_error_publisher.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
 
 /// What the server stores so that it survives a restart, and the services that save, load, reject
@@ -39,7 +40,7 @@ IdentificationWorker::Listener IdentificationServer::workerListener() {
   listener.kept = [this](const KeptExperiment& experiment) {
     ROS_INFO_STREAM(keptLine(experiment, configuration_.limits));
     explanations_.experimentAdded();
-    if (experiment.defect.empty()) simulation_errors_.add(experiment.experiment);
+    if (experiment.defect.empty()) simulation_errors_->add(experiment.experiment);
     if (store_) store_->keep(experiment);
   };
   listener.rejected = [this](const RejectedExperiment& rejected) {
@@ -102,7 +103,7 @@ void IdentificationServer::restore() {
                                                << " experiments of its store");
   for (const KeptExperiment& kept : stored_.kept)
     if (defectOf(*kept.experiment, configuration_.limits).empty())
-      simulation_errors_.add(kept.experiment);
+      simulation_errors_->add(kept.experiment);
   worker_.restore(std::move(stored_.kept), std::move(stored_.rejected), stored_.last_number, last);
   stored_ = {};
 }
