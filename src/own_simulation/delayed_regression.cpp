@@ -24,11 +24,14 @@ struct Rows {
   Eigen::VectorXd y;
 };
 
-/// 1, the delayed signal and its derivative, where the delayed signal is known.
-Rows rowsAt(double delay, const Eigen::VectorXd& y, const Eigen::ArrayXd& weight,
+constexpr int kMargin = 2;  // [samples] around `centre` in which the rows stay the same
+
+/// 1, the delayed signal and its derivative, where the signal is known for all delays of `centre`
+/// +- kMargin: rows that came and went with the delay would keep it from converging.
+Rows rowsAt(double delay, int centre, const Eigen::VectorXd& y, const Eigen::ArrayXd& weight,
             const ShiftedSignal& y_sim) {
-  const Index first = std::max<Index>(0, static_cast<Index>(std::ceil(delay)));
-  const Index last = y.size() - 1 + std::min<Index>(0, static_cast<Index>(std::ceil(delay)));
+  const Index first = std::max(0, centre + kMargin);
+  const Index last = y.size() - 1 + std::min(0, centre - kMargin);
   const ShiftedSignal::Part part = y_sim.delayed(delay, first, last);
   const Eigen::ArrayXd used = weight.segment(first, last - first);
   Rows rows;
@@ -73,8 +76,9 @@ std::optional<DelayedRegression> regressDelayed(const Eigen::VectorXd& y,
   constexpr double kIndependent = 1e-4;
   DelayedRegression found;
   found.delay = start;
+  int centre = start;
   for (int i = 0; i < kMostSteps; ++i) {
-    const Rows rows = rowsAt(found.delay, y, weight, y_sim);
+    const Rows rows = rowsAt(found.delay, centre, y, weight, y_sim);
     if (independentShare(rows.columns) < kIndependent) return std::nullopt;
     const Eigen::VectorXd c = leastSquares(rows.columns, rows.y);
     const double step = -c[2] / c[1];  // gain y_sim(t - delay - step), linearised
@@ -85,6 +89,8 @@ std::optional<DelayedRegression> regressDelayed(const Eigen::VectorXd& y,
     }
     found.delay += std::clamp(step, -kLongestStep, kLongestStep);
     if (std::abs(found.delay) > most) return std::nullopt;
+    if (std::abs(found.delay - centre) > kMargin)
+      centre = static_cast<int>(std::lround(found.delay));
   }
   return std::nullopt;
 }

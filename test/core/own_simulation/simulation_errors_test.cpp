@@ -59,6 +59,15 @@ TEST(SimulationErrors, AreExactWithoutNoise) {
   }
 }
 
+// Where no delay is the truth, steps lead to both sides of it, on which other samples overlap.
+TEST(SimulationErrors, NoDelayIsFoundWithNoise) {
+  for (unsigned seed = 1; seed <= 400; ++seed) {
+    const SimulationErrors errors =
+        errorsOf(measured(100, 0) + autoregressive(100, 0.5, 0.3, seed), sampled(100, 0));
+    EXPECT_NEAR(errors.delay.value, 0, 0.1) << seed;
+  }
+}
+
 // From no delay, Gauss and Newton's method would end at a wrong period of the fastest sine.
 TEST(SimulationErrors, ADelayOfSeveralPeriodsIsFound) {
   const SimulationErrors errors = errorsOf(measured(2000, 2.507), sampled(2000, 0));
