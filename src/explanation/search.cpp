@@ -223,12 +223,23 @@ void Search::updateTried(const FoundCause& first) {
       [](const TriedEffect& left, const TriedEffect& right) { return left.score > right.score; });
 }
 
-SearchState Search::run(const SearchState& base) {
-  SearchState found = search(base);
+/// The state with gains that belong to all of its causes, without those that hold no more.
+SearchState Search::measured(const SearchState& base, SearchState found) {
   if (found.eliminated) remeasureGains(base, context_, &found);
   removeThoseThatHoldNoMore(base, &found);
+  return found;
+}
+
+SearchState Search::run(const SearchState& base) {
+  SearchState found = measured(base, search(base));
   if (found.causes.size() > base.causes.size()) updateTried(found.causes[base.causes.size()]);
   return found;
+}
+
+SearchState Search::withAnother(SearchState found) {
+  const SearchState base = found;
+  forwardSelection(&found, base.causes.size() + 1);
+  return measured(base, std::move(found));
 }
 
 SearchState Search::search(const SearchState& base) {

@@ -55,6 +55,9 @@ class Search {
   /// anything.
   SearchState run(const SearchState& base);
 
+  /// The causes of a state, and the next one that forward selection adds to them, if there is one.
+  SearchState withAnother(SearchState found);
+
   /// The effects that were tried on top of the base, the best score first.
   const std::vector<TriedEffect>& tried() const { return tried_; }
 
@@ -62,6 +65,7 @@ class Search {
 
  private:
   SearchState search(const SearchState& base);
+  SearchState measured(const SearchState& base, SearchState found);
   void updateTried(const FoundCause& first);
   void forwardSelection(SearchState* state, std::size_t most);
   bool extend(SearchState* state, const std::vector<FittedEffect>& ranked);

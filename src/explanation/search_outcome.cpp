@@ -82,13 +82,13 @@ bool describesAll(const SearchState& state) {
   return allPassed(checkResiduals(state.fit, state.train, state.heavy_tails));
 }
 
-/// The causes that the curves name, and others of the whole catalogue beside them, if all tests
-/// pass with these. If they do not, further causes may be symptoms of what the model cannot
-/// contain.
-SearchState withOthers(SearchState found, const ExplanationOptions& options,
+/// The causes that the curves name, and another one of the whole catalogue beside them, if all tests
+/// pass with it. If they do not, it may be a symptom of what the model cannot contain, and so may
+/// those that would follow it.
+SearchState withAnother(SearchState found, const ExplanationOptions& options,
                        const FitContext& context, const Effects& effects) {
   if (describesAll(found) || !context.going_on()) return found;
-  SearchState more = Search(options, context, effects).run(found);
+  SearchState more = Search(options, context, effects).withAnother(found);
   return describesAll(more) ? more : found;
 }
 
@@ -125,7 +125,7 @@ SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& contex
   // The error of a coarse quantisation is neither Gaussian nor white, and hides other effects.
   SearchState found = base.quantised ? base : search.run(base);
   if (!only.empty() && !base.quantised && !found.causes.empty())
-    found = withOthers(std::move(found), whole, context, effects);
+    found = withAnother(std::move(found), whole, context, effects);
   if (tests_feedback) addFeedback(effects, &found);
   return {std::move(estimate), std::move(base), std::move(found), search.tried(),
           search.refusals()};

@@ -27,5 +27,22 @@ TEST(EstimateOf, NeedsNoMoreIterationsThanAllowed) {
       << "the limit is of this optimisation, not of whoever identifies again";
 }
 
+TEST(FitOf, HoldsAPlantThatWasFittedToItsSimulation) {
+  const std::vector<Experiment> experiments = test::example1(2, 20).experiments;
+  Configuration configuration = test::example1Configuration();
+  configuration.bounds.frequencies = 0;
+  configuration.nominal_model.fit = PlantFit::simulation;
+  const Estimate base = Identifier(configuration).identify(experiments);
+  const FitData data(usedBy(base, experiments));
+  const Fit fit = fitOf(base, data, summarise(data.experiments()));
+  EXPECT_EQ(fit.model->nominal().parameterCount(),
+            base.nominal_model.c.size() + base.nominal_model.d.size());
+  EXPECT_NEAR(fit.log_likelihood, base.log_likelihood, 0.01);
+  const Estimate again = estimateOf(fit, data, base, 500);
+  EXPECT_TRUE(again.nominal_model.b.isApprox(base.nominal_model.b, 1e-3));
+  EXPECT_TRUE(again.nominal_model.a.isApprox(base.nominal_model.a, 1e-3));
+  EXPECT_NEAR(again.log_likelihood, base.log_likelihood, 0.1);
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

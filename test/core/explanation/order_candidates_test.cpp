@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+
 #include "support/core_setup.h"
 
 namespace uncertainty_identification {
@@ -64,6 +68,55 @@ TEST(OrderCandidates, RaisesThoseThatAreTooLowAndKeepsThemAsTheSmallerModel) {
   EXPECT_EQ(orders[1].nb, 1);
   EXPECT_EQ(orders[1].nc, orders[0].nc);
   EXPECT_EQ(orders[1].nd, orders[0].nd);
+}
+
+/// A mass on a spring that Coulomb friction holds as long as the force is small: its position, read
+/// with little noise.
+std::vector<Experiment> massWithFriction() {
+  constexpr double kStep = 0.01, kFriction = 0.5;
+  std::mt19937_64 engine(1);
+  std::normal_distribution<double> normal;
+  std::vector<Experiment> all(6);
+  for (Experiment& experiment : all) {
+    experiment.sample_time = 10 * kStep;
+    experiment.id = "run " + std::to_string(&experiment - all.data());
+    experiment.u = experiment.y = Eigen::VectorXd::Zero(300);
+    double position = 0, speed = 0, force = 0;
+    for (int k = 0; k < 300; ++k) {
+      if (k % 10 == 0) force = std::clamp(0.6 * normal(engine), -1.0, 1.0);
+      experiment.u[k] = force;
+      experiment.y[k] = position + 1e-3 * normal(engine);
+      for (int i = 0; i < 10; ++i) {
+        const double drive = force - 0.2 * position - 0.3 * speed;
+        const bool sticks = speed == 0 && std::abs(drive) < kFriction;
+        const double sign = speed != 0 ? speed : drive;
+        const double next = speed + kStep * (drive - std::copysign(kFriction, sign));
+        speed = sticks || next * speed < 0 ? 0 : next;
+        position += kStep * speed;
+      }
+    }
+  }
+  return all;
+}
+
+/// The likelihood predicts a mass that sticks from where it is, whatever the force: its Go simulates
+/// far worse than the one that was fitted to the simulation.
+TEST(OrderCandidates, HoldsThePlantWhereTheLikelihoodLeavesItsSimulation) {
+  const std::vector<Experiment> experiments = massWithFriction();
+  Configuration configuration;
+  configuration.nominal_model.fit = PlantFit::simulation;
+  configuration.error_model.basis = BasisKind::fir;
+  configuration.estimation.initial_state = InitialState::estimate;
+  configuration.estimation.offsets = Offsets::estimate;
+  const Estimate estimate = Identifier(configuration).identify(experiments);
+  WorkerPool pool(1);
+  FitContext context;
+  context.pool = &pool;
+  context.going_on = [] { return true; };
+  const auto all = orderCandidates(configuration, estimate, experiments, context, {});
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].configuration.nominal_model.fit, PlantFit::simulation);
+  EXPECT_EQ(all[0].nominal_model.a, estimate.nominal_model.a);
 }
 
 }  // namespace
