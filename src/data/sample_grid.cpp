@@ -103,17 +103,23 @@ std::vector<long> findSlots(const std::vector<double>& stamps, double period) {
 
 /// Whether the stamps are those of a uniform clock, printed with a resolution that is little finer
 /// than its period: a period of 1.2 ms in whole ms gives steps of 1 and 2 ms. Rows that are lost at
-/// random leave such steps too, but do not stay within the rounding of one line.
+/// random leave such steps too, but do not stay within the rounding of one line. Those that are
+/// lost regularly do; they are few, and seldom those of a period of one unit.
 bool areCoarselyRounded(const std::vector<double>& stamps, const std::vector<double>& spacing) {
-  constexpr std::ptrdiff_t kFewest = 8;  // double steps; so many, lost at random, leave the line
+  constexpr double kFewest = 8;    // double steps; so many, lost at random, leave the line
+  constexpr double kShare = 0.04;  // double steps
   constexpr double kSame = 0.01, kRounding = 0.75;  // [resolutions]
   const double resolution = *std::min_element(spacing.begin(), spacing.end());
+  const double unit = std::pow(10.0, std::round(std::log10(resolution)));  // as it is printed
+  if (!(std::abs(resolution - unit) <= kSame * unit)) return false;
   const auto isStep = [&](double step, double multiple) {
     return std::abs(step - multiple * resolution) <= kSame * resolution;
   };
   const auto isEither = [&](double step) { return isStep(step, 1) || isStep(step, 2); };
   const auto isDouble = [&](double step) { return isStep(step, 2); };
-  if (std::count_if(spacing.begin(), spacing.end(), isDouble) < kFewest ||
+  const auto steps = static_cast<double>(spacing.size());
+  const auto doubles = static_cast<double>(std::count_if(spacing.begin(), spacing.end(), isDouble));
+  if (doubles < std::max(kFewest, kShare * steps) ||
       !std::all_of(spacing.begin(), spacing.end(), isEither))
     return false;
   std::vector<long> counted(stamps.size());

@@ -50,7 +50,7 @@ TEST(LoadData, FilesOfOneLoggerShareARemark) {
   const TemporaryFolder folder;
   for (const char* name : {"a.csv", "b.tsv", "c.csv"})
     std::ofstream(folder / name) << "time_ms;u;y\n0;1;2\n500;3;4\n1000;5;6\n";
-  std::ofstream(folder / "d.dat") << "t u y\n0 1 2\n1 3 4\n";
+  std::ofstream(folder / "d.dat") << "t u y\n0 1 2\n0.5 3 4\n";
   const LoadedData data = loadData({folder.path(), folder / "d.dat"}, {});
   EXPECT_EQ(idsOf(data), (Ids{"a", "b", "c", "d"}));
   EXPECT_EQ(

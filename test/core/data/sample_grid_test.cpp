@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace uncertainty_identification {
 namespace {
@@ -49,6 +51,15 @@ TEST(SampleGrid, StampsRoundedToAboutAPeriodLoseNoRow) {
       EXPECT_EQ(grid.slots.back(), 499) << start << " " << period;
       EXPECT_NEAR(grid.period, period, 2e-3 / 499);
     }
+  }
+}
+
+TEST(SampleGrid, RowsLostRegularlyStayLost) {
+  for (const auto& [period, each] : {std::pair{0.11, 10}, std::pair{0.01, 50}}) {
+    std::vector<double> stamps;
+    for (int k = 0; k < 1000; ++k)
+      if (k % each != 5) stamps.push_back(k * period);
+    EXPECT_EQ(fitSampleGrid(stamps).slots.back(), 999) << period;
   }
 }
 

@@ -99,8 +99,8 @@ std::vector<Experiment> massWithFriction() {
   return all;
 }
 
-/// The likelihood predicts a mass that sticks from where it is, whatever the force: its Go simulates
-/// far worse than the one that was fitted to the simulation.
+/// The likelihood predicts a mass that sticks from where it is, whatever the force: its Go
+/// simulates far worse than the one that was fitted to the simulation.
 TEST(OrderCandidates, HoldsThePlantWhereTheLikelihoodLeavesItsSimulation) {
   const std::vector<Experiment> experiments = massWithFriction();
   Configuration configuration;

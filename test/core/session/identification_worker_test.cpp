@@ -203,7 +203,7 @@ TEST(IdentificationWorker, AResultComesWithItsExperimentsAndCountsThoseThatAreNo
   Fixture fixture;
   Experiment constant = example1Experiments(1).front();
   constant.id = "constant";
-  constant.u.setConstant(1);
+  constant.u.setZero();
   fixture.worker.add(RejectedExperiment{"cut", "the clock went back"});
   fixture.worker.add(constant);
   for (const auto& experiment : example1Experiments(6)) fixture.worker.add(experiment);
