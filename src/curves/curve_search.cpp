@@ -81,14 +81,15 @@ bool CurveSearch::convinces(const Eigen::VectorXd& before, const Eigen::VectorXd
 /// looked for in the latter way only, and there is no loss otherwise.
 bool CurveSearch::convincesHeld(const WindowFit& fit, const Eigen::VectorXd& errors,
                                 bool beyond) const {
-  const bool as_it_is =
-      beyond ? errors.sum() < held_errors_.sum() : convinces(held_errors_, errors);
+  const double share = errors.sum() / held_errors_.sum();
+  const bool is_material = !result_.causes.empty() || share <= 1 - limits_.least_first_gain;
+  const bool as_it_is = beyond ? share < 1 : is_material && convinces(held_errors_, errors);
   const Eigen::VectorXd before = errorsBeyondGain(held_, result_.fit.model),
                         after = errorsBeyondGain(held_, fit.model);
   const Eigen::VectorXd all = unseenBeyondGain(result_.fit, held_);
   if (!as_it_is || all.size() == 0 || !result_.causes.empty())
     return as_it_is && convinces(before, after);
-  return after.sum() <= (1 - limits_.least_gain) * before.sum() &&
+  return after.sum() <= (1 - limits_.least_first_gain) * before.sum() &&
          pairedT(all, unseenBeyondGain(fit, held_)) >= limits_.least_held_t;
 }
 

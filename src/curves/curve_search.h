@@ -19,7 +19,8 @@ struct CurveSearchLimits {
   int max_causes = 3;
   CandidateLimits candidates;
   double least_t = 3;        ///< paired, over all unseen windows, left out or held out
-  double least_gain = 0.15;  ///< of the squared error of unseen windows, and of held-out ones alone
+  double least_gain = 0.08;  ///< of the squared error of unseen windows, and of held-out ones alone
+  double least_first_gain = 0.15;  ///< of held-out ones by the first cause; less is immaterial
   double least_share = 0.03;  ///< of the base's squared error of unseen windows
   double least_held_t = 1.7;  ///< paired, over held-out windows: 95 %, one-sided
   double clear_fit = 75;      ///< [%] held out; below it the causes must predict better, too:

@@ -72,6 +72,16 @@ TEST(ExplainSimulation, FindsNothingInALinearPlant) {
   }
 }
 
+/// A curve that takes little of the error away is no cause, however significant it is.
+TEST(ExplainSimulation, NamesNoCurveThatHardlyMatters) {
+  const auto with = [](double bend) {
+    const auto bent = [bend](double u) { return u + bend * u * u; };
+    return explained(runs(24 + kHeld, 5, bent, none, 0));
+  };
+  EXPECT_TRUE(with(0.005).causes.empty());
+  EXPECT_EQ(with(0.01).causes.size(), 1u);
+}
+
 /// Runs of a servo motor, 8/(s (0.12 s + 1)) rad/V, that a PI controller holds at a setpoint of
 /// steps against a load that comes and goes; the plant gets the voltage through(u).
 std::vector<Experiment> servoRuns(unsigned seed, const std::function<double(double)>& through,
