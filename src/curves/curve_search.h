@@ -21,9 +21,9 @@ struct CurveSearchLimits {
   double least_t = 3;        ///< paired, over all unseen windows, left out or held out
   double least_gain = 0.08;  ///< of the squared error of unseen windows, and of held-out ones alone
   double least_first_gain = 0.15;  ///< of held-out ones by the first cause; less is immaterial
-  double least_share = 0.03;  ///< of the base's squared error of unseen windows
-  double least_held_t = 1.7;  ///< paired, over held-out windows: 95 %, one-sided
-  double clear_fit = 75;      ///< [%] held out; below it the causes must predict better, too:
+  double least_share = 0.03;       ///< of the base's squared error of unseen windows
+  double least_held_t = 1.7;       ///< paired, over held-out windows: 95 %, one-sided
+  double clear_fit = 75;           ///< [%] held out; below it the causes must predict better, too:
   double least_prediction_gain = 0.02;  ///< of the squared error
   double least_prediction_t = 2;        ///< paired, over held-out windows
   double least_fit = 30;  ///< [%] held out, with the causes: a poor simulation names nothing

@@ -11,9 +11,9 @@ namespace uncertainty_identification {
 
 /// One thing a user should know about an experiment.
 struct Finding {
-  std::string experiment;  ///< id
-  bool rejects = false;    ///< whether the experiment is left out because of it
-  std::string message;     ///< which experiment, what was found, what to record instead
+  std::string experiment;       ///< id
+  bool rejects = false;         ///< whether the experiment is left out because of it
+  std::string message;          ///< which experiment, what was found, what to record instead
   bool constant_input = false;  ///< rejects an experiment that is of use beside others
 };
 

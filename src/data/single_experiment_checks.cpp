@@ -128,11 +128,12 @@ void checkCounts(const Experiment& experiment, const LimitOptions& limits, Findi
 void checkExcitation(const Experiment& experiment, Findings& findings) {
   const Eigen::VectorXd& u = experiment.u;
   if ((u.array() != u(0)).any()) return;
-  findings.reject("the input is constant (" + text(u(0)) +
-                  "), so that the plant is not excited; apply an input that changes, e.g. a random "
-                  "binary sequence; if it was switched on when the record began, begin the record "
-                  "before, at rest",
-                  true);
+  findings.reject(
+      "the input is constant (" + text(u(0)) +
+          "), so that the plant is not excited; apply an input that changes, e.g. a random "
+          "binary sequence; if it was switched on when the record began, begin the record "
+          "before, at rest",
+      true);
 }
 
 void checkResponse(const Experiment& experiment, Findings& findings) {

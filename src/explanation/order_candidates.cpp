@@ -201,8 +201,8 @@ std::vector<Estimate> orderCandidates(const Configuration& asked, const Estimate
   const auto chosen = search.chosen();
   if (simulatesFarWorse(chosen.estimate, estimate, experiments)) return {estimate};
   constexpr int kMostMore = 2;  // where BIC asks for more, something else than a pole is missing
-  const int most = std::min(estimate.configuration.nominal_model.max_order,
-                            chosen.orders().na + kMostMore);
+  const int most =
+      std::min(estimate.configuration.nominal_model.max_order, chosen.orders().na + kMostMore);
   const auto largest = search.pruned(search.raised(search.pruned(chosen), most));
   if (simulatesFarWorse(largest.estimate, estimate, experiments)) return {estimate};
   std::vector<Estimate> all{largest.estimate};

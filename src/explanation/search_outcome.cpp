@@ -82,11 +82,11 @@ bool describesAll(const SearchState& state) {
   return allPassed(checkResiduals(state.fit, state.train, state.heavy_tails));
 }
 
-/// The causes that the curves name, and another one of the whole catalogue beside them, if all tests
-/// pass with it. If they do not, it may be a symptom of what the model cannot contain, and so may
-/// those that would follow it.
+/// The causes that the curves name, and another one of the whole catalogue beside them, if all
+/// tests pass with it. If they do not, it may be a symptom of what the model cannot contain, and so
+/// may those that would follow it.
 SearchState withAnother(SearchState found, const ExplanationOptions& options,
-                       const FitContext& context, const Effects& effects) {
+                        const FitContext& context, const Effects& effects) {
   if (describesAll(found) || !context.going_on()) return found;
   SearchState more = Search(options, context, effects).withAnother(found);
   return describesAll(more) ? more : found;

@@ -1,9 +1,9 @@
 #include "data/experiment_checks.h"
 #include "estimation/linearisation.h"
 #include "estimation/selection.h"
+#include "estimation/simulation_fit.h"
 #include "identification/steps.h"
 #include "math/information_criterion.h"
-#include "estimation/simulation_fit.h"
 #include "residual_tests/residual_tests.h"
 
 namespace uncertainty_identification {

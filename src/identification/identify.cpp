@@ -140,9 +140,8 @@ Estimate identifyFrom(const Request& request, const std::vector<Experiment>& exp
   estimate.configuration.estimation.initial_state = asked;  // other data may start elsewhere
   if (mayLackDynamics(request))
     estimate.structure_error = structureErrorOf(problem.data.experiments, estimate);
-  estimate.trust =
-      trustOfDirection(std::move(estimate.trust), data.following,
-                       mayLackDynamics(request) && estimate.nominal_model.delay == 0);
+  estimate.trust = trustOfDirection(std::move(estimate.trust), data.following,
+                                    mayLackDynamics(request) && estimate.nominal_model.delay == 0);
   estimate.validation = validate(problem, fitted, asked, validation, journal);
   estimate.trust = trustAfterValidation(std::move(estimate.trust), estimate.validation);
   return estimate;

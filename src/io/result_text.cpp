@@ -75,7 +75,8 @@ std::string errorModelText(const ErrorModelEstimate& model) {
 std::string simulationText(const Estimate& estimate) {
   if (!estimate.simulation_fit_percent || !std::isfinite(*estimate.simulation_fit_percent))
     return "";
-  return "The simulation of the nominal model fits the experiments that it was identified from by " +
+  return "The simulation of the nominal model fits the experiments that it was identified from "
+         "by " +
          numberText(*estimate.simulation_fit_percent) + " % (100 (1 - |y - ysim|/|y - mean y|))\n";
 }
 
@@ -111,8 +112,8 @@ std::string validationText(const Validation& validation) {
     rows.push_back({validation.experiments[i], numberText(validation.simulation_fit_percent[i])});
   }
   rows.push_back({"all together", numberText(validation.simulation_fit_percent_pooled)});
-  rows.push_back({"all together, if each began at rest",
-                  numberText(validation.at_rest_fit_percent_pooled)});
+  rows.push_back(
+      {"all together, if each began at rest", numberText(validation.at_rest_fit_percent_pooled)});
   return "Validation, log density per experiment " +
          numberText(validation.log_density_per_experiment) + "\n" + textTable(rows);
 }
@@ -138,9 +139,10 @@ std::string findingsText(const Estimate& estimate) {
 std::string resultText(const Estimate& estimate, const std::string& sentence) {
   const auto line = [](const std::string& text) { return text.empty() ? "" : text + "\n"; };
   return trustText(estimate.trust) + line(sentence) + line(estimate.variation) +
-         nominalModelText(estimate) + simulationText(estimate) + errorModelText(estimate.error_model) +
-         parametersText(estimate) + fitText(estimate) + candidatesText(estimate.candidates) +
-         validationText(estimate.validation) + findingsText(estimate);
+         nominalModelText(estimate) + simulationText(estimate) +
+         errorModelText(estimate.error_model) + parametersText(estimate) + fitText(estimate) +
+         candidatesText(estimate.candidates) + validationText(estimate.validation) +
+         findingsText(estimate);
 }
 
 namespace {

@@ -167,8 +167,8 @@ struct Estimate {
   std::vector<TracePoint> trace;
   std::vector<ExperimentEstimate> experiments;
   std::vector<Candidate> candidates;
-  /// 100 (1 - |y - ysim| / |y - mean y|) [%] of the free simulation of Go, over the experiments that
-  /// the model was identified from; absent in results of older versions.
+  /// 100 (1 - |y - ysim| / |y - mean y|) [%] of the free simulation of Go, over the experiments
+  /// that the model was identified from; absent in results of older versions.
   std::optional<double> simulation_fit_percent;
   Validation validation;
   ResidualTests residual_tests;
