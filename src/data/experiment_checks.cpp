@@ -63,7 +63,7 @@ class Checker {
   void checkEach(const LimitOptions& limits, const std::vector<std::string>& required_covariates) {
     for (std::size_t i = 0; i < experiments_.size(); ++i) {
       for (Finding& finding : checkExperiment(experiments_[i], limits, required_covariates)) {
-        if (finding.constant_input && isOfUse(i)) {
+        if (finding.only_alone && isOfUse(i)) {
           report_.warnings.push_back(
               named(finding.experiment) +
               ": the input is constant from the first sample on; where it was switched on just "
@@ -127,13 +127,12 @@ class Checker {
   }
 
  private:
-  /// Whether the constant input of experiment i moves something, and another one has another input.
+  /// Whether another experiment has another input than the constant one of experiment i.
   bool isOfUse(std::size_t i) const {
     const double level = experiments_[i].u(0);
-    return level != 0 && std::isfinite(level) &&
-           std::any_of(experiments_.begin(), experiments_.end(), [&](const Experiment& other) {
-             return other.u.allFinite() && (other.u.array() != level).any();
-           });
+    return std::any_of(experiments_.begin(), experiments_.end(), [&](const Experiment& other) {
+      return other.u.allFinite() && (other.u.array() != level).any();
+    });
   }
 
   void reject(std::size_t i, const std::string& message) {

@@ -11,10 +11,10 @@ namespace uncertainty_identification {
 
 /// One thing a user should know about an experiment.
 struct Finding {
-  std::string experiment;       ///< id
-  bool rejects = false;         ///< whether the experiment is left out because of it
-  std::string message;          ///< which experiment, what was found, what to record instead
-  bool constant_input = false;  ///< rejects an experiment that is of use beside others
+  std::string experiment;   ///< id
+  bool rejects = false;     ///< whether the experiment is left out because of it
+  std::string message;      ///< which experiment, what was found, what to record instead
+  bool only_alone = false;  ///< rejects it only where no other experiment has another input
 };
 
 /// Which experiments a fit may use, and why not the others.
@@ -34,8 +34,8 @@ struct CheckReport {
 std::vector<Finding> checkExperiment(const Experiment& experiment, const LimitOptions& limits,
                                      const std::vector<std::string>& required_covariates);
 
-/// Why checkExperiment rejects the experiment when no covariates are required; several reasons are
-/// joined. Empty: it does not.
+/// Why checkExperiment rejects the experiment whatever the others are, when no covariates are
+/// required; several reasons are joined. Empty: it does not.
 std::string defectOf(const Experiment& experiment, const LimitOptions& limits);
 
 /// Checks all experiments before a fit. Beyond checkExperiment: a second experiment of the same id

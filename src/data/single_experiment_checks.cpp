@@ -14,8 +14,8 @@ class Findings {
  public:
   explicit Findings(const std::string& id) : id_(id) {}
 
-  void reject(const std::string& what, bool constant_input = false) {
-    found_.push_back({id_, true, named(id_) + ": " + what, constant_input});
+  void reject(const std::string& what, bool only_alone = false) {
+    found_.push_back({id_, true, named(id_) + ": " + what, only_alone});
   }
   void warn(const std::string& what) {
     found_.push_back({id_, false, named(id_) + ": " + what, false});
@@ -133,7 +133,7 @@ void checkExcitation(const Experiment& experiment, Findings& findings) {
           "), so that the plant is not excited; apply an input that changes, e.g. a random "
           "binary sequence; if it was switched on when the record began, begin the record "
           "before, at rest",
-      true);
+      u(0) != 0 && std::isfinite(u(0)));
 }
 
 void checkResponse(const Experiment& experiment, Findings& findings) {
@@ -176,7 +176,8 @@ std::vector<Finding> checkExperiment(const Experiment& experiment, const LimitOp
 std::string defectOf(const Experiment& experiment, const LimitOptions& limits) {
   std::string defect;
   for (const Finding& finding : checkExperiment(experiment, limits, {}))
-    if (finding.rejects) defect += (defect.empty() ? "" : "; ") + finding.message;
+    if (finding.rejects && !finding.only_alone)
+      defect += (defect.empty() ? "" : "; ") + finding.message;
   return defect;
 }
 

@@ -102,6 +102,7 @@ TEST(Check, ConstantInput) {
   bad.u.setZero();
   expectRejected(bad, "the input is constant (0)");
   bad.u.setConstant(2.5);
+  EXPECT_EQ(defectOf(bad, {}), "") << "it depends on the others";
   const CheckReport alone = check({bad});
   ASSERT_EQ(alone.rejected.size(), 1u);
   EXPECT_NE(alone.rejected[0].reason.find("the input is constant (2.5)"), std::string::npos);
