@@ -63,17 +63,32 @@ class Checker {
   void checkEach(const LimitOptions& limits, const std::vector<std::string>& required_covariates) {
     for (std::size_t i = 0; i < experiments_.size(); ++i) {
       for (Finding& finding : checkExperiment(experiments_[i], limits, required_covariates)) {
-        if (finding.only_alone && isOfUse(i)) {
-          report_.warnings.push_back(
-              named(finding.experiment) +
-              ": the input is constant from the first sample on; where it was switched on just "
-              "then, at rest, this is a step, otherwise it shows the gain only");
+        if (finding.only_alone) {
+          constant_inputs_.emplace_back(i, std::move(finding.message));
         } else if (finding.rejects) {
           reject(i, finding.message);
         } else {
           report_.warnings.push_back(std::move(finding.message));
         }
       }
+    }
+  }
+
+  /// Those with a constant input are of use beside one that has another input and is itself used.
+  void checkConstantInputs() {
+    const std::vector<int> candidates = accepted();
+    for (auto& [i, message] : constant_inputs_) {
+      const double level = experiments_[i].u(0);
+      const bool is_of_use = std::any_of(candidates.begin(), candidates.end(), [&](int other) {
+        return (experiments_[static_cast<std::size_t>(other)].u.array() != level).any();
+      });
+      if (is_of_use)
+        report_.warnings.push_back(
+            named(experiments_[i].id) +
+            ": the input is constant from the first sample on; where it was switched on just then, "
+            "at rest, this is a step, otherwise it shows the gain only");
+      else
+        reject(i, message);
     }
   }
 
@@ -127,14 +142,6 @@ class Checker {
   }
 
  private:
-  /// Whether another experiment has another input than the constant one of experiment i.
-  bool isOfUse(std::size_t i) const {
-    const double level = experiments_[i].u(0);
-    return std::any_of(experiments_.begin(), experiments_.end(), [&](const Experiment& other) {
-      return other.u.allFinite() && (other.u.array() != level).any();
-    });
-  }
-
   void reject(std::size_t i, const std::string& message) {
     std::string& reason = reasons_[i];
     reason += (reason.empty() ? "" : "; ") + message;
@@ -150,6 +157,7 @@ class Checker {
 
   const std::vector<Experiment>& experiments_;
   std::map<std::size_t, std::string> reasons_;  ///< by index of the experiment
+  std::vector<std::pair<std::size_t, std::string>> constant_inputs_;  ///< and why not alone
   CheckReport report_;
 };
 
@@ -166,6 +174,7 @@ CheckReport checkExperiments(const std::vector<Experiment>& experiments, const L
                              double sample_time) {
   Checker checker(experiments);
   checker.checkEach(limits, required_covariates);
+  checker.checkConstantInputs();
   checker.checkIds();
   checker.checkSampleTimes(sample_time);
   checker.checkExcitation();

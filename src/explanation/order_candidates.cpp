@@ -6,6 +6,7 @@
 #include "estimation/simulation_fit.h"
 #include "explanation/estimate_fit.h"
 #include "identification/mean_plant.h"
+#include "identification/steps.h"
 #include "math/information_criterion.h"
 #include "math/polynomial.h"
 #include "model/fixed_plant.h"
@@ -177,10 +178,9 @@ int persistentPoles(const Estimate& estimate) {
 double simulatedFit(const Estimate& estimate, const std::vector<Experiment>& experiments) {
   const FitData data(usedBy(estimate, experiments));
   const Fit fit = fitOf(estimate, data, summarise(data.experiments()));
-  const Eigen::Index own = fit.model->nominal().parameterCount();
-  const double offset = fit.at.parameters.size() > own ? fit.at.parameters[own] : 0.0;
-  return simulationFit(*fixPlant(meanPlant(*fit.model, fit.at), 0, 0), Eigen::VectorXd(0), offset,
-                       estimate.configuration.estimation, data.experiments())
+  return simulationFit(*fixPlant(meanPlant(*fit.model, fit.at), 0, 0), Eigen::VectorXd(0),
+                       plantOf(*fit.model, fit.at).offset, estimate.configuration.estimation,
+                       data.experiments())
       .pooled;
 }
 

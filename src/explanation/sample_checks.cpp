@@ -116,8 +116,9 @@ double visitsNextTo(Iterator first, Iterator end) {
 
 /// Whether readings after a value that was repeated make up for what was not read meanwhile, as
 /// those of a sensor do that holds its last value. A machine that stands still, as friction or a
-/// dead zone makes it, goes on from where it stood. Noise on every reading tells it as well: no
-/// machine that stands still hides it.
+/// dead zone makes it, goes on from where it stood. Where a reading says little about the next one,
+/// most of it is noise; that would be seen of a machine that stands still, too, so that readings
+/// that repeat exactly are the sensor's.
 bool catchesUp(const std::vector<Experiment>& experiments, double low, double high) {
   constexpr double kSmooth = 0.3;  // correlation of two steps of a reading that has little noise
   constexpr double kShare = 0.5;   // of what a steady motion would have made meanwhile

@@ -124,6 +124,7 @@ TEST(Check, AConstantInputIsOfUseBesideAnother) {
   Experiment same = good("same");
   same.u.setConstant(1);
   EXPECT_TRUE(check({low, same}).usable.empty());
+  EXPECT_TRUE(check({low, off}).usable.empty()) << "the other one is not used either";
 }
 
 TEST(Check, ConstantOutputWhereMeasured) {
