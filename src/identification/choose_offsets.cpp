@@ -13,10 +13,11 @@ namespace uncertainty_identification {
 namespace {
 
 /// Whether there are too few experiments, or their inputs excite too little, to show offsets of
-/// their own; experiments that start at rest start at the common one.
+/// their own: where the input is constant, an offset and another gain are the same. Experiments
+/// that start at rest start at the common one.
 bool cannotTell(const Problem& problem) {
   constexpr int kFewest = 3;
-  return problem.data.count() < kFewest || problem.data.single_steps ||
+  return problem.data.movedInputs() < kFewest || problem.data.single_steps ||
          !estimatesInitialState(problem.configuration.estimation);
 }
 

@@ -142,6 +142,7 @@ Estimate identifyFrom(const Request& request, const std::vector<Experiment>& exp
     estimate.structure_error = structureErrorOf(problem.data.experiments, estimate);
   estimate.trust = trustOfDirection(std::move(estimate.trust), data.following,
                                     mayLackDynamics(request) && estimate.nominal_model.delay == 0);
+  estimate.trust = trustOfInputs(std::move(estimate.trust), data);
   estimate.validation = validate(problem, fitted, asked, validation, journal);
   estimate.trust = trustAfterValidation(std::move(estimate.trust), estimate.validation);
   return estimate;

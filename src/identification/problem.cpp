@@ -15,6 +15,13 @@ long CheckedData::validSamples() const {
   return samples;
 }
 
+int CheckedData::movedInputs() const {
+  return static_cast<int>(
+      std::count_if(experiments.begin(), experiments.end(), [](const Experiment& experiment) {
+        return (experiment.u.array() != experiment.u[0]).any();
+      }));
+}
+
 int threadsOf(const EstimationOptions& options) {
   if (options.threads != kAutomatic) return options.threads;
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);

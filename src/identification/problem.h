@@ -32,6 +32,7 @@ struct CheckedData {
   int count() const { return static_cast<int>(experiments.size()); }
   double sampleTime() const { return experiments.front().sample_time; }  ///< [s]
   long validSamples() const;
+  int movedInputs() const;  ///< number of experiments whose input is not constant
 };
 
 /// Go fitted to its free simulation, before H and the error model are.

@@ -133,6 +133,9 @@ std::string variationText(const Estimate& estimate, const LinearModel& model);
 /// scatter of the experiments, a poor simulation, too few experiments.
 Trust trustOf(const FittedModel& fitted, const Estimate& estimate);
 
+/// The same for data of which hardly any input changes: constant ones do not show how gains differ.
+Trust trustOfInputs(Trust trust, const CheckedData& data);
+
 /// The same for data in which the input may follow the output, as that of a controller does.
 /// `answers_at_once`: it was concluded from the data, not stated, that Go has no delay.
 Trust trustOfDirection(Trust trust, const Following& following, bool answers_at_once);

@@ -111,6 +111,17 @@ Trust trustOf(const FittedModel& fitted, const Estimate& estimate) {
   return {reasons.empty(), std::move(reasons)};
 }
 
+Trust trustOfInputs(Trust trust, const CheckedData& data) {
+  constexpr int kFewestMoved = 3;
+  if (data.movedInputs() >= std::min(data.count(), kFewestMoved)) return trust;
+  trust.trusted = false;
+  trust.reasons.push_back(
+      "nearly all inputs are constant from the first sample on: another gain, an offset and a slow "
+      "disturbance of an experiment look the same there, so how the gain differs is not known; "
+      "begin the records before the step, at rest");
+  return trust;
+}
+
 Trust trustOfDirection(Trust trust, const Following& following, bool answers_at_once) {
   if (following.inputFollows())
     trust.reasons.push_back(

@@ -179,6 +179,34 @@ TEST(TrustOfDirection, TheInverseOfAControllerIsNotTrusted) {
       << estimate.nominal_model.delay;
 }
 
+/// Steps that are recorded from their beginning on, of plants whose gain differs by 5 %: offsets of
+/// their own, or slow noise, take these differences up, and bands were far too narrow.
+TEST(StepsFromTheFirstSample, DoNotShowHowTheGainDiffers) {
+  std::mt19937_64 engine(77);
+  std::normal_distribution<double> normal;
+  std::vector<Experiment> steps;
+  for (const double level : {1.0, 2.0, -1.5, 3.0, 0.7, -2.5, 1.4, -0.8}) {
+    Experiment step;
+    step.id = "step to " + std::to_string(level);
+    step.sample_time = 0.05;
+    step.u = Eigen::VectorXd::Constant(120, level);
+    step.y.resize(120);
+    const double gain = 2 * (1 + 0.05 * normal(engine));
+    double state = 0;
+    for (Eigen::Index k = 0; k < step.y.size(); ++k) {
+      step.y[k] = state + 0.02 * normal(engine);
+      state = 0.92 * state + 0.08 * gain * level;
+    }
+    steps.push_back(std::move(step));
+  }
+  const Estimate estimate = Identifier(Configuration()).identify(steps);
+  EXPECT_NE(estimate.configuration.estimation.offsets, Offsets::per_experiment);
+  EXPECT_FALSE(estimate.trust.trusted);
+  EXPECT_TRUE(std::any_of(
+      estimate.trust.reasons.begin(), estimate.trust.reasons.end(),
+      [](const std::string& reason) { return test::mentions(reason, "inputs are constant"); }));
+}
+
 TEST(TrustAfterCalibration, WidensNoDoubtBelowOneAndAHalf) {
   PredictionCalibration calibration;
   calibration.levels = {0.5, 0.95};
