@@ -30,6 +30,8 @@ class Chooser {
       : header_(header), configuration_(configuration) {}
 
   CsvColumns run() {
+    if (header_.line == 0)
+      remark("no line names the columns, which are called '" + list(header_.names) + "'");
     chooseExperiment();
     chooseTime();
     columns_.input = signal(configuration_.input, "input", "u");
@@ -40,6 +42,8 @@ class Chooser {
 
  private:
   std::string found() const {
+    if (header_.line == 0)
+      return "there is no header line, and the columns are called '" + list(header_.names) + "'";
     return "line " + std::to_string(header_.line) + " is '" + list(header_.names) + "'";
   }
 

@@ -91,21 +91,42 @@ class HeadFinder {
     head_.first_row = row_ < table_.size() ? table_[row_].number : line.number + 1;
   }
 
-  /// For a table that begins with numbers.
+  /// For a table that begins with numbers: the comment above it may hold the names.
   void takeComment() {
     const std::string names = uncommented(comment_.text);
     const CsvDialect dialect = dialectBelow(names, 0);
     const std::vector<CsvCell> cells = dialect.split(names);
     const std::size_t columns = dialect.split(table_.front().text).size();
     if (comment_.number == 0 || cells.size() != columns || cells.size() < 2 || anyNumber(cells))
-      refuseFile(
-          head_.header.path,
-          "line " + std::to_string(table_.front().number) + " is '" +
-              table_.front().text.substr(0, 60) +
-              "', numbers without names above them; write a header line such as t,u,y, or u,y "
-              "and state time: {unit: index, sample_time: 0.01} where there is no time");
+      return inventNames();
     head_.dialect = dialect;
     takeNames({comment_.number, names}, 0);
+  }
+
+  /// For numbers without names above them: t where they rise like a clock, column2, column3, ...
+  void inventNames() {
+    head_.dialect = dialectBelow(table_.front().text, 1);
+    head_.first_row = table_.front().number;
+    const std::size_t columns = namesOf(head_.dialect.split(table_.front().text)).size();
+    for (std::size_t i = 0; i < columns; ++i)
+      head_.header.names.push_back("column" + std::to_string(i + 1));
+    if (columns > 2 && firstColumnIsClock()) head_.header.names.front() = "t";
+  }
+
+  /// Whether the first column rises, by steps of which none is twice as long as another.
+  bool firstColumnIsClock() const {
+    CsvDialect dialect = head_.dialect;
+    std::vector<double> steps;
+    double before = 0, stamp = 0;
+    for (const NumberedLine& line : table_) {
+      const std::vector<CsvCell> cells = dialect.split(line.text);
+      if (cells.empty() || !dialect.number(cells.front(), stamp)) return false;
+      if (&line != &table_.front()) steps.push_back(stamp - before);
+      before = stamp;
+    }
+    if (steps.size() < 2) return false;
+    const auto [shortest, longest] = std::minmax_element(steps.begin(), steps.end());
+    return *shortest > 0 && *longest < 2 * *shortest;
   }
 
   /// A row without numbers below the names, one cell of which is a unit of time.

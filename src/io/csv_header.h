@@ -18,7 +18,8 @@ struct CsvHead {
 
 /// Finds the separator, the names and the row of units from the first lines. Passes over remarks
 /// and over a first line "sep=;". A comment directly above rows of numbers that has as many cells
-/// names the columns. Throws FileError for a file without names.
+/// names the columns; where nothing does, they are t (rising like a clock) or column1, column2, ...
+/// Throws FileError for an empty file.
 CsvHead readHead(const std::string& path, CsvLines& lines);
 
 }  // namespace uncertainty_identification

@@ -26,6 +26,10 @@ class CsvSurveyor {
       : path_(path), probe_(configuration) {
     CsvLines lines(path);
     header_ = readHead(path, lines).header;
+    if (header_.line == 0)
+      remark(
+          "no line names the columns: they are called t, where the first column rises like a "
+          "clock, or column1, column2 and so on, by which the configuration can name them");
   }
 
   Survey run() {

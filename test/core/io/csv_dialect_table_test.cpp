@@ -88,7 +88,10 @@ std::vector<Dialect> headers() {
           {"zeit;u;y\nms;V;\n" + kMilliseconds, columns("", "", "zeit")},
           {"t;\"motor, left\";speed\n" + kSemicolons, drive},
           {"t,\"motor, left\",speed [rad/s]\n" + kRows, drive},
-          {",t,u,y\n0,0,1.5,10\n1,0.5,-2,20.25\n2,1,3,-0.5\n"}};
+          {",t,u,y\n0,0,1.5,10\n1,0.5,-2,20.25\n2,1,3,-0.5\n"},
+          {kRows, columns("column2", "column3")},
+          {"# a b\n" + kBlanks, columns("column2", "column3")},
+          {kSemicolons, columns("column2", "column3", "t")}};
 }
 
 std::vector<Dialect> times() {
@@ -177,8 +180,8 @@ std::vector<Dialect> thousands() {
 
 std::vector<Dialect> refused() {
   return {
-      {"0,1,2\n1,2,3\n", {}, "line 1 is '0,1,2', numbers without names above them"},
-      {"# a b\n0;1;2\n1;2;3\n", {}, "write a header line such as t,u,y"},
+      {kRows, {}, "there is no header line, and the columns are called 't,column2,column3', "},
+      {"3,1,2\n2,2,3\n4,1,1\n", {}, "the columns are called 'column1,column2,column3'"},
       {"time,stamp,u,y\n" + kRows, {}, "the time could be any of 'time,stamp': line 1"},
       {"T,u,y\n" + kRows, {}, "write time: {column: NAME, unit: ms}"},
       {"t,volt,y\n" + kRows, {}, "without u; write input: {column: NAME}"},
