@@ -75,21 +75,28 @@ class Checker {
   }
 
   /// Those with a constant input are of use beside one that has another input and is itself used.
-  void checkConstantInputs() {
+  void checkConstantInputs(const std::vector<Experiment>& beside) {
     const std::vector<int> candidates = accepted();
+    std::vector<std::size_t> used;
     for (auto& [i, message] : constant_inputs_) {
       const double level = experiments_[i].u(0);
-      const bool is_of_use = std::any_of(candidates.begin(), candidates.end(), [&](int other) {
-        return (experiments_[static_cast<std::size_t>(other)].u.array() != level).any();
-      });
+      const auto is_another = [&](const Experiment& other) {
+        return (other.u.array() != level).any();
+      };
+      const bool is_of_use = std::any_of(beside.begin(), beside.end(), is_another) ||
+                             std::any_of(candidates.begin(), candidates.end(), [&](int other) {
+                               return is_another(experiments_[static_cast<std::size_t>(other)]);
+                             });
       if (is_of_use)
-        report_.warnings.push_back(
-            named(experiments_[i].id) +
-            ": the input is constant from the first sample on; where it was switched on just then, "
-            "at rest, this is a step, otherwise it shows the gain only");
+        used.push_back(i);
       else
         reject(i, message);
     }
+    if (used.empty()) return;
+    report_.warnings.push_back(
+        firstOf(used.size(), used.front()) +
+        ": the input is constant from the first sample on; where it was switched on just then, at "
+        "rest, this is a step, otherwise it shows the gain only");
   }
 
   void checkIds() {
@@ -126,10 +133,8 @@ class Checker {
     };
     if (usable.empty() || !std::all_of(usable.begin(), usable.end(), single)) return;
     report_.single_steps = true;
-    std::string which = named(experiments_[static_cast<std::size_t>(usable.front())].id);
-    if (usable.size() > 1) which += " and the other " + std::to_string(usable.size() - 1);
     report_.warnings.push_back(
-        which +
+        firstOf(usable.size(), static_cast<std::size_t>(usable.front())) +
         ": the input changes only once, and a single step excites little beyond low "
         "frequencies; record several steps or a random binary sequence");
   }
@@ -142,6 +147,12 @@ class Checker {
   }
 
  private:
+  /// So many experiments, by the name of the first.
+  std::string firstOf(std::size_t count, std::size_t first) const {
+    const std::string others = count == 1 ? "" : " and " + std::to_string(count - 1) + " other";
+    return named(experiments_[first].id) + others + (count > 2 ? "s" : "");
+  }
+
   void reject(std::size_t i, const std::string& message) {
     std::string& reason = reasons_[i];
     reason += (reason.empty() ? "" : "; ") + message;
@@ -171,10 +182,10 @@ std::string reasonsOf(const std::vector<RejectedExperiment>& rejected) {
 
 CheckReport checkExperiments(const std::vector<Experiment>& experiments, const LimitOptions& limits,
                              const std::vector<std::string>& required_covariates,
-                             double sample_time) {
+                             double sample_time, const std::vector<Experiment>& beside) {
   Checker checker(experiments);
   checker.checkEach(limits, required_covariates);
-  checker.checkConstantInputs();
+  checker.checkConstantInputs(beside);
   checker.checkIds();
   checker.checkSampleTimes(sample_time);
   checker.checkExcitation();

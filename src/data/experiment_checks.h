@@ -41,12 +41,13 @@ std::string defectOf(const Experiment& experiment, const LimitOptions& limits);
 /// Checks all experiments before a fit. Beyond checkExperiment: a second experiment of the same id
 /// is rejected, and so is one whose sample time differs by more than a thousandth from
 /// `sample_time` [s] (0: from that of most experiments). An experiment whose input is constant, but
-/// not zero, is used, with a warning, where another one has another input: steps are often recorded
-/// from the moment on at which they are applied. There is a warning if every usable input is a
-/// single step.
+/// not zero, is used, with a warning, where another one, of these or of those `beside` them, has
+/// another input: steps are often recorded from the moment on at which they are applied. `beside`:
+/// those that a model is fitted to, where these validate it. There is a warning if every usable
+/// input is a single step.
 CheckReport checkExperiments(const std::vector<Experiment>& experiments, const LimitOptions& limits,
                              const std::vector<std::string>& required_covariates,
-                             double sample_time);
+                             double sample_time, const std::vector<Experiment>& beside = {});
 
 /// The reasons of all rejections, each on an indented line of its own.
 std::string reasonsOf(const std::vector<RejectedExperiment>& rejected);

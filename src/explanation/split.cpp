@@ -25,14 +25,16 @@ std::set<std::size_t> drawn(const Configuration& configuration, std::size_t coun
   return {order.begin(), order.begin() + static_cast<std::ptrdiff_t>(held)};
 }
 
+/// Leaves the unusable ones of `experiments` out; those `beside` them are used as well.
 /// `sample_time` [s]; 0: that of most of these experiments.
 void leaveOut(const Configuration& configuration, double sample_time, const std::string& purpose,
-              std::vector<Experiment>* experiments, std::vector<RejectedExperiment>* rejected) {
+              const std::vector<Experiment>& beside, std::vector<Experiment>* experiments,
+              std::vector<RejectedExperiment>* rejected) {
   std::vector<std::string> covariates;
   for (const SignalOptions& covariate : configuration.covariates)
     covariates.push_back(covariate.name);
   const CheckReport checked =
-      checkExperiments(*experiments, configuration.limits, covariates, sample_time);
+      checkExperiments(*experiments, configuration.limits, covariates, sample_time, beside);
   if (checked.usable.empty())
     throw DataError(experiments->empty() ? "no experiments were given"
                                          : "no usable experiment is left " + purpose + ":" +
@@ -48,11 +50,12 @@ void leaveOut(const Configuration& configuration, double sample_time, const std:
 
 std::vector<RejectedExperiment> leaveOutUnusable(const Configuration& configuration, Split* data) {
   std::vector<RejectedExperiment> rejected;
-  leaveOut(configuration, configuration.sample_time, "to fit to", &data->train, &rejected);
+  leaveOut(configuration, configuration.sample_time, "to fit to", {}, &data->train, &rejected);
   if (data->fitted_to)
     data->held = data->train;
   else
-    leaveOut(configuration, data->train.front().sample_time, "to hold out", &data->held, &rejected);
+    leaveOut(configuration, data->train.front().sample_time, "to hold out", data->train,
+             &data->held, &rejected);
   return rejected;
 }
 

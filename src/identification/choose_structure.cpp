@@ -23,11 +23,10 @@ constexpr double kNearlyAsGood = 10;
 constexpr double kImmaterial = 2;
 
 /// The part of the data that is enough to compare structures: of long records the beginnings.
-CheckedData enough(const CheckedData& data) {
+CheckedData enough(CheckedData part) {
   constexpr int kAlways = 1000, kTogether = 8000;  // samples of each, and of few
-  const int longest = std::max(kAlways, kTogether / data.count());
-  CheckedData part;
-  part.experiments = fewerSamples(data.experiments, 2 * kEnoughSamples);
+  const int longest = std::max(kAlways, kTogether / part.count());
+  part.experiments = fewerSamples(part.experiments, 2 * kEnoughSamples);
   for (Experiment& experiment : part.experiments)
     if (experiment.samples() > longest) experiment = excerpt(experiment, 0, longest);
   part.blocks = makeBlocks(part.experiments);

@@ -14,7 +14,8 @@ Validation validate(const Problem& problem, const FittedModel& fitted, InitialSt
   const Configuration& configuration = problem.configuration;
   const int thinning = problem.data.thinning;
   const CheckReport checked =
-      checkExperiments(experiments, configuration.limits, {}, problem.data.sampleTime() / thinning);
+      checkExperiments(experiments, configuration.limits, {}, problem.data.sampleTime() / thinning,
+                       problem.data.experiments);
   for (const RejectedExperiment& rejected : checked.rejected)
     journal->warnings.push_back("validation: " + rejected.reason);
   std::vector<Experiment> used;

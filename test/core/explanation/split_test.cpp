@@ -49,6 +49,13 @@ TEST(LeaveOutUnusable, KeepsFewExperimentsThatServeForBoth) {
   EXPECT_EQ(data.held.size(), 2u);
 }
 
+TEST(LeaveOutUnusable, HoldsOutAStepFromTheFirstSampleOn) {
+  Split data = tenAndTwo();
+  data.held.resize(1);
+  data.held[0].u.setConstant(2.5);
+  EXPECT_TRUE(leaveOutUnusable({}, &data).empty()) << "the fitted ones have another input";
+}
+
 TEST(LeaveOutUnusable, SaysWhyNothingIsLeft) {
   Split data = tenAndTwo();
   for (Experiment& experiment : data.held) experiment.sample_time *= 10;
