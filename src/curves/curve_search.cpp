@@ -30,6 +30,7 @@ class CurveSearch {
   std::vector<CurveCandidate> beyondGain(std::vector<CurveCandidate> all,
                                          const Eigen::VectorXd& now) const;
   Round takeBest(std::vector<CurveCandidate> all, const Eigen::VectorXd& now, bool beyond);
+  void dropNeedless();
   void nameAgain();
   Eigen::VectorXd heldErrors(const WindowFit& fit) const;
   void keepIfAsGood(WindowFit changed);
@@ -165,6 +166,34 @@ CurveSearch::Round CurveSearch::round() {
   return takeBest(std::move(curves), unseenBeyondGain(result_.fit, held_), true);
 }
 
+/// What was found first may have stood for what was found since: a cause without which the plant
+/// simulates as well is dropped.
+void CurveSearch::dropNeedless() {
+  constexpr double kAsGood = 1.02;
+  for (std::size_t k = result_.fit.model.curves.size(); k > 1 && context_.going_on(); --k) {
+    const SplitModel parts = splitOff(result_.fit.model);
+    const Curve& curve = parts.curve;
+    WindowFit without = fitFreely(data_, parts.without, context_.limits(15));
+    Eigen::VectorXd errors = heldErrors(without);
+    const bool is_needless =
+        errors.sum() <= kAsGood * held_errors_.sum() &&
+        unseenErrors(without, held_).sum() <= kAsGood * unseenErrors(result_.fit, held_).sum();
+    if (!is_needless) {
+      result_.fit.model = parts.with(parts.without, curve, parts.own);
+      continue;
+    }
+    result_.fit = std::move(without);
+    held_errors_ = std::move(errors);
+    const auto dropped =
+        std::find_if(result_.causes.begin(), result_.causes.end(), [&](const FoundCurve& cause) {
+          return cause.place.place == curve.place() && cause.place.covariate == curve.covariate();
+        });
+    const double before = dropped->held_before;
+    result_.causes.erase(dropped)->held_before = before;  // the newest cause stands behind it
+    result_.causes.back().held_after = held_errors_.sum();
+  }
+}
+
 /// The plant has settled: each curve is freed and named again. Takes the first, puts it last.
 void CurveSearch::nameAgain() {
   for (std::size_t k = 0; k < result_.fit.model.curves.size() && context_.going_on(); ++k) {
@@ -224,6 +253,7 @@ CurveSearchResult CurveSearch::run(const WindowFit& base) {
     const Round did = round();
     if (did == Round::nothing) break;
     if (did == Round::plant) continue;
+    dropNeedless();
     keepIfAsGood(smallerPlant(data_, result_.fit, context_));
   }
   nameAgain();
@@ -272,9 +302,19 @@ CurveSearchResult searchCurves(const SimulationData& data, const SimulationData&
       best = std::move(found);
     }
   }
+  // High orders that still simulate badly may only stand for a curve.
+  const auto fitOfBest = [&] {
+    return heldOutFit(held, Eigen::VectorXd::Constant(1, best.held_error));
+  };
+  if (fitOfBest() < limits.good_fit && best.base.model.order > 1 && context.going_on()) {
+    CurveSearchResult found = search.run(linear.of_order.front());
+    if (!found.causes.empty() && isBetter(found, best)) {
+      found.base = std::move(best.base);
+      best = std::move(found);
+    }
+  }
   const double base_error = heldOutErrors(held, best.base.model).sum();
-  const bool is_poor =
-      heldOutFit(held, Eigen::VectorXd::Constant(1, best.held_error)) < limits.least_fit;
+  const bool is_poor = fitOfBest() < limits.least_fit;
   const bool is_better = !is_poor && best.held_error < (1 - limits.least_gain) * base_error;
   if (best.causes.empty() || (is_better && !isControllersAnswer(data, held, limits, best)))
     return best;

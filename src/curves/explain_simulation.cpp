@@ -30,8 +30,7 @@ SimulationData lastThird(SimulationData* data) {
     part->groups.resize(part->windows.size() + 1);
     std::iota(part->groups.begin(), part->groups.end(), 0);
     part->samples = 0;
-    for (const SimulationWindow& window : part->windows)
-      part->samples += static_cast<int>(window.measured.sum());
+    for (const SimulationWindow& window : part->windows) part->samples += window.measuredSamples();
   }
   return held;
 }
@@ -93,9 +92,10 @@ std::vector<SimulatedWindow> picturesOf(const std::vector<Experiment>& experimen
   for (const std::size_t place : {order.size() / 2, order.size() - 1}) {
     const std::size_t w = order[place].second;
     const SimulationWindow& window = held.windows[w];
+    const int samples = window.samples() - window.rest;
     pictures.push_back({experiments[static_cast<std::size_t>(window.record)].id, window.start,
-                        held.sample_time, in_units(window.y), in_units(before[w]),
-                        in_units(after[w])});
+                        held.sample_time, in_units(window.y.tail(samples)),
+                        in_units(before[w].tail(samples)), in_units(after[w].tail(samples))});
   }
   return pictures;
 }

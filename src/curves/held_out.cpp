@@ -46,10 +46,10 @@ Eigen::VectorXd heldOutErrors(const SimulationData& held, const CurveModel& mode
     const Eigen::ArrayXd squares = (window.y - outputs[w]).array().square();
     const Eigen::ArrayXd weighted =
         window.measured * squares.isFinite().select(squares.min(kLargest), kLargest);
+    const int samples = window.samples() - window.rest;
     for (int part = 0; part < parts; ++part) {
-      const int begin = part * window.samples() / parts;
-      errors.push_back(
-          weighted.segment(begin, (part + 1) * window.samples() / parts - begin).sum());
+      const int begin = part * samples / parts, end = (part + 1) * samples / parts;
+      errors.push_back(weighted.segment(window.rest + begin, end - begin).sum());
     }
   }
   return Eigen::Map<Eigen::VectorXd>(errors.data(), static_cast<Eigen::Index>(errors.size()));
@@ -104,9 +104,11 @@ Eigen::VectorXd unseenBeyondGain(const WindowFit& fit, const SimulationData& hel
 double heldOutFit(const SimulationData& held, const Eigen::VectorXd& errors) {
   double count = 0, sum = 0, squares = 0;
   for (const SimulationWindow& window : held.windows) {
-    count += window.measured.sum();
-    sum += (window.measured * window.y.array()).sum();
-    squares += (window.measured * window.y.array().square()).sum();
+    const int samples = window.samples() - window.rest;
+    const Eigen::ArrayXd measured = window.measured.tail(samples), y = window.y.tail(samples);
+    count += measured.sum();
+    sum += (measured * y).sum();
+    squares += (measured * y.square()).sum();
   }
   const double spread = squares - sum * sum / std::max(count, 1.0);
   return 100 * (1 - std::sqrt(errors.sum() / std::max(spread, 1e-300)));

@@ -17,8 +17,8 @@ using Eigen::VectorXd;
 
 constexpr Index kLags = 8, kRowsPerColumn = 5;
 
-/// Regressions of all samples of the windows from `first` on: a constant, past outputs, inputs, and
-/// the simulations `before` and `after`; the last column is the output.
+/// Regressions of all recorded samples of the windows from `first` on: a constant, past outputs,
+/// inputs, and the simulations `before` and `after`; the last column is the output.
 struct Regression {
   MatrixXd rows;
   std::vector<Index> begin;  ///< of the rows of each window that has any, and the number of rows
@@ -35,7 +35,7 @@ Regression regressionOf(const SimulationData& data, const std::vector<VectorXd>&
   for (std::size_t w = 0; w < data.windows.size(); ++w) {
     const SimulationWindow& window = data.windows[w];
     if (all.begin.empty() || row > all.begin.back()) all.begin.push_back(row);
-    for (Index t = first; t < window.samples(); ++t) {
+    for (Index t = std::max<Index>(first, window.rest); t < window.samples(); ++t) {
       if (window.measured.segment(t - kLags, kLags + 1).minCoeff() == 0) continue;
       const auto until = [&](const VectorXd& x, Index last) {
         return x.segment(t - kLags, kLags + 1 + last).transpose();

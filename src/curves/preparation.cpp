@@ -81,6 +81,23 @@ SimulationWindow cut(const SimulationWindow& whole, int begin, int length, doubl
   return window;
 }
 
+/// The window with `samples` at rest before it.
+SimulationWindow withRest(const SimulationWindow& window, const RestingPoint& point, int samples) {
+  SimulationWindow longer = window;
+  const auto prepended = [samples](const Eigen::VectorXd& signal, double value) -> Eigen::VectorXd {
+    Eigen::VectorXd all(samples + signal.size());
+    all << Eigen::VectorXd::Constant(samples, value), signal;
+    return all;
+  };
+  longer.rest = samples;
+  longer.u = prepended(window.u, point.u);
+  longer.y = prepended(window.y, point.y);
+  longer.measured = prepended(window.measured.matrix(), 1).array();
+  longer.time = prepended(window.time, window.time[0]);
+  for (auto& [name, signal] : longer.covariates) signal = prepended(signal, signal[0]);
+  return longer;
+}
+
 /// Takes every so manieth window, so that at most `most` samples are left.
 void keepAtMost(int most, std::vector<SimulationWindow>* windows) {
   int samples = 0;
@@ -102,7 +119,7 @@ void group(std::size_t experiments, SimulationData* data) {
       data->groups.push_back(static_cast<int>(w));
     record = window.record;
     data->longest = std::max(data->longest, window.samples());
-    data->samples += static_cast<int>(window.measured.sum());
+    data->samples += window.measuredSamples();
   }
   data->groups.push_back(static_cast<int>(data->windows.size()));
 }
@@ -110,7 +127,7 @@ void group(std::size_t experiments, SimulationData* data) {
 }  // namespace
 
 WindowPlan planWindows(const std::vector<Experiment>& experiments) {
-  WindowPlan plan;
+  WindowPlan plan{1, 0, false, RestBefore(experiments)};
   plan.thinning = thinningByBandwidth(experiments, kPerPeriod);
   int total = 0, longest = 0;
   for (const Experiment& experiment : experiments) {
@@ -158,6 +175,7 @@ SignalScales scalesOf(const std::vector<Experiment>& experiments,
 
 SimulationData windowsOf(const std::vector<Experiment>& experiments, const WindowPlan& plan,
                          const SignalScales& scales, int most) {
+  constexpr int kResting = 32;  // samples, as many as an initial state is estimated from
   SimulationData data;
   data.scales = scales;
   for (std::size_t r = 0; r < experiments.size(); ++r) {
@@ -172,6 +190,13 @@ SimulationData windowsOf(const std::vector<Experiment>& experiments, const Windo
     const int length = whole.samples() / pieces;
     for (int piece = 0; piece < pieces && length > 0; ++piece)
       data.windows.push_back(cut(whole, piece * length, length, data.sample_time));
+    const auto rest = plan.rest_before.of(experiments[r]);
+    if (!rest || length == 0) continue;
+    SimulationWindow& first = data.windows[data.windows.size() - static_cast<std::size_t>(pieces)];
+    first = withRest(
+        first,
+        {(rest->u - scales.u.offset) / scales.u.unit, (rest->y - scales.y.offset) / scales.y.unit},
+        std::max(kResting, length / 10));
   }
   keepAtMost(most, &data.windows);
   group(experiments.size(), &data);

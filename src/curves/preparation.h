@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "curves/rest_before.h"
 #include "curves/simulation_data.h"
 #include "uncertainty_identification/data/experiment.h"
 
@@ -10,9 +11,10 @@ namespace uncertainty_identification {
 
 /// How records become windows. One setting for all data.
 struct WindowPlan {
-  int thinning = 1;          ///< each so manieth sample is kept, the input averaged in between
-  int length = 0;            ///< [samples after thinning] of a window, about
-  bool one_of_each = false;  ///< every experiment is one window
+  int thinning = 1;            ///< each so manieth sample is kept, the input averaged in between
+  int length = 0;              ///< [samples after thinning] of a window, about
+  bool one_of_each = false;    ///< every experiment is one window
+  RestBefore rest_before{{}};  ///< that is simulated before the records that began at rest
 };
 
 /// Thins by the output's bandwidth: 24 samples a period of the frequency below which 99.5 % of the
@@ -25,7 +27,8 @@ WindowPlan planWindows(const std::vector<Experiment>& experiments);
 SignalScales scalesOf(const std::vector<Experiment>& experiments,
                       const std::vector<Experiment>& held = {});
 
-/// The windows of `experiments`; at most `most` samples in all, 0: no limit.
+/// The windows of `experiments`; those that begin a record of a system that was at rest begin with
+/// this rest, in which its initial state settles; at most `most` samples in all, 0: no limit.
 SimulationData windowsOf(const std::vector<Experiment>& experiments, const WindowPlan& plan,
                          const SignalScales& scales, int most);
 

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "curves/free_simulation.h"
+#include "curves/initial_states.h"
+#include "curves/starts.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -125,6 +127,44 @@ std::vector<double> widthsFor(const SimulationData& data, Place place) {
   return widths;
 }
 
+/// The data with the input behind a play or a limit of its rate.
+SimulationData through(SimulationData data, Place place, double width) {
+  for (SimulationWindow& window : data.windows) {
+    double held = window.u[0];
+    for (double& value : window.u) {
+      if (place == Place::play)
+        held = std::min(std::max(held, value - width), value + width);
+      else
+        held += std::min(std::max(value - held, -width), width);
+      value = held;
+    }
+  }
+  return data;
+}
+
+/// The plant that follows the input behind the play or limit, with the width for which it simulates
+/// best. One that was fitted without it is slower than the true one, from which no small step leads
+/// back.
+CurveModel startBehind(const SimulationData& data, const CurveModel& linear, Place place) {
+  CurveModel best;
+  double least = std::numeric_limits<double>::infinity(), width_of_best = 0;
+  for (const double width : widthsFor(data, place)) {
+    const SimulationData behind = through(data, place, width);
+    CurveModel start = linearStart(behind, linear.order, linear.direct, linear.delay);
+    start.initial = initialStates(behind, start, data.longest);
+    const double error = simulationError(behind, start);
+    if (!(error < least)) continue;
+    least = error;
+    width_of_best = width;
+    best = std::move(start);
+  }
+  if (best.order == 0) return best;
+  best.theta.conservativeResize(best.theta.size() + 1);
+  best.theta.tail(1).setConstant(width_of_best);
+  best.curves.push_back(Curve(place));
+  return best;
+}
+
 }  // namespace
 
 CurveModel extended(const SimulationData& data, const WindowFit& fit, const PlaceOf& place,
@@ -182,7 +222,14 @@ WindowFit fitPlace(const SimulationData& data, const WindowFit& before,
     WindowFit fitted = fitFreely(data, std::move(model), context.limits(5));
     if (fitted.squared_error < best.squared_error) best = std::move(fitted);
   }
-  return fitFreely(data, std::move(best.model), context.limits(25));
+  best = fitFreely(data, std::move(best.model), context.limits(25));
+  const Place place = screened.place.place;
+  const bool is_before_plant = place == Place::play || place == Place::rate_limit;
+  if (!is_before_plant || !before.model.curves.empty()) return best;
+  CurveModel behind = startBehind(data, before.model, place);
+  if (behind.order == 0) return best;
+  WindowFit other = fitFreely(data, std::move(behind), context.limits(25));
+  return other.squared_error < best.squared_error ? other : best;
 }
 
 }  // namespace uncertainty_identification

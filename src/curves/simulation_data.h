@@ -12,12 +12,16 @@ namespace uncertainty_identification {
 struct SimulationWindow {
   int record = 0;           ///< index of the experiment that it was cut from
   double start = 0;         ///< [s] from the beginning of the experiment
+  int rest = 0;             ///< first samples in which the system rested before the record began
   Eigen::VectorXd u, y;     ///< T each
   Eigen::ArrayXd measured;  ///< T weights, 1 = y was measured, 0 = missing
   Eigen::VectorXd time;     ///< T, 0 to 1 over the whole experiment
   std::map<std::string, Eigen::VectorXd> covariates;  ///< T each
 
   int samples() const { return static_cast<int>(u.size()); }
+
+  /// Number of output samples that were measured.
+  int measuredSamples() const { return static_cast<int>(measured.tail(samples() - rest).sum()); }
 };
 
 /// What turns signals into standard deviations: scaled = (raw - offset) / unit.

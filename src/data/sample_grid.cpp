@@ -183,6 +183,17 @@ double periodUncertainty(const std::vector<double>& stamps, const SampleGrid& gr
   return std::max(jitter / static_cast<double>(grid.slots.back()), kRounding * grid.period);
 }
 
+/// Whether nearly all spacings are the median, so that a few odd ones, and no jitter, move the line
+/// through the stamps.
+bool isStepped(const std::vector<double>& spacing, double middle, const SampleGrid& grid) {
+  constexpr double kSame = 1e-3, kNearlyAll = 0.9, kFar = 0.1;
+  const auto same = std::count_if(spacing.begin(), spacing.end(), [&](double each) {
+    return std::abs(each - middle) <= kSame * middle;
+  });
+  return static_cast<double>(same) >= kNearlyAll * static_cast<double>(spacing.size()) &&
+         grid.max_departure > kFar * grid.period;
+}
+
 bool allDistinct(const std::vector<long>& slots) {
   return std::adjacent_find(slots.begin(), slots.end()) == slots.end();
 }
@@ -210,7 +221,8 @@ SampleGrid fitSampleGrid(const std::vector<double>& stamps) {
   grid.period = fitted > 0 ? fitted : middle;
   measureDepartures(stamps, grid);
   const auto followsGrid = [&] { return counted || grid.max_departure < 0.5 * grid.period; };
-  grid.one_to_one = allDistinct(grid.slots) && followsGrid();
+  grid.one_to_one =
+      allDistinct(grid.slots) && followsGrid() && (counted || !isStepped(spacing, middle, grid));
   if (!grid.one_to_one) {
     grid.period = middle;
     return grid;

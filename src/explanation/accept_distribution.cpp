@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "explanation/acceptance.h"
+#include "explanation/confidence.h"
 #include "explanation/gains.h"
 #include "explanation/search.h"
 
@@ -23,7 +24,11 @@ bool Search::acceptDistribution(SearchState* state, const FittedEffect& best) {
   if (std::isfinite(on_held.log_likelihood)) {
     const Residuals residuals_held = residualsOf(on_held, state->held);
     const HeldOut before = heldOut(state->fit, state->held);
-    cause.gain = gainOf(before, before, distributionGains(*state, family));
+    const PairedGains gains = distributionGains(*state, family);
+    cause.gain = gainOf(before, before, gains);
+    Evidence evidence{best.score, Eigen::VectorXd(gains.held.size() + gains.training.size())};
+    evidence.gains << gains.held, gains.training;
+    cause.confidence = confidenceOf(evidence, {});
     if (!passes(*cause.gain, acceptanceRule(*best.effect, best.score))) return false;
     const ResidualDistribution of_held = residualDistribution(on_held, state->held, residuals_held);
     state->held = FitData(withoutOutliers(state->held, residuals_held, of_held));

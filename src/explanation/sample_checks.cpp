@@ -20,11 +20,27 @@ std::vector<double> measured(const std::vector<Experiment>& experiments) {
   return values;
 }
 
-/// The quantisation step, of which all differences between the values are multiples; 0 where there
+/// The power of ten of which all values are multiples, as a file prints them; 0 where there is
+/// none.
+double printedUnit(const std::vector<double>& values) {
+  constexpr int kMostDigits = 7;
+  constexpr double kWhole = 1e-6;
+  double unit = 1;
+  for (int digits = 0; digits <= kMostDigits; ++digits, unit /= 10) {
+    const bool all = std::all_of(values.begin(), values.end(), [unit](double value) {
+      return std::abs(value / unit - std::round(value / unit)) < kWhole;
+    });
+    if (all) return unit;
+  }
+  return 0;
+}
+
+/// The quantisation step, of which all differences between the values are multiples, but for the
+/// rounding with which they are printed: steps of 1/16 may read 27.50, 27.56, 27.62. 0 where there
 /// is none.
 double latticeStep(const std::vector<double>& values) {
   constexpr std::size_t kMostLevels = 4000;
-  constexpr double kTolerance = 1e-3;
+  constexpr double kTolerance = 1e-3, kFine = 0.25;  // of a step
   std::vector<double> levels;
   const double span = values.back() - values.front();
   for (const double value : values) {
@@ -32,11 +48,18 @@ double latticeStep(const std::vector<double>& values) {
   }
   if (levels.size() < 2 || 2 * levels.size() > values.size() || levels.size() > kMostLevels)
     return 0;
-  double step = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 1; k < levels.size(); ++k) step = std::min(step, levels[k] - levels[k - 1]);
+  double least = std::numeric_limits<double>::infinity(), steps = 0;
+  for (std::size_t k = 1; k < levels.size(); ++k)
+    least = std::min(least, levels[k] - levels[k - 1]);
+  for (std::size_t k = 1; k < levels.size(); ++k)
+    steps += std::round((levels[k] - levels[k - 1]) / least);
+  const double step = (levels.back() - levels.front()) / steps, unit = printedUnit(values);
+  const double rounding = unit <= kFine * step ? 1.01 * unit : 0;
   for (std::size_t k = 1; k < levels.size(); ++k) {
-    const double steps = (levels[k] - levels[k - 1]) / step;
-    if (std::abs(steps - std::round(steps)) > kTolerance) return 0;
+    const double difference = levels[k] - levels[k - 1];
+    if (std::abs(difference - std::round(difference / step) * step) >
+        std::max(kTolerance * step, rounding))
+      return 0;
   }
   return step;
 }

@@ -210,7 +210,7 @@ void warnOfPoorSimulation(Explanation* explanation) {
   if (lacks.empty()) return;
   explanation->warnings.push_back(lacks);
   const bool is_aside = std::all_of(causes.begin(), causes.end(), [&](const Cause& cause) {
-    return isOfSamples(cause) || (cause.group == "noise" && isBehind(simulation, fit));
+    return isOfSamples(cause) || cause.group == "noise" || cause.name == "sens_outliers";
   });
   if (causes.empty() || !is_aside) return;
   explanation->verdict = Verdict::partly_explained;
@@ -248,10 +248,12 @@ std::vector<std::string> leadingCurves(const SimulationCauses& simulation) {
 }
 
 void joinSimulation(Explanation* explanation) {
-  if (!explanation->simulation.skipped.empty()) return dropUnsimulated(explanation);
   if (!explanation->simulation.refused.empty())
     explanation->warnings.push_back(explanation->simulation.refused);
-  joinCurves(explanation);
+  if (explanation->simulation.skipped.empty())
+    joinCurves(explanation);
+  else
+    dropUnsimulated(explanation);
   warnOfPoorSimulation(explanation);
 }
 

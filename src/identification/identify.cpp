@@ -143,6 +143,8 @@ Estimate identifyFrom(const Request& request, const std::vector<Experiment>& exp
   estimate.trust = trustOfDirection(std::move(estimate.trust), data.following,
                                     mayLackDynamics(request) && estimate.nominal_model.delay == 0);
   estimate.trust = trustOfInputs(std::move(estimate.trust), data);
+  estimate.trust = trustOfLength(std::move(estimate.trust), estimate.nominal_model.a,
+                                 longestOf(data.experiments));
   estimate.validation = validate(problem, fitted, asked, validation, journal);
   estimate.trust = trustAfterValidation(std::move(estimate.trust), estimate.validation);
   return estimate;

@@ -133,6 +133,10 @@ std::string variationText(const Estimate& estimate, const LinearModel& model);
 /// scatter of the experiments, a poor simulation, too few experiments.
 Trust trustOf(const FittedModel& fitted, const Estimate& estimate);
 
+/// The same for a plant with denominator `a` and experiments of which the `longest` [samples] may
+/// be too short for its slowest time constant.
+Trust trustOfLength(Trust trust, const Eigen::VectorXd& a, int longest);
+
 /// The same for data of which hardly any input changes: constant ones do not show how gains differ.
 Trust trustOfInputs(Trust trust, const CheckedData& data);
 

@@ -111,6 +111,16 @@ Trust trustOf(const FittedModel& fitted, const Estimate& estimate) {
   return {reasons.empty(), std::move(reasons)};
 }
 
+Trust trustOfLength(Trust trust, const Eigen::VectorXd& a, int longest) {
+  constexpr double kFewest = 1.5;  // time constants
+  if (isStable(a, std::exp(-kFewest / longest))) return trust;
+  trust.trusted = false;
+  trust.reasons.push_back(
+      "even the longest experiment lasts less than one and a half of the slowest time constant: "
+      "the gain and all that is slow are extrapolated; record longer, until the output settles");
+  return trust;
+}
+
 Trust trustOfInputs(Trust trust, const CheckedData& data) {
   constexpr int kFewestMoved = 3;
   if (data.movedInputs() >= std::min(data.count(), kFewestMoved)) return trust;
