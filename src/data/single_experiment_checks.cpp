@@ -5,6 +5,7 @@
 
 #include "data/experiment_checks.h"
 #include "data/text.h"
+#include "data/wrapped_signal.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -149,6 +150,14 @@ void checkResponse(const Experiment& experiment, Findings& findings) {
       "); check that the sensor is connected and that the right field of its message is read");
 }
 
+void checkWraps(const Experiment& experiment, Findings& findings) {
+  if (const int wraps = wrapsOf(experiment))
+    findings.warn("the output jumps from one end of its range to the other " +
+                  std::to_string(wraps) +
+                  " times and goes on in the same direction, as an angle does that starts again at "
+                  "0 after 360 degrees: no model fits these jumps; record the angle unwrapped");
+}
+
 }  // namespace
 
 std::vector<Finding> checkExperiment(const Experiment& experiment, const LimitOptions& limits,
@@ -170,6 +179,7 @@ std::vector<Finding> checkExperiment(const Experiment& experiment, const LimitOp
   checkCounts(experiment, limits, findings);
   checkExcitation(experiment, findings);
   checkResponse(experiment, findings);
+  checkWraps(experiment, findings);
   return findings.take();
 }
 

@@ -137,7 +137,8 @@ Trust trustOf(const FittedModel& fitted, const Estimate& estimate);
 /// be too short for its slowest time constant.
 Trust trustOfLength(Trust trust, const Eigen::VectorXd& a, int longest);
 
-/// The same for data of which hardly any input changes: constant ones do not show how gains differ.
+/// The same for data of which hardly any input changes: constant ones do not show how gains differ;
+/// and for an output that wraps as an angle does.
 Trust trustOfInputs(Trust trust, const CheckedData& data);
 
 /// The same for data in which the input may follow the output, as that of a controller does.

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "data/wrapped_signal.h"
 #include "identification/steps.h"
 #include "math/polynomial.h"
 
@@ -123,6 +124,12 @@ Trust trustOfLength(Trust trust, const Eigen::VectorXd& a, int longest) {
 
 Trust trustOfInputs(Trust trust, const CheckedData& data) {
   constexpr int kFewestMoved = 3;
+  if (std::any_of(data.experiments.begin(), data.experiments.end(), wrapsOf)) {
+    trust.trusted = false;
+    trust.reasons.push_back(
+        "the output jumps from one end of its range to the other, as an angle does that starts "
+        "again at 0 after 360 degrees: record it unwrapped");
+  }
   if (data.movedInputs() >= std::min(data.count(), kFewestMoved)) return trust;
   trust.trusted = false;
   trust.reasons.push_back(

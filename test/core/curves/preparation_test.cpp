@@ -88,6 +88,26 @@ TEST(Preparation, GroupsTheWindowsOfEachOfManyExperiments) {
   EXPECT_EQ(data.groups.size(), 10u);
 }
 
+TEST(Preparation, PutsTheRestBeforeARecordThatBeganAtRest) {
+  Experiment step = wave(600, 24);
+  step.u.setConstant(2);
+  step.u.head(5).setConstant(1);
+  step.y.head(5).setConstant(4);
+  const std::vector<Experiment> records{step, wave(600, 24)};
+  const SimulationData data = windowsOf(records, planWindows(records), scalesOf(records), 0);
+  const SimulationWindow &rested = data.windows.front(), &other = data.windows[1];
+  ASSERT_GE(rested.rest, 32);
+  EXPECT_EQ(rested.samples(), other.samples() + rested.rest);
+  EXPECT_EQ(rested.measuredSamples(), other.samples());
+  EXPECT_EQ(data.samples, 1200) << "what was not recorded counts for nothing";
+  const Scale &u = data.scales.u, &y = data.scales.y;
+  for (int k = 0; k < rested.rest; ++k) {
+    EXPECT_DOUBLE_EQ(rested.u[k] * u.unit + u.offset, 1);
+    EXPECT_DOUBLE_EQ(rested.y[k] * y.unit + y.offset, 4);
+  }
+  for (std::size_t w = 1; w < data.windows.size(); ++w) EXPECT_EQ(data.windows[w].rest, 0);
+}
+
 TEST(Preparation, MissingOutputsAreNotMeasured) {
   Experiment experiment = wave(600, 24);
   experiment.valid.assign(600, 1);

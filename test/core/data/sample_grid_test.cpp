@@ -54,6 +54,13 @@ TEST(SampleGrid, StampsRoundedToAboutAPeriodLoseNoRow) {
   }
 }
 
+/// A logger that reads a clock of whole seconds every two seconds and is late once.
+TEST(SampleGrid, OneOddStepChangesNoPeriod) {
+  std::vector<double> stamps;
+  for (int k = 0; k < 441; ++k) stamps.push_back(2.0 * k + (k > 156 ? 1 : 0));
+  EXPECT_EQ(fitSampleGrid(stamps).period, 2.0);
+}
+
 TEST(SampleGrid, RowsLostRegularlyStayLost) {
   for (const auto& [period, each] : {std::pair{0.11, 10}, std::pair{0.01, 50}}) {
     std::vector<double> stamps;

@@ -75,6 +75,22 @@ TEST(SampleChecks, ALatticeIsASensorThatReadsInSteps) {
   EXPECT_EQ(kept[0].validSamples(), 500) << "steps spoil no sample";
 }
 
+/// A thermometer of 1/16 degree, printed with two decimals, of a body that warms up slowly: its
+/// readings repeat, but it does not hang.
+TEST(SampleChecks, StepsAreSeenThroughTheRoundingOfAFile) {
+  std::vector<Experiment> experiments(1);
+  experiments[0].u = Eigen::VectorXd::Ones(200);
+  experiments[0].y.resize(200);
+  for (int t = 0; t < 200; ++t) {
+    const double degrees = 27.5 + 2.5 * (1 - std::exp(-t / 80.0));
+    experiments[0].y[t] = std::floor(100 * (std::floor(16 * degrees) / 16)) / 100;
+  }
+  const auto found = checkSamples(experiments);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].name, "sens_quant");
+  EXPECT_NEAR(found[0].parameters.at(0).value, 1.0 / 16, 1e-3);
+}
+
 TEST(SampleChecks, RepeatedExtremesAreALimit) {
   std::vector<Experiment> experiments = noise();
   int clipped = 0;

@@ -97,6 +97,22 @@ TEST(SimulationAnswer, IsNoExplanationWhereTheInputExplainsLittle) {
   EXPECT_TRUE(test::mentions(poor.message, "pass, but the simulation")) << poor.message;
 }
 
+/// Also where the data were too few to search the simulation.
+TEST(SimulationAnswer, NoiseExplainsNoSimulationThatFitsByLessThanHalf) {
+  for (const char* skipped : {"", "fewer than 4 windows"}) {
+    const auto answered = [skipped](double fit) {
+      Explanation found = withFriction(true, {ofLikelihood("noise_step", fit, fit)});
+      found.causes[0].group = "noise";
+      found.simulation = {};
+      found.simulation.skipped = skipped;
+      joinSimulation(&found);
+      return found.verdict;
+    };
+    EXPECT_EQ(answered(26), Verdict::partly_explained) << skipped;
+    EXPECT_EQ(answered(60), Verdict::explained) << skipped;
+  }
+}
+
 TEST(SimulationAnswer, TooFewSamplesToSearchItNeedCausesThatMakeItBetter) {
   const auto answered = [](const std::string& group, double after) {
     Explanation found = withFriction(true, {ofLikelihood("sens_drift", 84, after)});

@@ -125,6 +125,30 @@ TEST_F(TrustOf, APoleAtTheEdgeOfStability) {
   expectReason("edge of stability");
 }
 
+TEST(TrustOfLength, RecordsShorterThanTheSlowestTimeConstantExtrapolate) {
+  const double constant = 100;  // [samples]
+  const Eigen::VectorXd slow = test::vectorOf({-std::exp(-1 / constant)});
+  const Trust found = trustOfLength({}, slow, 140);
+  EXPECT_FALSE(found.trusted);
+  ASSERT_EQ(found.reasons.size(), 1u);
+  EXPECT_TRUE(test::mentions(found.reasons[0], "slowest time constant")) << found.reasons[0];
+  EXPECT_TRUE(trustOfLength({}, slow, 160).trusted);
+}
+
+TEST(TrustOfInputs, AnOutputThatWrapsIsNotTrusted) {
+  CheckedData data;
+  data.experiments.resize(1);
+  Experiment& angle = data.experiments[0];
+  angle.u = Eigen::VectorXd::LinSpaced(400, 0, 1);
+  angle.y.resize(400);
+  for (int k = 0; k < 400; ++k) angle.y[k] = std::fmod(5.0 * k, 360.0);
+  const Trust found = trustOfInputs({}, data);
+  ASSERT_EQ(found.reasons.size(), 1u);
+  EXPECT_TRUE(test::mentions(found.reasons[0], "record it unwrapped")) << found.reasons[0];
+  angle.y = angle.u;
+  EXPECT_TRUE(trustOfInputs({}, data).trusted);
+}
+
 TEST_F(TrustOf, ASimulationThatExplainsLittle) {
   ASSERT_TRUE(estimate_.simulation_fit_percent.has_value());
   EXPECT_GT(*estimate_.simulation_fit_percent, 90);
