@@ -72,7 +72,7 @@ FittedModel fitChosen(const Configuration& asked, Problem* problem, Journal* jou
   if (problem->plant) problem->plant = describePlant(*problem, journal);
   FittedModel fitted = fitModel(*problem, journal);
   const bool could_be_alone = around.plant && !problem->plant && !journal->progress.searchEnds();
-  if (!could_be_alone ||
+  if (!could_be_alone || simulatesByOwnPlants(*problem, fitted, *around.plant) ||
       simulatesAsWellAsAlone(*problem, *fitted.model, fitted.optimum.point, *around.plant, journal))
     return fitted;
   const Problem jointly = *problem;

@@ -97,6 +97,35 @@ bool simulatesAsWellAsAlone(const Problem& whole, const LinearModel& model,
          (!plant || !simulatesWorse(jointly, fitOf(problem, plant->polynomials, plant->offset)));
 }
 
+bool simulatesByOwnPlants(const Problem& problem, const FittedModel& fitted,
+                          const FittedPlant& chosen_alone) {
+  constexpr double kFarLess = 0.5;  // of the error
+  const ErrorModelOptions& options = problem.configuration.error_model;
+  if (options.basis != BasisKind::parameter_spread || options.taps == 0) return false;
+  const NominalModel& nominal = fitted.model->nominal();
+  const ModelParameters& point = fitted.optimum.point;
+  const Eigen::MatrixXd means =
+      latentMoments(
+          fitted.likelihood->expect(fitted.likelihood->statistics(point.parameters, false), point))
+          .means;
+  const SensitivityTerms terms = sensitivityTerms(nominal, options);
+  const double offset = plantOf(*fitted.model, point).offset;
+  std::vector<Eigen::VectorXd> errors;
+  for (Eigen::Index r = 0; r < means.cols(); ++r) {
+    Eigen::VectorXd theta = point.parameters.head(nominal.parameterCount());
+    for (int k = 0; k < terms.count(); ++k)
+      theta[terms.indices[static_cast<std::size_t>(k)].front()] *= 1 + means(k, r);
+    if (!nominal.admissible(theta)) return false;
+    const Experiment& experiment = problem.data.experiments[static_cast<std::size_t>(r)];
+    errors.push_back(
+        simulationErrors(nominal, theta, offset, problem.configuration.estimation, {experiment})
+            .front());
+  }
+  const SimulationFit own = fitOfErrors(errors, problem.data.experiments),
+                      alone = fitOf(problem, chosen_alone.polynomials, chosen_alone.offset);
+  return 100 - own.pooled < kFarLess * (100 - alone.pooled);
+}
+
 SimulationFit fitOf(const Problem& problem, const Polynomials& plant, double offset) {
   return simulationFit(*fixPlant(plant, 0, 0), Eigen::VectorXd(0), offset,
                        problem.configuration.estimation, problem.data.experiments);

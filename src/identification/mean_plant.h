@@ -26,6 +26,12 @@ bool simulatesAsWellAsAlone(const Problem& problem, const LinearModel& model,
                             const ModelParameters& point, const FittedPlant& chosen_alone,
                             Journal* journal);
 
+/// Whether the data are simulated far better by each experiment's own plant, whose parameters are
+/// at their posterior means, than by `chosen_alone`: with half of its error. Where a resonance
+/// varies, the plant that simulates all experiments best has more damping than any of them.
+bool simulatesByOwnPlants(const Problem& problem, const FittedModel& fitted,
+                          const FittedPlant& chosen_alone);
+
 /// How well a plant with an offset [unit of y] simulates the problem's data.
 SimulationFit fitOf(const Problem& problem, const Polynomials& plant, double offset);
 
