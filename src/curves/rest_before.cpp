@@ -20,10 +20,23 @@ struct Range {
 
 bool isConstant(const Eigen::VectorXd& signal) { return (signal.array() == signal[0]).all(); }
 
+/// The largest difference of an input that does not move: a measured one is noisy.
+double stillnessOf(const Eigen::VectorXd& u) { return 0.02 * (u.maxCoeff() - u.minCoeff()); }
+
+/// Whether the record is one of few steps. Where the input moves often, it and not an initial state
+/// explains the output.
+bool hasFewSteps(const Eigen::VectorXd& u) {
+  constexpr int kFew = 5;
+  const double still = stillnessOf(u);
+  int steps = 0;
+  for (Eigen::Index k = 1; k < u.size(); ++k) steps += std::abs(u[k] - u[k - 1]) > still;
+  return steps <= kFew;
+}
+
 /// Number of samples before the input moves for the first time.
 int samplesBeforeInputMoves(const Experiment& experiment) {
   const Eigen::VectorXd& u = experiment.u;
-  const double still = 0.02 * (u.maxCoeff() - u.minCoeff());  // a measured input is noisy
+  const double still = stillnessOf(u);
   int count = 1;
   while (count < experiment.samples() && std::abs(u[count] - u[0]) <= still) ++count;
   return count;
@@ -78,6 +91,7 @@ RestBefore::RestBefore(const std::vector<Experiment>& experiments) {
 }
 
 std::optional<RestingPoint> RestBefore::of(const Experiment& experiment) const {
+  if (!hasFewSteps(experiment.u)) return std::nullopt;
   const bool is_constant = isConstant(experiment.u);
   const int count = samplesBeforeInputMoves(experiment);
   if (standsStill(experiment, count))

@@ -19,8 +19,9 @@ class RestBefore {
   /// Learns from all experiments whether they begin at one level whatever their first inputs are.
   explicit RestBefore(const std::vector<Experiment>& experiments);
 
-  /// Nothing, unless the output stands still until the input moves for the first time, or begins
-  /// at that level with an input that is constant, and so was switched on just then.
+  /// Nothing, unless the input makes few steps, and the output stands still until the input moves
+  /// for the first time, or begins at that level with an input that is constant, and so was
+  /// switched on just then.
   std::optional<RestingPoint> of(const Experiment& experiment) const;
 
  private:

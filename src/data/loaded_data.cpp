@@ -47,14 +47,17 @@ void addResampled(const Recording& recording, double sample_time, const Resampli
 }
 
 double sampleTimeForAll(const std::vector<Experiment>& experiments) {
-  constexpr double kMost = 30, kShare = 0.8;
+  constexpr double kMost = 30, kShare = 0.8, kLittle = 1.2;
   if (experiments.empty()) return 0;
   std::vector<double> times;
   for (const Experiment& experiment : experiments) times.push_back(experiment.sample_time);
   std::sort(times.begin(), times.end());
   const double count = static_cast<double>(times.size());
   const auto enough = static_cast<std::size_t>(std::ceil(kShare * count));
-  const double shortest = times.front(), longest = times[enough - 1];
+  const double of_most = times[enough - 1];  // those that are little slower are no reason to stop
+  const double shortest = times.front(),
+               longest =
+                   *std::prev(std::upper_bound(times.begin(), times.end(), kLittle * of_most));
   const bool is_used = longest > (1 + kSameRate) * shortest && longest <= kMost * shortest;
   return is_used ? longest : 0;
 }

@@ -202,7 +202,7 @@ void warnOfPoorSimulation(Explanation* explanation) {
   const std::vector<Cause>& causes = explanation->causes;
   if (verdict != Verdict::none && verdict != Verdict::explained) return;
   const SimulationCauses& simulation = explanation->simulation;
-  double fit = simulation.fit_after;
+  double fit = simulation.skipped.empty() ? simulation.fit_after : kNan;
   for (const Cause& cause : causes)
     if (cause.gain && std::isfinite(cause.gain->nrmse_fit_percent.after))
       fit = cause.gain->nrmse_fit_percent.after;

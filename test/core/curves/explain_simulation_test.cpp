@@ -126,7 +126,7 @@ TEST(ExplainSimulation, NamesNothingInALinearServoThatAControllerHoldsAgainstALo
 }
 
 TEST(ExplainSimulation, NamesADeadZoneOfAServoInAClosedLoop) {
-  for (const double load : {0.02, 0.1}) {
+  for (const double load : {0.02, 0.1, 0.2}) {
     const SimulationCauses found = explained(servoRuns(1, deadZone, load));
     ASSERT_FALSE(found.causes.empty()) << "load " << load << ": " << found.refused;
     EXPECT_EQ(found.causes[0].what.name, "act_deadzone") << "load " << load;

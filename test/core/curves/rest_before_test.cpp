@@ -58,6 +58,13 @@ TEST(RestBefore, StepsFromTheFirstSampleOnThatBeginAtOneLevel) {
   EXPECT_FALSE(RestBefore(from_zero).of(from_zero[1]).has_value()) << "two may be chance";
 }
 
+TEST(RestBefore, OfManyStepsTheInitialStateStandsForLittle) {
+  Experiment many = step(0, 10, 2);
+  ASSERT_TRUE(RestBefore({}).of(many).has_value());
+  for (int k = 20; k < 100; k += 20) many.u.segment(k, 10).setConstant(1);
+  EXPECT_FALSE(RestBefore({}).of(many).has_value());
+}
+
 TEST(RestBefore, OfInputsThatMoveTheFirstOutputSaysNothing) {
   std::vector<Experiment> runs{step(0, 0, 22), step(0, 0, 30), step(0, 0, 25)};
   for (Experiment& run : runs) run.u.tail(50) *= 0.5;

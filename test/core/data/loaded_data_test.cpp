@@ -85,6 +85,8 @@ TEST(SampleTimeForAll, LeavesASlowFifthToTheChecks) {
   EXPECT_EQ(sampleTimeForAll(all), 0.2);
   all[3].sample_time = 0.25;
   EXPECT_EQ(sampleTimeForAll(all), 0.2) << "all but the slowest";
+  all[3].sample_time = 0.205;
+  EXPECT_EQ(sampleTimeForAll(all), 0.205) << "one that is little slower is not lost";
 }
 
 }  // namespace

@@ -200,6 +200,11 @@ TEST(SimulationAnswer, ChangesNothingWhereTheSimulationWasNotSearched) {
   found.simulation.skipped = "fewer than 200 samples";
   joinSimulation(&found);
   ASSERT_EQ(found.causes.size(), 1u);
+  Explanation nothing = withFriction(true, {});
+  nothing.simulation = {};
+  nothing.simulation.skipped = "fewer than 200 samples";
+  joinSimulation(&nothing);
+  EXPECT_TRUE(nothing.warnings.empty()) << "what was not simulated fits by no percentage";
 }
 
 }  // namespace
