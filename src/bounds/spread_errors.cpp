@@ -59,12 +59,15 @@ SpreadErrors::SpreadErrors(const Mixture& mixture, const MatrixXd& covariance, i
 /// adds to the plants' differences: where it makes the errors larger by a factor, so is the
 /// deviation from L, and a variance that would be negative is zero.
 MatrixXd SpreadErrors::drawnRoot(const Component& component, const MatrixXd& gaussian) const {
+  constexpr double kFarthest = 7;  // standard deviations
   const Index n = component.root.rows();
   const double experiments = component.experiments;
   MatrixXd B = MatrixXd::Zero(n, n);
   for (Index k = 0; k < n; ++k) {
     const double degrees = std::max(1.0, experiments - 1 - static_cast<double>(n - 1 - k));
-    B(k, k) = std::sqrt(chiSquaredQuantile(normalTail(gaussian(k, k)), degrees));
+    // Entries that depend on each other may lie farther out than a double has quantiles.
+    const double deviation = std::clamp(gaussian(k, k), -kFarthest, kFarthest);
+    B(k, k) = std::sqrt(chiSquaredQuantile(normalTail(deviation), degrees));
     for (Index j = k + 1; j < n; ++j) B(k, j) = -gaussian(j, k);
   }
   MatrixXd drawn = std::sqrt(experiments) *

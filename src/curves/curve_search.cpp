@@ -262,10 +262,11 @@ CurveSearchResult CurveSearch::run(const WindowFit& base) {
   return std::move(result_);
 }
 
-/// Whether the search from one order more ends better: with a tenth less left out, or as well with
-/// fewer causes.
+/// Whether the search from another order ends better: with errors of unseen windows that are less
+/// by a tenth, or with fewer causes and as well.
 bool isBetter(const CurveSearchResult& other, const CurveSearchResult& than) {
-  const double ratio = other.fit.left_out / than.fit.left_out;
+  const double ratio =
+      (other.fit.left_out + other.held_error) / (than.fit.left_out + than.held_error);
   if (other.held_error > 1.05 * than.held_error) return false;
   if (other.causes.size() < than.causes.size()) return ratio < 1.1;
   return ratio < (other.causes.size() > than.causes.size() ? 0.7 : 0.9);

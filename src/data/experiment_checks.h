@@ -30,8 +30,8 @@ struct CheckReport {
 /// min_samples measured outputs; u, y, valid, covariates or stamp_offset of unequal length; a
 /// sample time that is not positive; a non-finite u, measured y or required covariate; a constant
 /// input or output; a share of missing outputs above max_missing; a required covariate that is
-/// absent. A non-finite covariate that is not required is a warning, and so is an output that wraps as
-/// an angle does.
+/// absent. A non-finite covariate that is not required is a warning, and so is an output that wraps
+/// as an angle does.
 std::vector<Finding> checkExperiment(const Experiment& experiment, const LimitOptions& limits,
                                      const std::vector<std::string>& required_covariates);
 

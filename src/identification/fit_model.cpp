@@ -124,6 +124,14 @@ void leaveLocalOptimum(const Problem& problem, const OptimisationOptions& option
   }
 }
 
+/// Whether a component has no experiment. It describes nothing, but with a mean far away its tiny
+/// weight would free the others from a mean of zero.
+bool hasEmptyComponent(const Mixture& mixture, int experiments) {
+  constexpr double kFewest = 0.1;  // experiments
+  return mixture.components() > 1 &&
+         *std::min_element(mixture.weights.begin(), mixture.weights.end()) * experiments < kFewest;
+}
+
 void warnAboutFloor(const Mixture& mixture, const MatrixXd& floor, Journal* journal) {
   for (std::size_t i = 0; floor.size() > 0 && i < mixture.covariances.size(); ++i) {
     const SymmetricEigen eigen(mixture.covariances[i], floor);
@@ -165,6 +173,12 @@ FittedModel fitModel(const Problem& problem, Journal* journal) {
       optimisationOptions(configuration, Phase::optimum, &journal->progress);
   options.floor = covarianceFloor(start.mixture);
   optimiseToFixedPoint(problem, options, about ? about->points : MatrixXd(), &fitted, journal);
+  if (configuration.error_model.components == kAutomatic &&
+      hasEmptyComponent(fitted.optimum.point.mixture, problem.data.count())) {
+    Problem fewer = problem;
+    fewer.configuration.error_model.components = fitted.components - 1;
+    return fitModel(fewer, journal);
+  }
   leaveLocalOptimum(problem, options, &fitted, journal);
   fitted.optimum.point =
       withSortedTimeConstants(*fitted.model, configuration.error_model, fitted.optimum.point);

@@ -16,6 +16,7 @@ namespace {
 using Eigen::Index;
 
 std::string percent(double share) {
+  if (!(share < 10)) return "more than 1000 %";
   char text[32];
   std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
   return share < 0.1 ? text : std::to_string(std::lround(100 * share)) + " %";

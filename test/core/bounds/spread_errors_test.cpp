@@ -37,6 +37,14 @@ TEST(SpreadErrors, AreThoseOfTheChiSquaredDistribution) {
   EXPECT_NEAR(drawnDeviation(-z, 1), 0.706825, 1e-5);
 }
 
+TEST(SpreadErrors, StayFiniteHoweverFarTheErrorIs) {
+  for (const double z : {-60.0, -9.0, 9.0, 60.0}) {
+    const double deviation = drawnDeviation(z, 1);
+    EXPECT_TRUE(std::isfinite(deviation)) << z;
+    EXPECT_EQ(deviation, drawnDeviation(z < 0 ? -7 : 7, 1)) << z;
+  }
+}
+
 /// Noise of variance 2 beside the plants' 1 makes the error of the estimated variance three times
 /// as large: 3 * 8/chi2 - 2, or zero.
 TEST(SpreadErrors, GrowWithTheNoise) {

@@ -202,6 +202,32 @@ TEST(ExplainSimulation, NamesALimitedRateInAClosedLoop) {
   }
 }
 
+/// Short records of a servo's answer to single steps. From free initial states, or with three
+/// poles, a linear plant follows each of them.
+TEST(ExplainSimulation, NamesALimitedRateInRecordsOfSingleSteps) {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    std::mt19937_64 engine(seed);
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> uniform(0, 120);
+    std::vector<Experiment> all = emptyRuns(kRuns + kHeld, 0.015);
+    for (Experiment& run : all) {
+      run.u.resize(70);
+      run.y.resize(70);
+      const double from = uniform(engine), to = uniform(engine);
+      double asked = from, shown = from;
+      for (int k = 0; k < 70; ++k) {
+        run.u[k] = k < 4 ? from : to;
+        run.y[k] = std::round(shown + 0.3 * normal(engine));
+        asked += std::min(std::max(run.u[k] - asked, -2.7), 2.7);
+        shown += 0.25 * (asked - shown);
+      }
+    }
+    const SimulationCauses found = explained(all);
+    ASSERT_FALSE(found.causes.empty()) << "seed " << seed;
+    EXPECT_EQ(found.causes.front().what.name, "act_ratelimit") << "seed " << seed;
+  }
+}
+
 /// A stirred heat exchanger whose thermometer lags: the flow multiplies the temperature, and the
 /// lag is no dead time.
 TEST(ExplainSimulation, CallsNoLagADeadTime) {
