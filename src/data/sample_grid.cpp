@@ -186,7 +186,7 @@ double periodUncertainty(const std::vector<double>& stamps, const SampleGrid& gr
 /// Whether nearly all spacings are the median, so that a few odd ones, and no jitter, move the line
 /// through the stamps.
 bool isStepped(const std::vector<double>& spacing, double middle, const SampleGrid& grid) {
-  constexpr double kSame = 1e-3, kNearlyAll = 0.9, kFar = 0.1;
+  constexpr double kSame = 1e-3, kNearlyAll = 0.9, kFar = 0.25;
   const auto same = std::count_if(spacing.begin(), spacing.end(), [&](double each) {
     return std::abs(each - middle) <= kSame * middle;
   });

@@ -195,7 +195,7 @@ TEST_F(Csv, FilesThatAreNoTableAreErrors) {
   EXPECT_TRUE(mentions(fileError(""), "'" + path_ + "': the file is empty"));
   EXPECT_TRUE(mentions(fileError("# only\n\n"), "the file is empty"));
   EXPECT_TRUE(mentions(fileError("t,u\n0,1\n"), "line 1 is 't,u', without y"));
-  EXPECT_TRUE(mentions(fileError("0,1,2\n1,2,3\n"), "line 1 is '0,1,2', numbers without"));
+  EXPECT_TRUE(mentions(fileError("0,1,2\n1,2,3\n"), "no header line, and the columns are called"));
   EXPECT_TRUE(mentions(fileError("t,u,y,y\n"), "no two columns may have the same name"));
   EXPECT_TRUE(mentions(rejection("t,u,y\n"), "the file has a header but no rows"));
   EXPECT_TRUE(mentions(rejection("experiment,t,u,y\n\n"), "the file has a header but no rows"));
