@@ -166,8 +166,8 @@ CurveSearch::Round CurveSearch::round() {
   return takeBest(std::move(curves), unseenBeyondGain(result_.fit, held_), true);
 }
 
-/// What was found first may have stood for what was found since: a cause without which the plant
-/// simulates as well is dropped.
+/// Curves that were found first may have stood for the play or limit found since, which has a
+/// memory and one parameter: a curve without which the plant simulates as well is dropped.
 void CurveSearch::dropNeedless() {
   constexpr double kAsGood = 1.02;
   for (std::size_t k = result_.fit.model.curves.size(); k > 1 && context_.going_on(); --k) {
@@ -253,7 +253,7 @@ CurveSearchResult CurveSearch::run(const WindowFit& base) {
     const Round did = round();
     if (did == Round::nothing) break;
     if (did == Round::plant) continue;
-    dropNeedless();
+    if (isScalar(result_.causes.back().place.place)) dropNeedless();
     keepIfAsGood(smallerPlant(data_, result_.fit, context_));
   }
   nameAgain();
@@ -262,14 +262,22 @@ CurveSearchResult CurveSearch::run(const WindowFit& base) {
   return std::move(result_);
 }
 
-/// Whether the search from another order ends better: with errors of unseen windows that are less
-/// by a tenth, or with fewer causes and as well.
+/// Whether the search from one order more ends better: with a tenth less left out, or as well with
+/// fewer causes.
 bool isBetter(const CurveSearchResult& other, const CurveSearchResult& than) {
-  const double ratio =
-      (other.fit.left_out + other.held_error) / (than.fit.left_out + than.held_error);
+  const double ratio = other.fit.left_out / than.fit.left_out;
   if (other.held_error > 1.05 * than.held_error) return false;
   if (other.causes.size() < than.causes.size()) return ratio < 1.1;
   return ratio < (other.causes.size() > than.causes.size() ? 0.7 : 0.9);
+}
+
+/// Whether causes on top of a plant of first order explain unseen windows far better than high
+/// orders do.
+bool standsForOrders(const CurveSearchResult& with_causes, const CurveSearchResult& orders) {
+  constexpr double kFarLess = 0.7;
+  return with_causes.held_error <= orders.held_error &&
+         with_causes.fit.left_out + with_causes.held_error <
+             kFarLess * (orders.fit.left_out + orders.held_error);
 }
 
 /// Whether the causes, which leave much unexplained, simulate better and do not predict better. In
@@ -303,13 +311,14 @@ CurveSearchResult searchCurves(const SimulationData& data, const SimulationData&
       best = std::move(found);
     }
   }
-  // High orders that still simulate badly may only stand for a curve.
+  // High orders without a cause may only stand for one.
   const auto fitOfBest = [&] {
     return heldOutFit(held, Eigen::VectorXd::Constant(1, best.held_error));
   };
-  if (fitOfBest() < limits.good_fit && best.base.model.order > 1 && context.going_on()) {
+  if (best.causes.empty() && best.base.model.order > 1 && fitOfBest() < limits.good_fit &&
+      context.going_on()) {
     CurveSearchResult found = search.run(linear.of_order.front());
-    if (!found.causes.empty() && isBetter(found, best)) {
+    if (!found.causes.empty() && standsForOrders(found, best)) {
       found.base = std::move(best.base);
       best = std::move(found);
     }

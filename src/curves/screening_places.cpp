@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "curves/free_simulation.h"
-#include "curves/initial_states.h"
 #include "curves/starts.h"
 
 namespace uncertainty_identification {
@@ -146,12 +145,12 @@ SimulationData through(SimulationData data, Place place, double width) {
 /// best. One that was fitted without it is slower than the true one, from which no small step leads
 /// back.
 CurveModel startBehind(const SimulationData& data, const CurveModel& linear, Place place) {
+  constexpr int kIterations = 3;
   CurveModel best;
   double least = std::numeric_limits<double>::infinity(), width_of_best = 0;
   for (const double width : widthsFor(data, place)) {
     const SimulationData behind = through(data, place, width);
-    CurveModel start = linearStart(behind, linear.order, linear.direct, linear.delay);
-    start.initial = initialStates(behind, start, data.longest);
+    CurveModel start = linearStart(behind, linear.order, linear.direct, linear.delay, kIterations);
     const double error = simulationError(behind, start);
     if (!(error < least)) continue;
     least = error;

@@ -50,6 +50,7 @@ double sampleTimeForAll(const std::vector<Experiment>& experiments) {
   constexpr double kMost = 30, kShare = 0.8, kLittle = 1.2;
   if (experiments.empty()) return 0;
   std::vector<double> times;
+  times.reserve(experiments.size());
   for (const Experiment& experiment : experiments) times.push_back(experiment.sample_time);
   std::sort(times.begin(), times.end());
   const double count = static_cast<double>(times.size());
