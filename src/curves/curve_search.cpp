@@ -1,266 +1,14 @@
 #include "curves/curve_search.h"
 
-#include <algorithm>
 #include <utility>
 
-#include "curves/fit_comparison.h"
 #include "curves/held_out.h"
 #include "curves/prediction_check.h"
-#include "curves/split_model.h"
+#include "curves/search_from.h"
 
+/// From which linear plants curves are looked for, and which of the searches is believed.
 namespace uncertainty_identification {
 namespace {
-
-class CurveSearch {
- public:
-  CurveSearch(const SimulationData& data, const SimulationData& held, const LinearPlants& linear,
-              const CurveSearchLimits& limits, const CurveSearchContext& context)
-      : data_(data), held_(held), linear_(linear), limits_(limits), context_(context) {}
-
-  CurveSearchResult run(const WindowFit& base);
-
- private:
-  enum class Round { nothing, plant, cause };
-  Round round();
-  bool isWorth(const CurveCandidate& candidate, const Eigen::VectorXd& now, double base) const;
-  bool takePlant(const CurveCandidate& candidate);
-  bool convinces(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const;
-  bool convincesHeld(const WindowFit& fit, const Eigen::VectorXd& errors, bool beyond) const;
-  bool takeCause(std::vector<CurveCandidate>* all, const Eigen::VectorXd& now, bool beyond);
-  std::vector<CurveCandidate> beyondGain(std::vector<CurveCandidate> all,
-                                         const Eigen::VectorXd& now) const;
-  Round takeBest(std::vector<CurveCandidate> all, const Eigen::VectorXd& now, bool beyond);
-  void dropNeedless();
-  void nameAgain();
-  Eigen::VectorXd heldErrors(const WindowFit& fit) const;
-  void keepIfAsGood(WindowFit changed);
-  void tell(const std::string& what) const {
-    if (context_.tell) context_.tell(what);
-  }
-
-  const SimulationData& data_;
-  const SimulationData& held_;
-  const LinearPlants& linear_;
-  const CurveSearchLimits& limits_;
-  const CurveSearchContext& context_;
-  CurveSearchResult result_;
-  double base_unseen_ = 0, base_beyond_ = 0;  ///< unseen errors of the base, and beyond gain
-  Eigen::VectorXd held_errors_;               ///< of result_.fit
-};
-
-Eigen::VectorXd CurveSearch::heldErrors(const WindowFit& fit) const {
-  return heldOutErrors(held_, fit.model);
-}
-
-bool CurveSearch::isWorth(const CurveCandidate& candidate, const Eigen::VectorXd& now,
-                          double base) const {
-  const double gain = (now - candidate.unseen).sum();
-  const bool is_cause = candidate.kind == CandidateKind::curve;
-  return pairedT(now, candidate.unseen) >= limits_.least_t &&
-         gain > limits_.least_gain * now.sum() && (!is_cause || gain > limits_.least_share * base);
-}
-
-/// A larger plant, or one with dead time, costs nothing and is no cause, but must not simulate
-/// held-out windows worse.
-bool CurveSearch::takePlant(const CurveCandidate& candidate) {
-  Eigen::VectorXd errors = heldErrors(candidate.fit);
-  if (errors.sum() > 1.1 * held_errors_.sum()) return false;
-  result_.fit = candidate.fit;
-  held_errors_ = std::move(errors);
-  return true;
-}
-
-bool CurveSearch::convinces(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const {
-  if (before.size() == 0) return true;
-  return 1 - after.sum() / before.sum() >= limits_.least_gain &&
-         pairedT(before, after) >= limits_.least_held_t;
-}
-
-/// Whether held-out windows gain, also where each has a gain and an offset of its own. Whether the
-/// latter is significant, all unseen windows tell for the first cause, because two or three
-/// held-out experiments cannot; a further cause may only mend the first. `beyond`: the gain is
-/// looked for in the latter way only, and there is no loss otherwise.
-bool CurveSearch::convincesHeld(const WindowFit& fit, const Eigen::VectorXd& errors,
-                                bool beyond) const {
-  const double share = errors.sum() / held_errors_.sum();
-  const bool is_material = !result_.causes.empty() || share <= 1 - limits_.least_first_gain;
-  const bool as_it_is = beyond ? share < 1 : is_material && convinces(held_errors_, errors);
-  const Eigen::VectorXd before = errorsBeyondGain(held_, result_.fit.model),
-                        after = errorsBeyondGain(held_, fit.model);
-  const Eigen::VectorXd all = unseenBeyondGain(result_.fit, held_);
-  if (!as_it_is || all.size() == 0 || !result_.causes.empty())
-    return as_it_is && convinces(before, after);
-  return after.sum() <= (1 - limits_.least_first_gain) * before.sum() &&
-         pairedT(all, unseenBeyondGain(fit, held_)) >= limits_.least_held_t;
-}
-
-/// Accepts the best of the curves if held-out windows gain; otherwise drops it.
-bool CurveSearch::takeCause(std::vector<CurveCandidate>* all, const Eigen::VectorXd& now,
-                            bool beyond) {
-  const std::vector<CurveCandidate> tied = tiedWithFirst(*all, now);
-  const CurveCandidate& first = tied.front();
-  const WindowFit& fit = first.accepted();
-  Eigen::VectorXd errors = heldErrors(fit);
-  if (!convincesHeld(fit, errors, beyond)) {
-    const auto same = [&](const CurveCandidate& each) {
-      return each.kind == first.kind && each.fit.left_out == first.fit.left_out;
-    };
-    all->erase(std::remove_if(all->begin(), all->end(), same), all->end());
-    return false;
-  }
-  result_.causes.push_back(foundCurve(tied, result_.fit));
-  result_.causes.back().held_before = held_errors_.sum();
-  result_.causes.back().held_after = errors.sum();
-  result_.fit = fit;
-  held_errors_ = std::move(errors);
-  return true;
-}
-
-/// The curves with their errors beyond what differs between experiments, the best first. Only those
-/// with which unseen windows are simulated better also as they are; nothing where all windows are
-/// of one experiment.
-std::vector<CurveCandidate> CurveSearch::beyondGain(std::vector<CurveCandidate> all,
-                                                    const Eigen::VectorXd& now) const {
-  std::vector<CurveCandidate> curves;
-  for (CurveCandidate& each : all) {
-    if (each.kind != CandidateKind::curve || each.unseen.sum() >= now.sum()) continue;
-    each.unseen = unseenBeyondGain(each.fit, held_);
-    each.named_unseen = unseenBeyondGain(each.naming.fit, held_);
-    if (each.unseen.size() > 0) curves.push_back(std::move(each));
-  }
-  std::stable_sort(curves.begin(), curves.end(),
-                   [](const CurveCandidate& left, const CurveCandidate& right) {
-                     return left.unseen.sum() < right.unseen.sum();
-                   });
-  return curves;
-}
-
-CurveSearch::Round CurveSearch::takeBest(std::vector<CurveCandidate> all,
-                                         const Eigen::VectorXd& now, bool beyond) {
-  const double base = beyond ? base_beyond_ : base_unseen_;
-  all.erase(std::remove_if(all.begin(), all.end(),
-                           [&](const CurveCandidate& each) { return !isWorth(each, now, base); }),
-            all.end());
-  for (int tried = 0; tried < 3 && !all.empty(); ++tried) {
-    if (all.front().kind == CandidateKind::curve) {
-      if (takeCause(&all, now, beyond)) return Round::cause;
-      continue;
-    }
-    if (takePlant(all.front())) return Round::plant;
-    all.erase(all.begin());
-  }
-  return Round::nothing;
-}
-
-/// Where plants differ from experiment to experiment, these differences may hide a curve: it is
-/// looked for beyond them if nothing else is found.
-CurveSearch::Round CurveSearch::round() {
-  tell("comparing curves");
-  std::vector<CurveCandidate> all =
-      candidatesFor(data_, held_, result_.fit, linear_, limits_.candidates, context_);
-  const Eigen::VectorXd now = unseenErrors(result_.fit, held_);
-  const Round did = takeBest(all, now, false);
-  if (did != Round::nothing || !result_.causes.empty()) return did;
-  std::vector<CurveCandidate> curves = beyondGain(std::move(all), now);
-  if (curves.empty()) return Round::nothing;
-  return takeBest(std::move(curves), unseenBeyondGain(result_.fit, held_), true);
-}
-
-/// Curves that were found first may have stood for the play or limit found since, which has a
-/// memory and one parameter: a curve without which the plant simulates as well is dropped.
-void CurveSearch::dropNeedless() {
-  constexpr double kAsGood = 1.02;
-  for (std::size_t k = result_.fit.model.curves.size(); k > 1 && context_.going_on(); --k) {
-    const SplitModel parts = splitOff(result_.fit.model);
-    const Curve& curve = parts.curve;
-    WindowFit without = fitFreely(data_, parts.without, context_.limits(15));
-    Eigen::VectorXd errors = heldErrors(without);
-    const bool is_needless =
-        errors.sum() <= kAsGood * held_errors_.sum() &&
-        unseenErrors(without, held_).sum() <= kAsGood * unseenErrors(result_.fit, held_).sum();
-    if (!is_needless) {
-      result_.fit.model = parts.with(parts.without, curve, parts.own);
-      continue;
-    }
-    result_.fit = std::move(without);
-    held_errors_ = std::move(errors);
-    const auto dropped =
-        std::find_if(result_.causes.begin(), result_.causes.end(), [&](const FoundCurve& cause) {
-          return cause.place.place == curve.place() && cause.place.covariate == curve.covariate();
-        });
-    const double before = dropped->held_before;
-    result_.causes.erase(dropped)->held_before = before;  // the newest cause stands behind it
-    result_.causes.back().held_after = held_errors_.sum();
-  }
-}
-
-/// The plant has settled: each curve is freed and named again. Takes the first, puts it last.
-void CurveSearch::nameAgain() {
-  for (std::size_t k = 0; k < result_.fit.model.curves.size() && context_.going_on(); ++k) {
-    const SplitModel parts = splitOff(result_.fit.model);
-    const Curve& curve = parts.curve;
-    result_.fit.model = parts.with(parts.without, curve, parts.own);
-    const Curve freed = isScalar(curve.place()) ? curve : curve.freed();
-    if (isScalar(curve.place()) || freed.parameters() == 0) continue;
-    const WindowFit base = fitFreely(data_, parts.without, context_.limits(8));
-    const WindowFit fitted =
-        fitFreely(data_, parts.with(base.model, freed, freed.closest(curve.atSamples(parts.own))),
-                  context_.limits(15));
-    Naming naming = nameCurve(data_, base, fitted, {}, 6, context_);
-    Eigen::VectorXd errors = heldErrors(naming.fit);
-    if (!(naming.fit.squared_error < 1.03 * result_.fit.squared_error) ||
-        errors.sum() > 1.02 * held_errors_.sum())
-      continue;
-    result_.fit = std::move(naming.fit);
-    held_errors_ = std::move(errors);
-    for (FoundCurve& cause : result_.causes) {
-      if (cause.place.place != curve.place() || cause.place.covariate != curve.covariate())
-        continue;
-      cause.shape = naming.shape;
-      cause.nearest = naming.nearest;
-      cause.nearest_share = naming.nearest_share;
-      cause.ties.erase(std::remove_if(cause.ties.begin(), cause.ties.end(),
-                                      [&](const TiedCurve& tie) {
-                                        return tie.place.place == cause.place.place;
-                                      }),
-                       cause.ties.end());
-      addTies(naming, &cause);
-    }
-  }
-  // Curves were put in another order: the covariance must follow.
-  if (!result_.fit.model.curves.empty())
-    result_.fit = fitFreely(data_, result_.fit.model, context_.limits(3));
-}
-
-/// Takes the changed model unless it simulates held-out windows worse.
-void CurveSearch::keepIfAsGood(WindowFit changed) {
-  Eigen::VectorXd errors = heldErrors(changed);
-  if (errors.sum() > 1.02 * held_errors_.sum()) return;
-  result_.fit = std::move(changed);
-  held_errors_ = std::move(errors);
-}
-
-CurveSearchResult CurveSearch::run(const WindowFit& base) {
-  constexpr double kPerfect = 1e-5;
-  result_ = {};
-  result_.base = result_.fit = base;
-  base_unseen_ = unseenErrors(base, held_).sum();
-  base_beyond_ = unseenBeyondGain(base, held_).sum();
-  held_errors_ = heldErrors(base);
-  for (int k = 0; k < limits_.max_causes + 3; ++k) {
-    if (static_cast<int>(result_.causes.size()) >= limits_.max_causes) break;
-    if (result_.fit.squared_error < kPerfect * data_.samples || !context_.going_on()) break;
-    const Round did = round();
-    if (did == Round::nothing) break;
-    if (did == Round::plant) continue;
-    if (isScalar(result_.causes.back().place.place)) dropNeedless();
-    keepIfAsGood(smallerPlant(data_, result_.fit, context_));
-  }
-  nameAgain();
-  result_.held_error = held_errors_.sum();
-  result_.ended_early = !context_.going_on();
-  return std::move(result_);
-}
 
 /// Whether the search from one order more ends better: with a tenth less left out, or as well with
 /// fewer causes.
@@ -299,10 +47,12 @@ CurveSearchResult searchCurves(const SimulationData& data, const SimulationData&
                                const CurveSearchLimits& limits, const CurveSearchContext& context) {
   if (context.tell) context.tell("fitting the smallest plant");
   const LinearPlants linear = fitLinearPlants(data, limits.candidates.max_order, context);
-  CurveSearch search(data, held, linear, limits, context);
+  const auto from = [&](const WindowFit& base) {
+    return searchFrom(base, data, held, linear, limits, context);
+  };
   CurveSearchResult best;
   for (const WindowFit& base : linear.starts) {
-    CurveSearchResult found = search.run(base);
+    CurveSearchResult found = from(base);
     if (best.base.parameters() == 0) {
       best = std::move(found);
       if (best.causes.empty()) break;  // one order more only tells which of several places it is
@@ -317,7 +67,7 @@ CurveSearchResult searchCurves(const SimulationData& data, const SimulationData&
   };
   if (best.causes.empty() && best.base.model.order > 1 && fitOfBest() < limits.good_fit &&
       context.going_on()) {
-    CurveSearchResult found = search.run(linear.of_order.front());
+    CurveSearchResult found = from(linear.of_order.front());
     if (!found.causes.empty() && standsForOrders(found, best)) {
       found.base = std::move(best.base);
       best = std::move(found);

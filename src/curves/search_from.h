@@ -1,0 +1,14 @@
+#pragma once
+
+#include "curves/curve_search.h"
+#include "curves/plant_orders.h"
+
+namespace uncertainty_identification {
+
+/// Looks for curves on top of one linear plant. The `linear` plants of other orders compete with
+/// them; `held` decides about what is accepted.
+CurveSearchResult searchFrom(const WindowFit& base, const SimulationData& data,
+                             const SimulationData& held, const LinearPlants& linear,
+                             const CurveSearchLimits& limits, const CurveSearchContext& context);
+
+}  // namespace uncertainty_identification
