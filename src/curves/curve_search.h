@@ -9,7 +9,7 @@ namespace uncertainty_identification {
 
 struct CurveSearchResult {
   WindowFit base, fit;
-  std::vector<FoundCurve> causes;   ///< those with a curve are in the order of fit.model.curves
+  std::vector<FoundCurve> causes;   ///< in the order found; fit.model.curves may have another one
   std::vector<FoundCurve> refused;  ///< simulate better, but do not predict better; not named
   double held_error = 0;            ///< squared, of all held-out windows
   bool ended_early = false;
