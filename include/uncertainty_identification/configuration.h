@@ -178,8 +178,13 @@ struct TimeOptions {
   /// automatic: as the name of the column or a row of units says, otherwise seconds; index: the
   /// column, or without one the row, counts samples
   TimeUnit unit = TimeUnit::automatic;
-  double sample_time = 0;  ///< [s] unit index: of one count
+  double sample_time = 0;  ///< [s] of one count; without column and unit, rows are counted
 
+  /// Whether stamps are counts of samples.
+  bool counts() const {
+    return unit == TimeUnit::index ||
+           (unit == TimeUnit::automatic && column.empty() && sample_time > 0);
+  }
   void validate() const;
 };
 

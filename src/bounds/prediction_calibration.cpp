@@ -5,6 +5,7 @@
 #include <limits>
 #include <sstream>
 
+#include "estimation/mean_plant.h"
 #include "estimation/simulation_fit.h"
 #include "math/distributions.h"
 #include "math/polynomial.h"
@@ -127,6 +128,7 @@ std::vector<double> expectedScores(const Estimate& estimate,
   const std::uint64_t seed = estimate.configuration.estimation.seed;
   const TransferFunctions drawn = transferFunctions(plants.draw(count, uncertainty, seed));
   const NominalModelEstimate& go = estimate.nominal_model;
+  const VectorXd simulated = meanPlant(estimate).b;
   const VectorXd c = withLeadingOne(go.c), d = withLeadingOne(go.d), a = withLeadingOne(go.a);
   std::vector<double> scores;
   for (int i = 0; i < count; ++i) {
@@ -136,7 +138,7 @@ std::vector<double> expectedScores(const Estimate& estimate,
     const VectorXd u = experiment.u.array() + estimate.offset_u;
     const VectorXd error =
         filtered(drawn.num.row(i).transpose(), drawn.den.row(i).transpose(), go.delay, u) -
-        filtered(go.b, a, go.delay, u) + filtered(c, d, 0, omega);
+        filtered(simulated, a, go.delay, u) + filtered(c, d, 0, omega);
     double score = 0;
     for (int t = 0; t < experiment.samples(); ++t) {
       if (experiment.isValid(t)) score = std::max(score, std::abs(error[t]));

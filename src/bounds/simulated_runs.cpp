@@ -6,6 +6,7 @@
 #include <set>
 
 #include "data/thinning.h"
+#include "estimation/mean_plant.h"
 #include "estimation/simulation_fit.h"
 #include "model/fixed_plant.h"
 
@@ -62,8 +63,7 @@ class Simulations {
       : options_(estimate.configuration.estimation), experiments_(experiments) {
     if (options_.initial_state != InitialState::zero)
       options_.initial_state = InitialState::estimate;
-    const NominalModelEstimate& go = estimate.nominal_model;
-    const auto nominal = fixPlant({go.delay, go.b, go.a, {}, {}}, 0, 0);
+    const auto nominal = fixPlant(meanPlant(estimate), 0, 0);
     const double offset =
         options_.offset_side == OffsetSide::input ? estimate.offset_u : estimate.offset_y;
     errors_ = simulationErrors(*nominal, VectorXd(0), offset, options_, experiments);

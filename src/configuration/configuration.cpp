@@ -190,8 +190,9 @@ void ResamplingOptions::validate() const {
 void TimeOptions::validate() const {
   requireNotNegative("time.sample_time", sample_time);
   if (unit == TimeUnit::index) requirePositive("time.sample_time", sample_time);
-  require(unit == TimeUnit::index || sample_time == 0, "time.sample_time", sample_time,
-          "0, as long as time.unit is not index; sample_time outside of `time` resamples");
+  require(counts() || sample_time == 0, "time.sample_time", sample_time,
+          "0 beside a column of stamps or a unit of them; time: {sample_time: S} alone counts the "
+          "rows, unit: index counts by the column, and sample_time outside of `time` resamples");
 }
 
 void ExperimentOptions::validate() const {

@@ -272,7 +272,7 @@ std::vector<SingleComponent> rankedSingleComponents(const Likelihood& likelihood
 std::vector<SingleComponent> singleComponentOptima(const Likelihood& likelihood,
                                                    const std::vector<VectorXd>& starts,
                                                    const OptimisationOptions& options) {
-  constexpr std::size_t kFinalists = 3;
+  constexpr std::size_t kFinalists = 6;
   constexpr int kTurns = 7;
   return climbTogether(likelihood, rankedSingleComponents(likelihood, starts, kFinalists, options),
                        options, kTurns);

@@ -1,7 +1,7 @@
 #include "data/experiment_checks.h"
 #include "estimation/linearisation.h"
 #include "estimation/selection.h"
-#include "estimation/simulation_fit.h"
+#include "identification/mean_plant.h"
 #include "identification/steps.h"
 #include "math/information_criterion.h"
 #include "residual_tests/residual_tests.h"
@@ -94,9 +94,8 @@ Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* jo
                      static_cast<double>(estimate.sample_count), estimate.experiment_count);
   estimate.variation = variationText(estimate, model);
   estimate.simulation_fit_percent =
-      simulationFit(nominal, point.parameters.head(nominal.parameterCount()),
-                    offsetOf(problem, model, point), problem.configuration.estimation,
-                    problem.data.experiments)
+      meanPlantFit(model, point, offsetOf(problem, model, point), problem.configuration.estimation,
+                   problem.data.experiments)
           .pooled;
   estimate.trust = trustOf(fitted, estimate);
   journal->passes += fitted.likelihood->passes();

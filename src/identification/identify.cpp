@@ -186,6 +186,7 @@ FoldModel identifyPlant(const Request& request, const std::vector<Experiment>& e
     iterations = std::min(iterations, kEnough);
     const FittedModel fitted = fitModel(problem, &journal);
     problem.plant = plantOf(*fitted.model, fitted.optimum.point);
+    problem.plant->polynomials = meanPlant(*fitted.model, fitted.optimum.point);
   }
   const Polynomials& plant = problem.plant->polynomials;
   return {plant.delay, plant.b, plant.a, problem.plant->offset};

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "estimation/excerpt.h"
+#include "estimation/mean_plant.h"
 #include "identification/steps.h"
 #include "math/symmetric_eigen.h"
 #include "model/fixed_plant.h"
@@ -14,16 +15,10 @@
 namespace uncertainty_identification {
 
 Polynomials meanPlant(const LinearModel& model, const ModelParameters& point) {
-  Polynomials plant = plantOf(model, point).polynomials;
+  const Polynomials plant = plantOf(model, point).polynomials;
   const ErrorBasis& basis = model.basis();
   if (basis.kind() != BasisKind::fir || basis.dimension() == 0) return plant;
-  Eigen::VectorXd factor = basis.T() * point.mixture.mean();
-  factor[0] += 1;
-  Eigen::VectorXd b = Eigen::VectorXd::Zero(plant.b.size() + factor.size() - 1);
-  for (Eigen::Index k = 0; k < factor.size(); ++k)
-    b.segment(k, plant.b.size()) += factor[k] * plant.b;
-  plant.b = b;
-  return plant;
+  return filteredPlant(plant, basis.T(), point.mixture.mean());
 }
 
 bool plantsExist(const StructureFit& fit) {
@@ -50,6 +45,22 @@ bool plantsExist(const StructureFit& fit) {
 }
 
 namespace {
+
+/// The plant at error parameters `xi`; none where it does not exist, or the error model has other
+/// filters than FIR.
+std::optional<Polynomials> ownPlant(const ErrorModelOptions& options, const LinearModel& model,
+                                    const ModelParameters& point, const Eigen::VectorXd& xi) {
+  if (options.basis == BasisKind::fir)
+    return filteredPlant(plantOf(model, point).polynomials, model.basis().T(), xi);
+  if (options.basis != BasisKind::parameter_spread) return {};
+  const NominalModel& nominal = model.nominal();
+  const SensitivityTerms terms = sensitivityTerms(nominal, options);
+  Eigen::VectorXd theta = point.parameters.head(nominal.parameterCount());
+  for (int k = 0; k < terms.count(); ++k)
+    theta[terms.indices[static_cast<std::size_t>(k)].front()] *= 1 + xi[k];
+  if (!nominal.admissible(theta)) return {};
+  return nominal.polynomials(theta);
+}
 
 /// The plant without coefficients of B that are zero at either end, as those beside a dead time
 /// are: a model of its size has no use for them.
@@ -100,30 +111,37 @@ bool simulatesAsWellAsAlone(const Problem& whole, const LinearModel& model,
 bool simulatesByOwnPlants(const Problem& problem, const FittedModel& fitted,
                           const FittedPlant& chosen_alone) {
   constexpr double kFarLess = 0.5;  // of the error
-  const ErrorModelOptions& options = problem.configuration.error_model;
-  if (options.basis != BasisKind::parameter_spread || options.taps == 0) return false;
-  const NominalModel& nominal = fitted.model->nominal();
+  if (problem.configuration.error_model.taps == 0) return false;
   const ModelParameters& point = fitted.optimum.point;
   const Eigen::MatrixXd means =
       latentMoments(
           fitted.likelihood->expect(fitted.likelihood->statistics(point.parameters, false), point))
           .means;
-  const SensitivityTerms terms = sensitivityTerms(nominal, options);
   const double offset = plantOf(*fitted.model, point).offset;
   std::vector<Eigen::VectorXd> errors;
   for (Eigen::Index r = 0; r < means.cols(); ++r) {
-    Eigen::VectorXd theta = point.parameters.head(nominal.parameterCount());
-    for (int k = 0; k < terms.count(); ++k)
-      theta[terms.indices[static_cast<std::size_t>(k)].front()] *= 1 + means(k, r);
-    if (!nominal.admissible(theta)) return false;
+    const std::optional<Polynomials> own =
+        ownPlant(problem.configuration.error_model, *fitted.model, point, means.col(r));
+    if (!own) return false;
     const Experiment& experiment = problem.data.experiments[static_cast<std::size_t>(r)];
-    errors.push_back(
-        simulationErrors(nominal, theta, offset, problem.configuration.estimation, {experiment})
-            .front());
+    errors.push_back(simulationErrors(*fixPlant(*own, 0, 0), Eigen::VectorXd(0), offset,
+                                      problem.configuration.estimation, {experiment})
+                         .front());
   }
   const SimulationFit own = fitOfErrors(errors, problem.data.experiments),
                       alone = fitOf(problem, chosen_alone.polynomials, chosen_alone.offset);
   return 100 - own.pooled < kFarLess * (100 - alone.pooled);
+}
+
+SimulationFit meanPlantFit(const LinearModel& model, const ModelParameters& point, double offset,
+                           const EstimationOptions& options,
+                           const std::vector<Experiment>& experiments) {
+  const NominalModel& nominal = model.nominal();
+  const Eigen::VectorXd theta = point.parameters.head(nominal.parameterCount());
+  const Polynomials go = nominal.polynomials(theta), mean = meanPlant(model, point);
+  if (mean.b.size() == go.b.size())
+    return simulationFit(nominal, theta, offset, options, experiments);
+  return simulationFit(*fixPlant(mean, 0, 0), Eigen::VectorXd(0), offset, options, experiments);
 }
 
 SimulationFit fitOf(const Problem& problem, const Polynomials& plant, double offset) {

@@ -32,6 +32,11 @@ bool simulatesAsWellAsAlone(const Problem& problem, const LinearModel& model,
 bool simulatesByOwnPlants(const Problem& problem, const FittedModel& fitted,
                           const FittedPlant& chosen_alone);
 
+/// How well the mean plant simulates experiments, from the initial state that the options state.
+SimulationFit meanPlantFit(const LinearModel& model, const ModelParameters& point, double offset,
+                           const EstimationOptions& options,
+                           const std::vector<Experiment>& experiments);
+
 /// How well a plant with an offset [unit of y] simulates the problem's data.
 SimulationFit fitOf(const Problem& problem, const Polynomials& plant, double offset);
 

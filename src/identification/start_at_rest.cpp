@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "estimation/least_squares_start.h"
 #include "estimation/simulation_fit.h"
@@ -13,9 +14,9 @@
 namespace uncertainty_identification {
 namespace {
 
-/// The pooled second-order model whose simulation the first samples are compared with.
+/// The second-order model whose simulation the first samples are compared with.
 LeastSquaresModel simpleModel(const std::vector<Experiment>& experiments,
-                              const EstimationOptions& options) {
+                              const EstimationOptions& options, LeastSquaresStart::Start state) {
   constexpr int kOrder = 2, kMostSamples = 20000, kLongestDelay = 20;
   std::vector<const Experiment*> all;
   int shortest = experiments.front().samples();
@@ -24,7 +25,24 @@ LeastSquaresModel simpleModel(const std::vector<Experiment>& experiments,
     shortest = std::min(shortest, experiment.samples());
   }
   const LeastSquaresStart start(all, options.offsets != Offsets::none, kMostSamples);
-  return start.steiglitzMcBride(kOrder, kOrder, 0, std::min(kLongestDelay, shortest / 4));
+  return start.steiglitzMcBride(kOrder, kOrder, 0, std::min(kLongestDelay, shortest / 4), state);
+}
+
+/// Simulation errors from an initial state, of one model or of a model for each experiment.
+std::vector<Eigen::VectorXd> errorsFrom(InitialState state,
+                                        const std::vector<LeastSquaresModel>& models,
+                                        EstimationOptions options,
+                                        const std::vector<Experiment>& experiments) {
+  options.initial_state = state;
+  const auto of = [&](const LeastSquaresModel& model, const std::vector<Experiment>& some) {
+    return simulationErrors(*fixPlant(model.polynomials, 0, 0), Eigen::VectorXd(0), model.offset,
+                            options, some);
+  };
+  if (models.size() == 1) return of(models.front(), experiments);
+  std::vector<Eigen::VectorXd> errors;
+  for (std::size_t r = 0; r < experiments.size(); ++r)
+    errors.push_back(of(models[r], {experiments[r]}).front());
+  return errors;
 }
 
 /// Mean square of the errors at measured samples: of the first ones of each experiment, or of all.
@@ -43,30 +61,42 @@ double meanSquare(const std::vector<Eigen::VectorXd>& errors,
   return squares / std::max(count, 1.0);
 }
 
-}  // namespace
-
-bool startAtRest(const std::vector<Experiment>& experiments, const EstimationOptions& options) {
-  constexpr std::size_t kFewest = 3;
+/// Whether the errors of the first samples, if all experiments start at rest, are as small as all
+/// others. None where the models explain too little to tell.
+std::optional<bool> looksAtRest(const std::vector<LeastSquaresModel>& models,
+                                const EstimationOptions& options,
+                                const std::vector<Experiment>& experiments) {
   constexpr int kFirst = 4, kAll = std::numeric_limits<int>::max();
   constexpr double kMostUnexplained = 0.25;  // of the variance of the outputs
   constexpr double kLargest = 9;  // squares relative to the mean; noise may have heavy tails
   constexpr double kSlack = 0.25, kDeviations = 1.5;  // of a mean of one square per experiment
-  if (experiments.size() < kFewest) return false;
-  const LeastSquaresModel simple = simpleModel(experiments, options);
-  const auto nominal = fixPlant(simple.polynomials, 0, 0);
-  const auto errorsFrom = [&](InitialState state) {
-    EstimationOptions from = options;
-    from.initial_state = state;
-    return simulationErrors(*nominal, Eigen::VectorXd(0), simple.offset, from, experiments);
-  };
-  const double usual = meanSquare(errorsFrom(InitialState::estimate), experiments, kAll,
-                                  std::numeric_limits<double>::infinity());
-  // Errors as large as the outputs, as where plants differ much, show nothing of the start.
-  if (!(usual < kMostUnexplained * outputVariance(experiments))) return false;
-  const double at_rest =
-      meanSquare(errorsFrom(InitialState::zero), experiments, kFirst, kLargest * usual);
+  const double usual = meanSquare(errorsFrom(InitialState::estimate, models, options, experiments),
+                                  experiments, kAll, std::numeric_limits<double>::infinity());
+  if (!(usual < kMostUnexplained * outputVariance(experiments))) return {};
+  const double at_rest = meanSquare(errorsFrom(InitialState::zero, models, options, experiments),
+                                    experiments, kFirst, kLargest * usual);
   const double margin = kSlack + kDeviations / std::sqrt(static_cast<double>(experiments.size()));
   return at_rest < (1 + margin) * usual;
+}
+
+}  // namespace
+
+bool startAtRest(const std::vector<Experiment>& experiments, const EstimationOptions& options) {
+  constexpr std::size_t kFewest = 3, kEnough = 20;
+  if (experiments.size() < kFewest) return false;
+  using Start = LeastSquaresStart::Start;
+  const auto together =
+      looksAtRest({simpleModel(experiments, options, Start::rest)}, options, experiments);
+  if (together) return *together;
+  // Where plants differ much, a model of each experiment's own tells what a common one cannot.
+  std::vector<Experiment> some;
+  std::vector<LeastSquaresModel> own;
+  for (std::size_t r = 0; r < experiments.size();
+       r += (experiments.size() + kEnough - 1) / kEnough) {
+    some.push_back(experiments[r]);
+    own.push_back(simpleModel({experiments[r]}, options, Start::unknown));
+  }
+  return some.size() >= kFewest && looksAtRest(own, options, some).value_or(false);
 }
 
 }  // namespace uncertainty_identification

@@ -53,6 +53,11 @@ std::optional<StructureFit> fitVaryingGain(Problem problem, int order, Journal* 
 std::vector<StructureFit> jointOrders(const Problem& problem,
                                       const std::vector<StartingPoint>& points, Journal* journal);
 
+/// The best model whose plants differ by FIR filters of the input with a free mean and no error of
+/// the static gain, the paper's own structure, with orders of its own. None where none can be
+/// fitted.
+std::optional<StructureFit> fitFilters(const Problem& problem, Journal* journal);
+
 /// Half BIC of a fit by what follows the first samples of each experiment, wherever it starts
 /// [nats]: comparable between fits with and without unknown values of each experiment's own.
 double scoreAfterFirstSamples(const Problem& problem, const StructureFit& fit, Journal* journal);

@@ -1,11 +1,32 @@
+#include <algorithm>
+
 #include "data/experiment_checks.h"
 #include "data/thinning.h"
 #include "estimation/linearisation.h"
-#include "estimation/simulation_fit.h"
+#include "identification/mean_plant.h"
 #include "identification/steps.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
+namespace {
+
+/// Mean log density of the experiments, if all begin as stated.
+double logDensity(Problem problem, const FittedModel& fitted, InitialState state,
+                  const std::vector<Experiment>& experiments, Journal* journal) {
+  problem.configuration.estimation.initial_state = state;
+  const std::vector<Block> blocks = makeBlocks(experiments);
+  const int count = static_cast<int>(experiments.size());
+  const int threads = threadsOf(problem.configuration.estimation);
+  const ModelParameters& point = fitted.optimum.point;
+  const std::unique_ptr<LinearModel> model = buildModel(problem);
+  const auto about =
+      linearisedAtPosteriorMeans(*model, blocks, count, threads, point, &journal->passes);
+  const Likelihood likelihood(about ? *about->model : *model, blocks, count, threads);
+  const Statistics statistics = likelihood.statistics(point.parameters, false);
+  return likelihood.expect(statistics, point).total() / count;
+}
+
+}  // namespace
 
 Validation validate(const Problem& problem, const FittedModel& fitted, InitialState asked,
                     const std::vector<Experiment>& experiments, Journal* journal) {
@@ -25,28 +46,22 @@ Validation validate(const Problem& problem, const FittedModel& fitted, InitialSt
     throw DataError("no usable experiment is left for validation:" + reasonsOf(checked.rejected));
   for (const Experiment& experiment : used) validation.experiments.push_back(experiment.id);
   const ModelParameters& point = fitted.optimum.point;
-  const NominalModel& nominal = fitted.model->nominal();
   const auto fitFrom = [&](InitialState start) {
     EstimationOptions options = configuration.estimation;
     options.initial_state = start;
-    return simulationFit(nominal, point.parameters.head(nominal.parameterCount()),
-                         offsetOf(problem, *fitted.model, point), options, used);
+    return meanPlantFit(*fitted.model, point, offsetOf(problem, *fitted.model, point), options,
+                        used);
   };
   const bool at_rest = asked == InitialState::zero;
   const SimulationFit fit = fitFrom(at_rest ? InitialState::zero : InitialState::estimate);
   validation.simulation_fit_percent = fit.percent;
   validation.simulation_fit_percent_pooled = fit.pooled;
   validation.at_rest_fit_percent_pooled = fitFrom(InitialState::zero).pooled;
-  const std::vector<Block> blocks = makeBlocks(used);
-  const int count = static_cast<int>(used.size()), threads = threadsOf(configuration.estimation);
-  Problem own = problem;
-  own.configuration.estimation.initial_state = asked;
-  const std::unique_ptr<LinearModel> model = buildModel(own);
-  const auto about =
-      linearisedAtPosteriorMeans(*model, blocks, count, threads, point, &journal->passes);
-  const Likelihood likelihood(about ? *about->model : *model, blocks, count, threads);
-  const Statistics statistics = likelihood.statistics(point.parameters, false);
-  validation.log_density_per_experiment = likelihood.expect(statistics, point).total() / count;
+  validation.log_density_per_experiment = logDensity(problem, fitted, asked, used, journal);
+  if (asked == InitialState::automatic)
+    validation.log_density_per_experiment =
+        std::max(validation.log_density_per_experiment,
+                 logDensity(problem, fitted, InitialState::zero, used, journal));
   return validation;
 }
 

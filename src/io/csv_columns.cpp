@@ -66,6 +66,7 @@ class Chooser {
   std::size_t configured(const std::string& key, const std::string& name) const {
     const std::size_t column = find(name);
     if (column != kAbsent) return column;
+    if (header_.line == 0 && name == "column1") return 0;  // called t where it rises like a clock
     const auto nearest = std::min_element(
         header_.names.begin(), header_.names.end(), [&](const auto& left, const auto& right) {
           return editDistance(name, left) < editDistance(name, right);
@@ -99,7 +100,7 @@ class Chooser {
     const TimeOptions& time = configuration_.time;
     if (!time.column.empty())
       columns_.time = configured("time.column", time.column);
-    else if (time.unit != TimeUnit::index)
+    else if (!time.counts())
       columns_.time = knownTime();
     columns_.has_dates = columns_.time != kAbsent && header_.is_stamp[columns_.time];
     if (columns_.has_dates)
@@ -131,11 +132,11 @@ class Chooser {
                                    : "the time could be any of '" + list(candidates) + "'") +
                    std::string(": ") + found() +
                    "; write time: {column: NAME, unit: ms} (unit: s, ms, us or ns) into the "
-                   "configuration, without such a column time: {unit: index, sample_time: 0.01}");
+                   "configuration, without such a column time: {sample_time: 0.01}");
   }
 
   double secondsOf(const TimeOptions& time) {
-    if (time.unit == TimeUnit::index) return 1 / time.sample_time;
+    if (time.counts()) return 1 / time.sample_time;
     if (time.unit != TimeUnit::automatic) {
       for (const auto& [unit, name] : enumNames(time.unit))
         if (unit == time.unit) return *perSecond(name);

@@ -70,7 +70,7 @@ class CsvSurveyor {
 
   void chooseTime() {
     TimeOptions& time = probe_.time;
-    if (!time.column.empty() || time.unit == TimeUnit::index) return;
+    if (!time.column.empty() || time.counts()) return;
     const std::vector<std::string> candidates = timeCandidates();
     if (candidates.empty()) {
       time.unit = TimeUnit::index;
@@ -135,7 +135,7 @@ class CsvSurveyor {
     time.assumed = columns.unit_is_assumed;
     time.unit = "index";
     if (columns.has_dates) time.unit = kDates;
-    if (!columns.has_dates && probe_.time.unit != TimeUnit::index)
+    if (!columns.has_dates && !probe_.time.counts())
       for (const char* unit : {"s", "ms", "us", "ns"})
         if (*perSecond(unit) == columns.per_second) time.unit = unit;
     if (columns.experiment != CsvSignal::kAbsent)

@@ -136,7 +136,7 @@ std::string chosenText(const InspectedData& data) {
   return "input: " + nameIn(data, pair.input) + " (" + data.choice.input_reason +
          "), output: " + nameIn(data, pair.output) + " (" + data.choice.output_reason +
          "); experiments: " + printable(cutReason(data.survey, data.configuration)) +
-         (data.configuration.time.unit == TimeUnit::index
+         (data.configuration.time.counts()
               ? "; time: no column is known to hold it, and a row is taken for " +
                     text(data.configuration.time.sample_time) +
                     " s, so that times in the result count rows"

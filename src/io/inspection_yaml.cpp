@@ -55,10 +55,10 @@ std::string timeLine(const Survey& survey, const TimeOptions& time) {
   std::string line = "time: {";
   if (!time.column.empty()) line += "column: " + quotedName(time.column) + ", ";
   line += "unit: " + nameOf(time.unit);
-  if (time.unit == TimeUnit::index) line += ", sample_time: " + numberOf(time.sample_time);
+  if (time.counts()) line += ", sample_time: " + numberOf(time.sample_time);
   line += "}";
   if (survey.times.front().assumed) line += "   # taken for seconds; otherwise ms, us or ns";
-  if (time.unit == TimeUnit::index)
+  if (time.counts())
     line += "   # the rows are counted: write the real sample time [s] here";
   return line + "\n";
 }

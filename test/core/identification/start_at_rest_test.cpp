@@ -89,6 +89,14 @@ TEST(StartAtRest, IsNotConcludedWherePlantsDifferMuch) {
   EXPECT_FALSE(atRest(runs));
 }
 
+// One model of all such plants leaves most of the outputs; each plant's own model does not.
+TEST(StartAtRest, IsSeenByOwnModelsWherePlantsDifferMuch) {
+  Runs runs;
+  runs.count = 60;
+  runs.spread = 1;
+  EXPECT_TRUE(atRest(runs));
+}
+
 TEST(StartAtRest, IsNotConcludedFromTwoExperiments) {
   Runs runs;
   runs.count = 2;

@@ -200,6 +200,23 @@ TEST(CsvFiles, CountedRowsNeedNoStamps) {
   EXPECT_TRUE(data.experiments.at(0).scalars.empty());  // the time is no covariate
 }
 
+TEST(CsvFiles, ASampleTimeAloneCountsTheRows) {
+  Configuration counted;
+  counted.time.sample_time = 0.25;
+  EXPECT_EQ(readText("time,u,y\n9,1,2\n9,3,4\n9,5,6\n", counted).experiments.at(0).sample_time,
+            0.25);
+}
+
+TEST(CsvFiles, TheFirstColumnWithoutANameIsColumn1AlsoWhereItIsTheTime) {
+  Configuration named;
+  named.time.column = "column1";
+  named.input.column = "column2";
+  named.output.column = "column3";
+  const LoadedData data = readText("0 1 2\n0.5 3 4\n1.0 5 6\n1.5 7 8\n", named);
+  EXPECT_EQ(data.experiments.at(0).sample_time, 0.5);
+  EXPECT_EQ(data.experiments.at(0).u[1], 3);
+}
+
 TEST(CsvFiles, WhatIsAssumedIsToldInOneRemark) {
   const LoadedData data = readText("Time;u;y;mode\n0;0,5;1;a\n0,5;0,5;2;b\n1;0,7;3;b\n");
   EXPECT_EQ(data.warnings, (Ids{"the columns were read as follows: the time is 'Time' in s "

@@ -1,0 +1,53 @@
+#include <algorithm>
+
+#include "identification/structure_fit.h"
+
+/// Plants that differ by filters of the input whose mean is not 1: Go is then smaller than the mean
+/// of the plants, which is what a common simulation or a zero mean of the errors shows.
+namespace uncertainty_identification {
+namespace {
+
+ErrorStructure filtersOf(const Problem& problem, int nb, int na, int taps) {
+  ErrorStructure filters{"fir, " + std::to_string(taps) + " taps, zero_static_gain (nb=" +
+                             std::to_string(nb) + " na=" + std::to_string(na) + ")",
+                         problem.configuration};
+  NominalModelOptions& nominal = filters.configuration.nominal_model;
+  nominal.nb = nb;
+  nominal.na = na;
+  ErrorModelOptions& errors = filters.configuration.error_model;
+  errors.basis = BasisKind::fir;
+  errors.constraint = Constraint::zero_static_gain;
+  errors.taps = taps;
+  return filters;
+}
+
+}  // namespace
+
+std::optional<StructureFit> fitFilters(const Problem& problem, Journal* journal) {
+  constexpr int kFewestTaps = 2;
+  const int most_taps = std::max(kFewestTaps, problem.configuration.error_model.max_taps);
+  const int largest = problem.configuration.nominal_model.max_order;
+  std::optional<StructureFit> best;
+  const auto improves = [&](int nb, int na, int taps) {
+    if (best && journal->progress.searchEnds()) return false;
+    auto fit = fitStructure(problem, filtersOf(problem, nb, na, taps), {}, true, journal);
+    if (!fit || (best && scoreOf(problem, *fit) <= scoreOf(problem, *best))) return false;
+    best = std::move(fit);
+    return true;
+  };
+  const auto improvesAt = [&](int order) {
+    bool any = false;
+    for (int taps = most_taps; taps >= kFewestTaps; --taps)
+      any = improves(order, order, taps) || any;
+    return any;
+  };
+  int order = 1;
+  improvesAt(order);
+  while (order < largest && improvesAt(order + 1)) ++order;
+  if (!best) return best;
+  const int taps = best->structure.configuration.error_model.taps;
+  for (int nb = order; nb > 1 && improves(nb - 1, order, taps);) --nb;
+  return best;
+}
+
+}  // namespace uncertainty_identification
