@@ -48,6 +48,7 @@ void addResampled(const Recording& recording, double sample_time, const Resampli
 
 double sampleTimeForAll(const std::vector<Experiment>& experiments) {
   constexpr double kMost = 30, kShare = 0.8, kLittle = 1.2;
+  constexpr double kNoDifference = 1e-3;  // relative, which the checks accept
   if (experiments.empty()) return 0;
   std::vector<double> times;
   times.reserve(experiments.size());
@@ -59,8 +60,8 @@ double sampleTimeForAll(const std::vector<Experiment>& experiments) {
   const double shortest = times.front(),
                longest =
                    *std::prev(std::upper_bound(times.begin(), times.end(), kLittle * of_most));
-  const bool is_used = longest > (1 + kSameRate) * shortest && longest <= kMost * shortest;
-  return is_used ? longest : 0;
+  if (longest > kMost * shortest || longest <= (1 + kNoDifference) * shortest) return 0;
+  return longest > (1 + kSameRate) * shortest ? longest : times[times.size() / 2];
 }
 
 void append(LoadedData more, LoadedData& data) {

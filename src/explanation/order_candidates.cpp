@@ -136,9 +136,12 @@ class OrderSearch {
     model.d = padded(model.d, 0, orders.nd);
     const FitData data(usedBy(start, experiments_));
     const Fit fit = optimise(fitOf(start, data, summarise(data.experiments())), data, context_);
-    if (fit.log_likelihood > best->log_likelihood + 1)
+    if (!(fit.log_likelihood > best->log_likelihood + 1)) return;
+    try {
       *best = {estimateOf(fit, data, start, start.configuration.estimation.max_iterations),
                fit.log_likelihood};
+    } catch (const DataError&) {  // the model is at the edge of what can be evaluated
+    }
   }
 
   static VectorXd padded(const VectorXd& values, int before, int size) {

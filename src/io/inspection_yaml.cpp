@@ -58,8 +58,7 @@ std::string timeLine(const Survey& survey, const TimeOptions& time) {
   if (time.counts()) line += ", sample_time: " + numberOf(time.sample_time);
   line += "}";
   if (survey.times.front().assumed) line += "   # taken for seconds; otherwise ms, us or ns";
-  if (time.counts())
-    line += "   # the rows are counted: write the real sample time [s] here";
+  if (time.counts()) line += "   # the rows are counted: write the real sample time [s] here";
   return line + "\n";
 }
 

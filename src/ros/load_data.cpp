@@ -19,7 +19,7 @@ bool isDataFile(const fs::path& path) {
 
 /// Files of columns whose extension says too little to read all such files of a folder.
 bool isText(const fs::path& path) {
-  return path.extension() == ".txt" || path.extension() == ".dat";
+  return path.extension() == ".txt" || path.extension() == ".dat" || path.extension() == ".log";
 }
 
 std::vector<fs::path> filesOf(const std::string& path) {
@@ -28,7 +28,7 @@ std::vector<fs::path> filesOf(const std::string& path) {
     if (!fs::exists(path, error)) throw FileError("'" + path + "' does not exist");
     if (!isDataFile(path) && !isText(path))
       throw FileError("'" + path +
-                      "' is not a .bag file, a .csv file (or .tsv, .txt, .dat) or a folder");
+                      "' is not a .bag file, a .csv file (or .tsv, .txt, .dat, .log) or a folder");
     return {path};
   }
   std::vector<fs::path> files;

@@ -91,7 +91,7 @@ TEST(LoadData, WhatIsNoDataIsNamed) {
   EXPECT_NE(message(folder.path()).find("holds no .bag, .csv or .tsv"), std::string::npos);
   std::ofstream(folder / "notes.md") << "not data";
   EXPECT_NE(message(folder / "notes.md")
-                .find("is not a .bag file, a .csv file (or .tsv, .txt, .dat) or a folder"),
+                .find("is not a .bag file, a .csv file (or .tsv, .txt, .dat, .log) or a folder"),
             std::string::npos);
 }
 

@@ -25,9 +25,9 @@ void addResampled(const Recording& recording, double sample_time, const Resampli
                   LoadedData& data, double first = 0);
 
 /// The sample time [s] to which experiments must be resampled so that at least four fifths of them
-/// can be used together. 0 where these have the same within two per cent, or where they differ by
-/// more than a factor of 30, which is a mistake rather than another logger. Experiments that are
-/// slower are left to be rejected by the checks.
+/// can be used together: the longest, or the middle one where they are the same within two per
+/// cent. 0 where they are equal to 1e-3, or differ by more than a factor of 30, which is a mistake
+/// rather than another logger. Experiments that are slower are left to be rejected by the checks.
 double sampleTimeForAll(const std::vector<Experiment>& experiments);
 
 /// Appends the contents of `more` to those of `data`.

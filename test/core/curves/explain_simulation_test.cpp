@@ -63,6 +63,32 @@ SimulationCauses explained(const std::vector<Experiment>& all, int threads = 1,
   return explainSimulation(fitted, held, options, &pool);
 }
 
+/// Records of one step each, of another size, to a plant whose force grows with the cube.
+std::vector<Experiment> stepsOfSizes(const std::vector<double>& sizes) {
+  std::vector<Experiment> all = emptyRuns(static_cast<int>(sizes.size()), 0.1);
+  for (std::size_t r = 0; r < sizes.size(); ++r) {
+    std::mt19937_64 engine(r + 1);
+    std::normal_distribution<double> normal;
+    double x = 0;
+    for (int k = 0; k < kSamples; ++k) {
+      all[r].u[k] = k < 20 ? 0 : sizes[r];
+      all[r].y[k] = x + 0.01 * normal(engine);
+      x = 0.9 * x + 0.2 * all[r].u[k] - 0.02 * x * x * x;
+    }
+  }
+  return all;
+}
+
+TEST(ExplainSimulation, NamesNoCurveByThreeSteps) {
+  WorkerPool pool(1);
+  const auto by = [&](const std::vector<double>& sizes) {
+    return explainSimulation(stepsOfSizes(sizes), {}, {}, &pool);
+  };
+  EXPECT_EQ(by({0.5, 1, 2}).skipped, "fewer than four records of a single step each");
+  EXPECT_TRUE(by({0.5, 1, 2}).causes.empty());
+  EXPECT_TRUE(by({0.5, 1, 1.5, 2}).skipped.empty());
+}
+
 TEST(ExplainSimulation, FindsNothingInALinearPlant) {
   for (const unsigned seed : {1u, 2u, 3u}) {
     const SimulationCauses found = explained(runs(kRuns + kHeld, seed, same, none));

@@ -68,7 +68,9 @@ TEST(SampleTimeForAll, IsTheLongestOfFew) {
   for (Experiment& experiment : all) experiment.sample_time = 0.1;
   EXPECT_EQ(sampleTimeForAll(all), 0);
   all[1].sample_time = 0.101;
-  EXPECT_EQ(sampleTimeForAll(all), 0) << "jitter";
+  EXPECT_EQ(sampleTimeForAll(all), 0.1) << "jitter: that of most";
+  all[1].sample_time = 0.10005;
+  EXPECT_EQ(sampleTimeForAll(all), 0) << "as good as equal";
   all[1].sample_time = 0.3;
   EXPECT_EQ(sampleTimeForAll(all), 0.3);
   all[1].sample_time = 10;
