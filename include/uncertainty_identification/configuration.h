@@ -181,10 +181,7 @@ struct TimeOptions {
   double sample_time = 0;  ///< [s] of one count; without column and unit, rows are counted
 
   /// Whether stamps are counts of samples.
-  bool counts() const {
-    return unit == TimeUnit::index ||
-           (unit == TimeUnit::automatic && column.empty() && sample_time > 0);
-  }
+  bool counts() const;
   void validate() const;
 };
 

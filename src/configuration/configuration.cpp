@@ -187,6 +187,11 @@ void ResamplingOptions::validate() const {
   requireNotNegative("resampling.max_jitter", max_jitter);
 }
 
+bool TimeOptions::counts() const {
+  return unit == TimeUnit::index ||
+         (unit == TimeUnit::automatic && column.empty() && sample_time > 0);
+}
+
 void TimeOptions::validate() const {
   requireNotNegative("time.sample_time", sample_time);
   if (unit == TimeUnit::index) requirePositive("time.sample_time", sample_time);

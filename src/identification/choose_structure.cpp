@@ -214,28 +214,6 @@ StructureFit withRaisedOrders(Problem problem, const StructureFit& chosen, Journ
   return bestOf(problem, fits, "error model", true, journal);
 }
 
-/// Whether the plants may differ by filters: one of several taps describes them about as well as
-/// the chosen structure, if it is not that itself.
-bool mayBeFilters(const Problem& problem, std::vector<StructureFit> fits,
-                  const StructureFit& chosen) {
-  constexpr double kAbout = 5;  // [nats] per experiment, for what a free mean may gain
-  const double least = scoreOf(problem, chosen) - kAbout * problem.data.count();
-  fits.push_back(chosen);
-  return std::any_of(fits.begin(), fits.end(), [&](const StructureFit& fit) {
-    const ErrorModelOptions& options = fit.structure.configuration.error_model;
-    return options.basis == BasisKind::fir && options.taps > 1 && scoreOf(problem, fit) > least;
-  });
-}
-
-/// The fit or, where that is better, the model whose plants differ by filters with a free mean.
-StructureFit orFilters(const Problem& problem, const StructureFit& chosen, Journal* journal) {
-  constexpr int kFewest = 8;  // experiments
-  if (problem.data.count() < kFewest || journal->progress.searchEnds()) return chosen;
-  auto filters = fitFilters(problem, journal);
-  if (!filters) return chosen;
-  return bestOf(problem, {chosen, std::move(*filters)}, "filters with a free mean", true, journal);
-}
-
 StructureFit chooseStructure(Problem problem, bool free_orders, bool free_offsets,
                              std::vector<StartingPoint> points, Journal* journal) {
   const bool automatic = problem.configuration.error_model.basis == BasisKind::automatic;
@@ -259,8 +237,10 @@ StructureFit chooseStructure(Problem problem, bool free_orders, bool free_offset
     chosen = automatic ? withRaisedOrders(problem, chosen, journal)
                        : withBetterOrders(problem, std::move(chosen), true, journal);
     chosen = withWholeDelay(problem, std::move(chosen), journal);
-    if (automatic && mayBeFilters(problem, fits, chosen))
-      chosen = orFilters(problem, chosen, journal);
+    if (automatic && mayBeFilters(problem, fits, chosen) && !journal->progress.searchEnds())
+      if (auto filters = fitFilters(problem, journal))
+        chosen = bestOf(problem, {chosen, std::move(*filters)}, "filters with a free mean", true,
+                        journal);
   }
   chosen = withNoiseOrders(problem, chosen, journal);
   return free_offsets ? withBetterOffsets(problem, std::move(chosen), journal) : chosen;

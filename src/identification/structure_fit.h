@@ -53,6 +53,11 @@ std::optional<StructureFit> fitVaryingGain(Problem problem, int order, Journal* 
 std::vector<StructureFit> jointOrders(const Problem& problem,
                                       const std::vector<StartingPoint>& points, Journal* journal);
 
+/// Whether the plants may differ by filters: enough of them are known, and one of several taps
+/// describes them about as well as the chosen structure, if it is not that itself.
+bool mayBeFilters(const Problem& problem, std::vector<StructureFit> fits,
+                  const StructureFit& chosen);
+
 /// The best model whose plants differ by FIR filters of the input with a free mean and no error of
 /// the static gain, the paper's own structure, with orders of its own. None where none can be
 /// fitted.

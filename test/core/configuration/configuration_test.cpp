@@ -148,7 +148,11 @@ std::vector<BadValue> badOthers() {
       {"output.scale", "nan", [](auto& c) { c.output.scale = kNan; }},
       {"output.offset", "nan", [](auto& c) { c.output.offset = kNan; }},
       {"time.sample_time", "0", [](auto& c) { c.time.unit = TimeUnit::index; }},
-      {"time.sample_time", "0.1", [](auto& c) { c.time.sample_time = 0.1; }},
+      {"time.sample_time", "0.1",
+       [](auto& c) {
+         c.time.sample_time = 0.1;
+         c.time.column = "stamp";
+       }},
       {"covariates[1].name", "a",
        [](auto& c) {
          c.covariates = {{"a", "x", "auto"}, {"a", "y", "auto"}};

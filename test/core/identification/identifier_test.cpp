@@ -299,12 +299,16 @@ TEST(Identifier, MeasuresValidationExperiments) {
   found.d = estimate.nominal_model.d;
   found.mixture = estimate.error_model.mixture;
   found.noise_variance = estimate.noise_variance.value;
+  // The mean plant, Go (1 + eta_0 - eta_0 q^-1) at the mean of eta_0.
+  ASSERT_EQ(found.b.size(), 1);
+  const double eta = found.mixture.mean()[0];
+  const VectorXd mean_b = found.b[0] * Eigen::Vector2d(1 + eta, -eta);
   for (std::size_t r = 0; r < 6; ++r) {
     const Experiment& experiment = fresh.experiments[r];
     EXPECT_EQ(validation.experiments[r], experiment.id);
-    const dense::Matrix go =
-        dense::toeplitz(dense::impulseResponse(found.b, dense::monic(found.a), found.delay, 100));
-    const VectorXd simulated = (go * experiment.u.cast<dense::Real>()).cast<double>();
+    const dense::Matrix plant =
+        dense::toeplitz(dense::impulseResponse(mean_b, dense::monic(found.a), found.delay, 100));
+    const VectorXd simulated = (plant * experiment.u.cast<dense::Real>()).cast<double>();
     const VectorXd away = experiment.y.array() - experiment.y.mean();
     EXPECT_NEAR(validation.simulation_fit_percent[r],
                 100 * (1 - (experiment.y - simulated).norm() / away.norm()), 1e-9);
