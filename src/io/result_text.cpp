@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "estimation/mean_plant.h"
 #include "io/text_table.h"
 #include "math/polynomial.h"
 #include "model/sensitivity.h"
@@ -75,8 +76,10 @@ std::string errorModelText(const ErrorModelEstimate& model) {
 std::string simulationText(const Estimate& estimate) {
   if (!estimate.simulation_fit_percent || !std::isfinite(*estimate.simulation_fit_percent))
     return "";
-  return "The simulation of the nominal model fits the experiments that it was identified from "
-         "by " +
+  const bool is_go = meanPlant(estimate).b.size() == estimate.nominal_model.b.size();
+  return std::string("The simulation of the ") +
+         (is_go ? "nominal model" : "mean plant, Go (1 + mean of GDelta),") +
+         " fits the experiments that it was identified from by " +
          numberText(*estimate.simulation_fit_percent) + " % (100 (1 - |y - ysim|/|y - mean y|))\n";
 }
 

@@ -83,9 +83,15 @@ TEST(ResultText, TellsHowWellTheModelSimulatesItsOwnData) {
   Estimate estimate = example();
   EXPECT_EQ(resultText(estimate).find("The simulation of"), std::string::npos);
   estimate.simulation_fit_percent = 91.5;
+  Mixture& mixture = estimate.error_model.mixture;
+  mixture = {{1.0}, {Eigen::VectorXd::Zero(1)}, {Eigen::MatrixXd::Identity(1, 1)}};
   expectPart(resultText(estimate),
              "The simulation of the nominal model fits the experiments that it was identified from "
              "by 91.5 %");
+  mixture.means[0][0] = 0.5;
+  expectPart(resultText(estimate),
+             "The simulation of the mean plant, Go (1 + mean of GDelta), fits the experiments that "
+             "it was identified from by 91.5 %");
 }
 
 TEST(ResultText, NamesTheParametersThatVary) {
