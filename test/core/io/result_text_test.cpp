@@ -83,6 +83,7 @@ TEST(ResultText, TellsHowWellTheModelSimulatesItsOwnData) {
   Estimate estimate = example();
   EXPECT_EQ(resultText(estimate).find("The simulation of"), std::string::npos);
   estimate.simulation_fit_percent = 91.5;
+  estimate.error_model.options.basis = BasisKind::fir;
   Mixture& mixture = estimate.error_model.mixture;
   mixture = {{1.0}, {Eigen::VectorXd::Zero(1)}, {Eigen::MatrixXd::Identity(1, 1)}};
   expectPart(resultText(estimate),
