@@ -111,6 +111,7 @@ TEST_F(LivePageNodeTest, AHostileClientDoesNotDisturbTheRecording) {
     EXPECT_EQ(experiment.output.lost, 0U);
     EXPECT_GE(experiment.samples, static_cast<unsigned>(kSamples - 1));
   }
+  ASSERT_TRUE(waitFor([this] { return client_.status().running.empty(); }));
   const double growth = residentMemory(node_.id()) - before;
   EXPECT_LT(growth, 15) << "MB, of which the experiment and its result take some";
   EXPECT_TRUE(waitFor([this] { return answers(); }));
