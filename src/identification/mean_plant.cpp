@@ -111,6 +111,7 @@ bool simulatesAsWellAsAlone(const Problem& whole, const LinearModel& model,
 bool simulatesByOwnPlants(const Problem& problem, const FittedModel& fitted,
                           const FittedPlant& chosen_alone) {
   constexpr double kFarLess = 0.5;  // of the error
+  constexpr double kMuch = 10;      // [% of fit] by which a mean of filters may be worse
   if (problem.configuration.error_model.taps == 0) return false;
   const ModelParameters& point = fitted.optimum.point;
   const Eigen::MatrixXd means =
@@ -130,7 +131,10 @@ bool simulatesByOwnPlants(const Problem& problem, const FittedModel& fitted,
   }
   const SimulationFit own = fitOfErrors(errors, problem.data.experiments),
                       alone = fitOf(problem, chosen_alone.polynomials, chosen_alone.offset);
-  return 100 - own.pooled < kFarLess * (100 - alone.pooled);
+  const double of_mean = fitOf(problem, meanPlant(*fitted.model, point), offset).pooled;
+  const bool is_spread = problem.configuration.error_model.basis == BasisKind::parameter_spread;
+  return (is_spread || of_mean > alone.pooled - kMuch) &&
+         100 - own.pooled < kFarLess * (100 - alone.pooled);
 }
 
 SimulationFit meanPlantFit(const LinearModel& model, const ModelParameters& point, double offset,
