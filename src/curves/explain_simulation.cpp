@@ -13,6 +13,7 @@
 #include "curves/describe_curve.h"
 #include "curves/held_out.h"
 #include "curves/preparation.h"
+#include "data/experiment_checks.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -50,14 +51,9 @@ std::string sentenceOf(const WindowPlan& plan, const SimulationData& data, std::
 /// Whether the input changes at most once in each of a few records. Steps of two or three sizes
 /// show that the answers differ, but many curves follow so few answers.
 bool areFewSteps(const std::vector<Experiment>& fitted, const std::vector<Experiment>& held) {
-  const auto is_step = [](const Experiment& experiment) {
-    const Eigen::Index n = experiment.u.size();
-    return n < 2 ||
-           (experiment.u.tail(n - 1).array() != experiment.u.head(n - 1).array()).count() < 2;
-  };
   return fitted.size() + held.size() < kFewestSteps &&
-         std::all_of(fitted.begin(), fitted.end(), is_step) &&
-         std::all_of(held.begin(), held.end(), is_step);
+         std::all_of(fitted.begin(), fitted.end(), isSingleStep) &&
+         std::all_of(held.begin(), held.end(), isSingleStep);
 }
 
 std::string reasonToSkip(const SimulationData& data) {

@@ -46,16 +46,6 @@ double commonSampleTime(const std::vector<Experiment>& experiments,
   return common;
 }
 
-/// Whether the input changes at most once. A single step excites slow dynamics only: soon after it,
-/// the signals are constant and add no information.
-bool isSingleStep(const Experiment& experiment) {
-  int changes = 0;
-  for (Eigen::Index k = 1; k < experiment.u.size() && changes < 2; ++k) {
-    if (experiment.u(k) != experiment.u(k - 1)) ++changes;
-  }
-  return changes < 2;
-}
-
 class Checker {
  public:
   explicit Checker(const std::vector<Experiment>& experiments) : experiments_(experiments) {}
@@ -173,6 +163,14 @@ class Checker {
 };
 
 }  // namespace
+
+bool isSingleStep(const Experiment& experiment) {
+  int changes = 0;
+  for (Eigen::Index k = 1; k < experiment.u.size() && changes < 2; ++k) {
+    if (experiment.u(k) != experiment.u(k - 1)) ++changes;
+  }
+  return changes < 2;
+}
 
 std::string reasonsOf(const std::vector<RejectedExperiment>& rejected) {
   std::string reasons;

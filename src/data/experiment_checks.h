@@ -39,6 +39,10 @@ std::vector<Finding> checkExperiment(const Experiment& experiment, const LimitOp
 /// required; several reasons are joined. Empty: it does not.
 std::string defectOf(const Experiment& experiment, const LimitOptions& limits);
 
+/// Whether the input changes at most once. A single step excites slow dynamics only: soon after it,
+/// the signals are constant and add no information.
+bool isSingleStep(const Experiment& experiment);
+
 /// Checks all experiments before a fit. Beyond checkExperiment: a second experiment of the same id
 /// is rejected, and so is one whose sample time differs by more than a thousandth from
 /// `sample_time` [s] (0: from that of most experiments). An experiment whose input is constant, but

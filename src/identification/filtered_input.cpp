@@ -23,17 +23,17 @@ ErrorStructure filtersOf(const Problem& problem, int nb, int na, int taps) {
 
 }  // namespace
 
-bool mayBeFilters(const Problem& problem, std::vector<StructureFit> fits,
+bool mayBeFilters(const Problem& problem, const std::vector<StructureFit>& fits,
                   const StructureFit& chosen) {
   constexpr double kAbout = 5;  // [nats] per experiment, for what a free mean may gain
   constexpr int kFewest = 8;    // experiments, for a mean in several directions
   if (problem.data.count() < kFewest) return false;
   const double least = scoreOf(problem, chosen) - kAbout * problem.data.count();
-  fits.push_back(chosen);
-  return std::any_of(fits.begin(), fits.end(), [&](const StructureFit& fit) {
+  const auto are_filters = [&](const StructureFit& fit) {
     const ErrorModelOptions& options = fit.structure.configuration.error_model;
     return options.basis == BasisKind::fir && options.taps > 1 && scoreOf(problem, fit) > least;
-  });
+  };
+  return are_filters(chosen) || std::any_of(fits.begin(), fits.end(), are_filters);
 }
 
 std::optional<StructureFit> fitFilters(const Problem& problem, Journal* journal) {

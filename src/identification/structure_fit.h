@@ -55,7 +55,7 @@ std::vector<StructureFit> jointOrders(const Problem& problem,
 
 /// Whether the plants may differ by filters: enough of them are known, and one of several taps
 /// describes them about as well as the chosen structure, if it is not that itself.
-bool mayBeFilters(const Problem& problem, std::vector<StructureFit> fits,
+bool mayBeFilters(const Problem& problem, const std::vector<StructureFit>& fits,
                   const StructureFit& chosen);
 
 /// The best model whose plants differ by FIR filters of the input with a free mean and no error of
