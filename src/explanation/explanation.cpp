@@ -97,6 +97,7 @@ void Explaining::searchSimulation(const Split& data) {
   };
   const std::vector<Experiment> held = data.fitted_to ? std::vector<Experiment>() : data.held;
   explanation_.simulation = explainSimulation(data.train, held, options, &pool_);
+  dropPlayOfSensorSteps(data.train, &explanation_.simulation);
   if (explanation_.simulation.ended_early && !progress_.cancelled()) progress_.endSearch();
 }
 
@@ -174,7 +175,7 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
                                  return worth(left) < worth(right);
                                });
   explanation_.warnings = best->estimate.warnings;
-  std::vector<std::string> remarks{thinning_, simplification_,
+  std::vector<std::string> remarks{thinning_, simplification_, best->base.remark,
                                    otherOrdersWarning(chosen, best->estimate)};
   for (const SearchOutcome& other : outcomes) remarks.push_back(tieWarning(other, *best));
   for (const std::string& warning : refusalWarnings(*best)) remarks.push_back(warning);

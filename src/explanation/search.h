@@ -33,7 +33,8 @@ struct SearchState {
   std::vector<FoundCause> causes;
   std::vector<std::string> banned;  ///< names of effects that are not tried any more
   bool heavy_tails = false;         ///< as for checkResiduals()
-  bool quantised = false;           ///< the output is quantised, coarsely compared with the noise
+  bool quantised = false;           ///< most of the noise is rounding to the sensor's steps
+  std::string remark = "";          ///< on the samples, for people; may be empty
   bool eliminated = false;          ///< a cause was removed by backward elimination
   double total = 0;  ///< [nats] gain of log-likelihood over the base, minus the causes' penalties
   bool fitted_to = false;  ///< too few experiments to hold any out: `held` are those of `train`

@@ -7,6 +7,7 @@
 #include "explanation/feedback_check.h"
 #include "explanation/residual_checks.h"
 #include "explanation/spectral_peaks.h"
+#include "explanation/warnings.h"
 #include "math/information_criterion.h"
 #include "model/sensitivity.h"
 
@@ -47,15 +48,19 @@ void excludeOthers(const std::vector<std::string>& named, const Effects& effects
 }
 
 /// Accepts the causes that the samples show without a model. Quantisation is accepted only if it is
-/// coarse: a step that is small compared with the noise does no harm.
+/// most of the noise: a smaller step is told, and explains nothing.
 void addCausesThatSamplesShow(const std::vector<SpoiltSamples>& spoilt, const Effects& effects,
                               SearchState* base) {
-  constexpr double kCoarse = 0.2;  // variance of rounding / sigma^2
+  constexpr double kMost = 0.5, kNoticeable = 0.05;  // variance of rounding / sigma^2
   for (const SpoiltSamples& each : spoilt) {
     if (each.name == "sens_quant") {
       const double step = each.parameters.front().value;
-      base->quantised = step * step / 12 > kCoarse * base->fit.at.noise_variance;
-      if (!base->quantised) continue;
+      const double share = step * step / 12 / base->fit.at.noise_variance;
+      if (share <= kMost) {
+        if (share > kNoticeable) base->remark = quantisationRemark(step, share);
+        continue;
+      }
+      base->quantised = base->heavy_tails = true;
     }
     const HeldOut held = heldOut(base->fit, base->held);
     FoundCause cause;
@@ -65,7 +70,6 @@ void addCausesThatSamplesShow(const std::vector<SpoiltSamples>& spoilt, const Ef
     base->causes.push_back(std::move(cause));
     base->banned.push_back(each.name);
   }
-  base->heavy_tails = base->quantised;
 }
 
 /// Accepts feedback as a cause (exp_feedback) if its test says so.
@@ -124,7 +128,7 @@ SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& contex
   Search search(options, context, effects);
   // The error of a coarse quantisation is neither Gaussian nor white, and hides other effects.
   SearchState found = base.quantised ? base : search.run(base);
-  if (!only.empty() && !base.quantised && !found.causes.empty())
+  if (!base.quantised && !only.empty() && !found.causes.empty())
     found = withAnother(std::move(found), whole, context, effects);
   if (tests_feedback) addFeedback(effects, &found);
   return {std::move(estimate), std::move(base), std::move(found), search.tried(),

@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "curves/curve_words.h"
+#include "data/text.h"
 #include "explanation/acceptance.h"
 #include "explanation/residual_checks.h"
+#include "explanation/sample_checks.h"
 #include "explanation/verdict.h"
 
 namespace uncertainty_identification {
@@ -177,11 +179,16 @@ bool isBehind(const SimulationCauses& simulation, double fit) {
   return fit < simulation.fit_before - kFar;
 }
 
-/// What the tests do not see of a simulation that fits by `fit` %: most of the output, or what
-/// another linear model simulates. Empty where it is neither.
-std::string shortcoming(const SimulationCauses& simulation, double fit) {
-  constexpr double kPoor = 50;  // [%] fit
+/// What the tests do not see of a simulation that fits by `fit` %, and whose 95 % intervals hold
+/// the share `coverage` of the samples: most of the output, or what another linear model simulates,
+/// or how uncertain it is. Empty where it is none of them.
+std::string shortcoming(const SimulationCauses& simulation, double fit, double coverage) {
+  constexpr double kPoor = 50;          // [%] fit
+  constexpr double kFewCovered = 0.75;  // of the samples
   const bool is_behind = isBehind(simulation, fit);
+  if (coverage < kFewCovered)
+    return "the 95 % intervals of the simulation hold " + rounded(100 * coverage) +
+           " % of the samples only: the model does not know how far its simulation is off";
   if (!(fit < kPoor) && !is_behind) return "";
   std::ostringstream text;
   text.precision(2);
@@ -203,16 +210,26 @@ void warnOfPoorSimulation(Explanation* explanation) {
   if (verdict != Verdict::none && verdict != Verdict::explained) return;
   const SimulationCauses& simulation = explanation->simulation;
   double fit = simulation.skipped.empty() ? simulation.fit_after : kNan;
-  for (const Cause& cause : causes)
-    if (cause.gain && std::isfinite(cause.gain->nrmse_fit_percent.after))
+  double coverage = kNan;
+  for (const Cause& cause : causes) {
+    if (cause.gain && std::isfinite(cause.gain->nrmse_fit_percent.after)) {
       fit = cause.gain->nrmse_fit_percent.after;
-  const std::string lacks = shortcoming(simulation, fit);
-  if (lacks.empty()) return;
-  explanation->warnings.push_back(lacks);
+      coverage = cause.gain->coverage_95.after;
+    }
+  }
+  const std::string lacks = shortcoming(simulation, fit, coverage);
+  if (!lacks.empty()) explanation->warnings.push_back(lacks);
   const bool is_aside = std::all_of(causes.begin(), causes.end(), [&](const Cause& cause) {
     return isOfSamples(cause) || cause.group == "noise" || cause.name == "sens_outliers";
   });
   if (causes.empty() || !is_aside) return;
+  std::ostringstream text;
+  text.precision(3);
+  if (lacks.empty()) {
+    text << ". The simulation is the same with it and fits held-out data by " << fit << " %";
+    explanation->message += text.str();
+    return;
+  }
   explanation->verdict = Verdict::partly_explained;
   explanation->message = describedNames(causes) +
                          ": with this in the model all checks of the residuals pass, but " + lacks;
@@ -245,6 +262,23 @@ std::vector<std::string> leadingCurves(const SimulationCauses& simulation) {
     for (const PlaceAndShape& tie : cause.ties) names.push_back(tie.name);
   }
   return names;
+}
+
+void dropPlayOfSensorSteps(const std::vector<Experiment>& fitted, SimulationCauses* simulation) {
+  constexpr double kHardlyWider = 1.5;  // half widths, in steps
+  if (simulation->causes.size() != 1 || simulation->causes[0].what.shape != "output_play") return;
+  const double half_width = simulation->causes[0].values.at(0).value;
+  for (const SpoiltSamples& spoilt : checkSamples(withoutRest(fitted))) {
+    if (spoilt.name != "sens_quant") continue;
+    const double step = spoilt.parameters.front().value;
+    if (half_width >= kHardlyWider * step) continue;
+    simulation->refused = simulation->causes[0].what.name + ": a play of half width " +
+                          rounded(half_width) + " is hardly wider than the steps of " +
+                          rounded(step) + " in which the sensor reads, and simulates as these do";
+    simulation->causes.clear();
+    simulation->fit_after = simulation->fit_before;
+    return;
+  }
 }
 
 void joinSimulation(Explanation* explanation) {

@@ -1,5 +1,6 @@
 #include "explanation/warnings.h"
 
+#include "data/text.h"
 #include "explanation/wording.h"
 
 namespace uncertainty_identification {
@@ -11,6 +12,11 @@ const char* const kNothingHeldOut =
 const char* const kOutOfTime =
     "the search ended at explanation.time_limit, before all causes were tried; give it more time, "
     "or fewer or shorter experiments";
+
+std::string quantisationRemark(double step, double share) {
+  return "the sensor reads in steps of " + rounded(step) + " (unit of y), which make up " +
+         rounded(100 * share) + " % of the noise variance";
+}
 
 std::vector<std::string> refusalWarnings(const SearchOutcome& best) {
   std::vector<std::string> causes;

@@ -11,6 +11,9 @@ namespace uncertainty_identification {
 /// The likelihood asks for other orders than the simulation chose. Empty: it does not.
 std::string otherOrdersWarning(const Estimate& chosen, const Estimate& explained);
 
+/// The sensor's steps are a noticeable share of the noise variance, and not most of it.
+std::string quantisationRemark(double step, double share);
+
 /// On top of other orders, other causes explain the data as well. Empty: they do not.
 std::string tieWarning(const SearchOutcome& other, const SearchOutcome& best);
 

@@ -17,6 +17,7 @@ Cause ofLikelihood(const std::string& name, double before, double after) {
   cause.confidence = 0.99;
   cause.gain = Gain{};
   cause.gain->nrmse_fit_percent = {before, after};
+  cause.gain->coverage_95 = {0.95, 0.95};
   return cause;
 }
 
@@ -95,6 +96,53 @@ TEST(SimulationAnswer, IsNoExplanationWhereTheInputExplainsLittle) {
   const Explanation poor = answered(22);
   EXPECT_EQ(poor.verdict, Verdict::partly_explained);
   EXPECT_TRUE(test::mentions(poor.message, "pass, but the simulation")) << poor.message;
+}
+
+TEST(SimulationAnswer, IsNoExplanationWhereIntervalsHoldFewSamples) {
+  const auto answered = [](double coverage) {
+    Explanation found = withFriction(true, {ofLikelihood("sens_quant", 87, 87)});
+    found.causes[0].gain->coverage_95.after = coverage;
+    found.simulation.causes.clear();
+    joinSimulation(&found);
+    return found;
+  };
+  EXPECT_EQ(answered(0.9).verdict, Verdict::explained);
+  const Explanation narrow = answered(0.04);
+  EXPECT_EQ(narrow.verdict, Verdict::partly_explained);
+  EXPECT_TRUE(test::mentions(narrow.message, "hold 4 % of the samples only")) << narrow.message;
+}
+
+TEST(SimulationAnswer, PlayAsWideAsTheSensorsStepsIsNotNamed) {
+  constexpr double kStep = 0.5;
+  std::vector<Experiment> rounded(1);
+  rounded[0].u = Eigen::VectorXd::LinSpaced(200, 0, 1);
+  rounded[0].y = Eigen::VectorXd(200);
+  for (int t = 0; t < 200; ++t) rounded[0].y[t] = kStep * std::round(10 * std::sin(0.3 * t));
+  const auto remaining = [&](double half_width) {
+    SimulationCauses simulation = withFriction(false, {}).simulation;
+    simulation.causes[0].what = {"sens_backlash", "output_play", "output_play", ""};
+    simulation.causes[0].values = {{"half_width", half_width, 0.01}};
+    dropPlayOfSensorSteps(rounded, &simulation);
+    return simulation;
+  };
+  EXPECT_EQ(remaining(2 * kStep).causes.size(), 1u);
+  const SimulationCauses none = remaining(kStep);
+  EXPECT_TRUE(none.causes.empty());
+  EXPECT_EQ(none.fit_after, none.fit_before);
+  EXPECT_TRUE(test::mentions(none.refused, "hardly wider than the steps of 0.5")) << none.refused;
+}
+
+TEST(SimulationAnswer, TellsThatNoiseChangesNoSimulation) {
+  const auto message = [](const std::string& name, const std::string& group) {
+    Explanation found = withFriction(true, {ofLikelihood(name, 74, 74)});
+    found.causes[0].group = group;
+    found.simulation = {};
+    joinSimulation(&found);
+    return found.message;
+  };
+  const std::string told = "The simulation is the same with it and fits held-out data by 74 %";
+  EXPECT_TRUE(test::mentions(message("noise_tails", "noise"), told));
+  EXPECT_FALSE(test::mentions(message("act_delay", "actuator"), told));
 }
 
 /// Also where the data were too few to search the simulation.

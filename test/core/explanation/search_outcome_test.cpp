@@ -1,0 +1,47 @@
+// What the samples show without a model, by how much of the noise it is.
+#include "explanation/search_outcome.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/core_setup.h"
+#include "support/mentions.h"
+
+namespace uncertainty_identification {
+namespace {
+
+/// Example 1 read in steps of `step` standard deviations of its noise.
+Explanation explainRounded(double step) {
+  test::RandomSystem system = test::example1(2, 20);
+  step *= std::sqrt(system.truth.noise_variance);
+  for (Experiment& experiment : system.experiments)
+    for (double& value : experiment.y) value = step * std::round(value / step);
+  Configuration configuration = test::example1Configuration();
+  configuration.bounds.frequencies = 0;
+  return explain(configuration, system.experiments);
+}
+
+bool tellsOfSteps(const Explanation& found) {
+  return std::any_of(found.warnings.begin(), found.warnings.end(), [](const std::string& warning) {
+    return test::mentions(warning, "of the noise variance");
+  });
+}
+
+/// Steps of 2 deviations add a third of the noise's own variance: a quarter of what is seen.
+TEST(SearchOutcome, StepsThatAreASmallPartOfTheNoiseAreToldAndExplainNothing) {
+  const Explanation found = explainRounded(2);
+  EXPECT_EQ(found.verdict, Verdict::none) << found.message;
+  EXPECT_TRUE(tellsOfSteps(found));
+}
+
+TEST(SearchOutcome, StepsThatAreMostOfTheNoiseAreACause) {
+  const Explanation found = explainRounded(6);
+  ASSERT_EQ(found.causes.size(), 1u);
+  EXPECT_EQ(found.causes[0].name, "sens_quant");
+  EXPECT_FALSE(tellsOfSteps(found));
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
