@@ -149,7 +149,8 @@ SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
   };
   SimulationCauses found;
   const WindowPlan plan = planWindows(fitted);
-  const SignalScales scales = scalesOf(fitted, held);
+  const double lag_unit = plan.thinning * fitted.front().sample_time;
+  const SignalScales scales = scalesOf(fitted, held, lag_unit);
   SimulationData data = windowsOf(fitted, plan, scales, kMostSamples);
   found.skipped = areFewSteps(fitted, held) ? kFewSteps : reasonToSkip(data);
   if (!found.skipped.empty()) return found;

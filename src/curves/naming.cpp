@@ -88,6 +88,11 @@ std::vector<ClosestShape> closestShapes(const Eigen::VectorXd& values, const Cur
                    [](const ClosestShape& left, const ClosestShape& right) {
                      return left.distance < right.distance;
                    });
+  // Of a signal that never changes its sign, the absolute value is a straight line.
+  const auto is_same = [](const ClosestShape& left, const ClosestShape& right) {
+    return right.distance - left.distance <= 1e-9 * right.distance;
+  };
+  found.erase(std::unique(found.begin(), found.end(), is_same), found.end());
   return found;
 }
 

@@ -3,10 +3,8 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <set>
-#include <string>
 
+#include "curves/covariate_signals.h"
 #include "data/bridged_output.h"
 #include "data/thinning.h"
 
@@ -17,41 +15,8 @@ constexpr double kPerPeriod = 24;  // samples
 constexpr int kShortest = 60, kLongest = 400, kFewestWindows = 10;
 constexpr std::size_t kManyExperiments = 8;
 
-Scale scaleOf(double sum, double squares, double count, bool remove_mean) {
-  const double mean = sum / std::max(count, 1.0);
-  const double deviation =
-      std::sqrt(std::max(squares / std::max(count, 1.0) - mean * mean, 0.0)) + 1e-12;
-  return {remove_mean || std::abs(mean) > 3 * deviation ? mean : 0.0, deviation};
-}
-
 Eigen::VectorXd scaled(const Eigen::VectorXd& signal, const Scale& scale) {
   return ((signal.array() - scale.offset) / scale.unit).matrix();
-}
-
-/// Whether the covariate is known at every sample, be it constant over the experiment.
-bool isKnown(const Experiment& experiment, const std::string& covariate) {
-  return experiment.signals.count(covariate) > 0 || experiment.scalars.count(covariate) > 0;
-}
-
-Eigen::VectorXd covariateOf(const Experiment& experiment, const std::string& name) {
-  const auto signal = experiment.signals.find(name);
-  if (signal != experiment.signals.end()) return signal->second;
-  return Eigen::VectorXd::Constant(experiment.samples(), experiment.scalars.at(name));
-}
-
-/// Covariates that move within an experiment and are known in all of them.
-std::set<std::string> movingCovariates(const std::vector<Experiment>& experiments,
-                                       const std::vector<Experiment>& held) {
-  std::set<std::string> names;
-  for (const Experiment& experiment : experiments)
-    for (const auto& [name, signal] : experiment.signals) names.insert(name);
-  for (auto name = names.begin(); name != names.end();) {
-    const auto is_known = [&](const Experiment& each) { return isKnown(each, *name); };
-    const bool everywhere = std::all_of(experiments.begin(), experiments.end(), is_known) &&
-                            std::all_of(held.begin(), held.end(), is_known);
-    name = everywhere ? std::next(name) : names.erase(name);
-  }
-  return names;
 }
 
 /// The whole experiment as one window.
@@ -64,7 +29,7 @@ SimulationWindow wholeWindow(const Experiment& experiment, const SignalScales& s
   for (int k = 0; k < samples; ++k) whole.measured[k] = experiment.isValid(k) ? 1 : 0;
   whole.time = Eigen::VectorXd::LinSpaced(samples, 0, 1);
   for (const auto& [name, scale] : scales.covariates)
-    whole.covariates[name] = scaled(covariateOf(experiment, name), scale);
+    whole.covariates[name] = scaled(signalOf(scale, experiment), scale);
   return whole;
 }
 
@@ -144,7 +109,7 @@ WindowPlan planWindows(const std::vector<Experiment>& experiments) {
 }
 
 SignalScales scalesOf(const std::vector<Experiment>& experiments,
-                      const std::vector<Experiment>& held) {
+                      const std::vector<Experiment>& held, double lag_unit) {
   double count = 0, measured = 0;
   Eigen::Array4d sums = Eigen::Array4d::Zero();
   for (const Experiment& experiment : experiments) {
@@ -161,15 +126,7 @@ SignalScales scalesOf(const std::vector<Experiment>& experiments,
   SignalScales scales;
   scales.u = scaleOf(sums[0], sums[1], count, false);
   scales.y = scaleOf(sums[2], sums[3], measured, true);
-  for (const std::string& name : movingCovariates(experiments, held)) {
-    double sum = 0, squares = 0;
-    for (const Experiment& experiment : experiments) {
-      const Eigen::VectorXd signal = covariateOf(experiment, name);
-      sum += signal.sum();
-      squares += signal.squaredNorm();
-    }
-    scales.covariates[name] = scaleOf(sum, squares, count, true);
-  }
+  scales.covariates = covariateScales(experiments, held, lag_unit);
   return scales;
 }
 

@@ -23,9 +23,10 @@ struct WindowPlan {
 WindowPlan planWindows(const std::vector<Experiment>& experiments);
 
 /// Scales of the signals of `experiments`. Covariates are those that move in some experiment and
-/// are known in all, those of `held` as well: a second heater may be off for a whole record.
+/// are known in all, those of `held` as well: a second heater may be off for a whole record. They
+/// are there behind lags as well, of so many `lag_unit` [s] as covariateScales() says; 0: not.
 SignalScales scalesOf(const std::vector<Experiment>& experiments,
-                      const std::vector<Experiment>& held = {});
+                      const std::vector<Experiment>& held = {}, double lag_unit = 0);
 
 /// The windows of `experiments`; those that begin a record of a system that was at rest begin with
 /// this rest, in which its initial state settles; at most `most` samples in all, 0: no limit.

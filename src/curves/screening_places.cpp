@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "curves/free_simulation.h"
@@ -83,6 +84,22 @@ Curve curveAt(const SimulationData& data, const PlaceOf& at, CurveModel* model) 
   }
 }
 
+/// The covariate itself, of one behind a lag.
+std::string covariateBehind(const std::string& name, const SimulationData& data) {
+  return name.empty() ? "" : data.scales.covariates.at(name).of;
+}
+
+/// Of a covariate behind several lags, the first is kept.
+void keepFirstLag(const SimulationData& data, std::vector<ScreenedPlace>* sorted) {
+  std::set<std::string> seen;
+  std::vector<ScreenedPlace> kept;
+  for (ScreenedPlace& each : *sorted)
+    if (each.place.place != Place::covariate ||
+        seen.insert(covariateBehind(each.place.covariate, data)).second)
+      kept.push_back(std::move(each));
+  *sorted = std::move(kept);
+}
+
 std::vector<PlaceOf> placesFor(const SimulationData& data, const CurveModel& model) {
   std::vector<PlaceOf> all{{Place::input, ""}, {Place::position, ""}};
   if (model.order > 1) all.push_back({Place::output_state, ""});
@@ -91,13 +108,14 @@ std::vector<PlaceOf> placesFor(const SimulationData& data, const CurveModel& mod
     all.push_back({place, ""});
   for (const auto& [name, scale] : data.scales.covariates) {
     all.push_back({Place::covariate, name});
-    all.push_back({Place::covariate_gain, name});
+    if (scale.lag == 0) all.push_back({Place::covariate_gain, name});
   }
   for (const Place place : {Place::play, Place::rate_limit, Place::output_play})
     all.push_back({place, ""});
   const auto taken = [&](const PlaceOf& at) {
     return std::any_of(model.curves.begin(), model.curves.end(), [&](const Curve& curve) {
-      return curve.place() == at.place && curve.covariate() == at.covariate;
+      return curve.place() == at.place &&
+             covariateBehind(curve.covariate(), data) == covariateBehind(at.covariate, data);
     });
   };
   all.erase(std::remove_if(all.begin(), all.end(), taken), all.end());
@@ -206,6 +224,7 @@ std::vector<ScreenedPlace> screenPlaces(const SimulationData& data, const Window
                    [](const ScreenedPlace& left, const ScreenedPlace& right) {
                      return left.fit.left_out < right.fit.left_out;
                    });
+  keepFirstLag(data, &found);
   return found;
 }
 

@@ -31,10 +31,20 @@ struct Scale {
   double zero() const { return offset / unit; }  ///< added to count from the physical zero
 };
 
+/// A covariate, itself or behind a lag.
+struct CovariateScale : Scale {
+  std::string of;  ///< its name
+  double lag = 0;  ///< time constant [s]; 0: itself
+};
+
 struct SignalScales {
   Scale u, y;
-  std::map<std::string, Scale> covariates;
+  std::map<std::string, CovariateScale> covariates;
 };
+
+/// Offset and unit of a signal of which these are the sums. The mean is kept where it is small and
+/// not to be removed.
+Scale scaleOf(double sum, double squares, double count, bool remove_mean);
 
 /// Windows of all records with one sample time.
 struct SimulationData {

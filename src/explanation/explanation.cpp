@@ -256,24 +256,24 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
   explanation_.checks_after = checkResiduals(found.fit, found.train, found.heavy_tails);
   const bool passed = allPassed(explanation_.checks_after);
   for (const FoundCause& cause : found.causes) {
-    if (cause.effect->name() == "exp_feedback")
-      explanation_.warnings.push_back(
-          "the input depends on the output (closed loop): the estimates are consistent only if the "
-          "noise model is right");
+    if (cause.effect->name() == "exp_feedback") explanation_.warnings.push_back(kFeedback);
     const std::string reason = reasonNotToName(cause, found, passed);
     if (reason.empty())
       explanation_.causes.push_back(described(cause, found));
     else
       explanation_.warnings.push_back(reason);
   }
-  if (const Check check = parsimony(found); !check.passed) {
+  const bool withheld = explanation_.causes.empty() && !found.causes.empty();
+  const SearchState& named = withheld ? base : found;
+  if (withheld) explanation_.checks_after = explanation_.checks_before;
+  if (const Check check = parsimony(named); !check.passed) {
     explanation_.checks_before.push_back(parsimony(base));
     explanation_.checks_after.push_back(check);
   }
   explanation_.termination =
       progress_.outOfTime() ? Termination::iteration_limit : Termination::converged;
-  conclude(&explanation_);
-  describeModels(base, found);
+  conclude(&explanation_, withheld);
+  describeModels(base, named);
   joinSimulation(&explanation_);
   if (progress_.cancelled()) throw CancelledError("cancelled");
   explanation_.seconds = progress_.seconds();

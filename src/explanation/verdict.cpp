@@ -31,6 +31,12 @@ std::string unfinished(const std::string& failed) {
          failed + ". Give it more time, or fewer or shorter experiments";
 }
 
+std::string notNamed(const std::string& failed) {
+  return "something is wrong, and what would describe it is not named as a cause, for reasons that "
+         "the warnings tell; these checks fail: " +
+         failed;
+}
+
 std::string joined(const std::string& list, const std::string& name) {
   return list.empty() ? name : list + ", " + name;
 }
@@ -83,7 +89,7 @@ std::string describedNames(const std::vector<Cause>& causes) {
   return names;
 }
 
-void conclude(Explanation* explanation) {
+void conclude(Explanation* explanation, bool withheld) {
   const bool passed = allPassed(explanation->checks_after);
   if (explanation->causes.empty()) {
     explanation->verdict = passed ? Verdict::none : Verdict::unknown;
@@ -95,9 +101,10 @@ void conclude(Explanation* explanation) {
   for (const Check& check : explanation->checks_after)
     if (!check.passed) failed = joined(failed, check.name);
   const bool ended_early = explanation->termination == Termination::iteration_limit;
-  explanation->message = explanation->verdict == Verdict::unknown && ended_early
-                             ? unfinished(failed)
-                             : messageOf(explanation->verdict, names, failed);
+  if (explanation->verdict != Verdict::unknown || !(withheld || ended_early))
+    explanation->message = messageOf(explanation->verdict, names, failed);
+  else
+    explanation->message = withheld ? notNamed(failed) : unfinished(failed);
 }
 
 }  // namespace uncertainty_identification

@@ -23,7 +23,8 @@ Check parsimony(const SearchState& state);
 /// The causes in words with their names in parentheses, as messages list them.
 std::string describedNames(const std::vector<Cause>& causes);
 
-/// Sets verdict and message of an explanation from its causes and checks.
-void conclude(Explanation* explanation);
+/// Sets verdict and message of an explanation from its causes and checks. `withheld`: causes were
+/// found, and none of them is named.
+void conclude(Explanation* explanation, bool withheld = false);
 
 }  // namespace uncertainty_identification

@@ -18,6 +18,10 @@ std::string quantisationRemark(double step, double share) {
          rounded(100 * share) + " % of the noise variance";
 }
 
+const char* const kFeedback =
+    "the input depends on the output (closed loop): the estimates are consistent only if the noise "
+    "model is right";
+
 std::vector<std::string> refusalWarnings(const SearchOutcome& best) {
   std::vector<std::string> causes;
   for (const FoundCause& cause : best.found.causes) causes.push_back(cause.effect->label());

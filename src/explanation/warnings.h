@@ -22,5 +22,6 @@ std::vector<std::string> refusalWarnings(const SearchOutcome& best);
 
 extern const char* const kNothingHeldOut;
 extern const char* const kOutOfTime;
+extern const char* const kFeedback;
 
 }  // namespace uncertainty_identification

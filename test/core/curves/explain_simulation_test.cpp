@@ -89,6 +89,36 @@ TEST(ExplainSimulation, NamesNoCurveByThreeSteps) {
   EXPECT_TRUE(by({0.5, 1, 1.5, 2}).skipped.empty());
 }
 
+/// Runs whose output a second heater warms through a lag of 30 samples.
+std::vector<Experiment> besideAHeater() {
+  std::vector<Experiment> all = runs(kRuns + kHeld, 31, same, none);
+  for (std::size_t r = 0; r < all.size(); ++r) {
+    std::mt19937_64 engine(r + 77);
+    Eigen::VectorXd heater(kSamples);
+    double level = 0, wall = 0, own = 0;
+    for (int k = 0; k < kSamples; ++k) {
+      if (k % 40 == 5) level = static_cast<double>(engine() % 100);
+      heater[k] = level;
+      all[r].y[k] += own;
+      own = 0.9 * own + 0.01 * wall;
+      wall += (level - wall) / 30;
+    }
+    all[r].signals["heater"] = heater;
+  }
+  return all;
+}
+
+TEST(ExplainSimulation, NamesASecondInputThatActsThroughALagOfItsOwn) {
+  const SimulationCauses found = explained(besideAHeater());
+  ASSERT_EQ(found.causes.size(), 1u);
+  const SimulationCause& heater = found.causes.front();
+  EXPECT_EQ(heater.what.name, "exp_input2");
+  EXPECT_EQ(heater.what.shape, "linear");
+  EXPECT_EQ(heater.what.covariate, "heater behind a lag of 3.2 s");
+  EXPECT_TRUE(heater.ties.empty()) << "an absolute value of what is never negative";
+  EXPECT_GT(found.fit_after, 90);
+}
+
 TEST(ExplainSimulation, FindsNothingInALinearPlant) {
   for (const unsigned seed : {1u, 2u, 3u}) {
     const SimulationCauses found = explained(runs(kRuns + kHeld, seed, same, none));

@@ -48,6 +48,17 @@ TEST(ReasonNotToName, IsThatTestsFailAndItMayBeASymptom) {
   EXPECT_TRUE(test::mentions(reasonNotToName(second, with({first, second}), false), "symptom"));
 }
 
+TEST(Conclude, SaysThatWhatIsWrongIsNotNamed) {
+  Explanation explanation;
+  explanation.checks_after = {{"whiteness", 99, 1e-9, false, ""}};
+  conclude(&explanation);
+  EXPECT_TRUE(test::mentions(explanation.message, "the catalogue does not describe"));
+  conclude(&explanation, true);
+  EXPECT_EQ(explanation.verdict, Verdict::unknown);
+  EXPECT_TRUE(test::mentions(explanation.message, "reasons that the warnings tell"));
+  EXPECT_TRUE(test::mentions(explanation.message, "whiteness"));
+}
+
 TEST(Parsimony, DoesNotCountWhatOneOrderMoreWouldDescribe) {
   std::vector<FoundCause> causes{found("act_deadzone", 9), found("sens_hum", 9),
                                  found("plant_pole", 9)};
