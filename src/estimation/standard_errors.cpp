@@ -17,6 +17,10 @@ using Eigen::VectorXd;
 /// 1).
 constexpr double kSingular = 1e-8;
 
+/// The same of the expected information, which needs no differences. Coefficients of a numerator
+/// that a smooth input hardly tells apart are determined all the same.
+constexpr double kSingularExpected = 1e-12;
+
 /// Eigenvalues smaller than this share may be wrong because of the finite differences, and are
 /// computed again along their direction.
 constexpr double kSuspicious = 1e-6;
@@ -87,13 +91,15 @@ class DirectionStrength {
   }
 
   /// The curvature along `direction`, given as an eigenvalue of the scaled information and its
-  /// eigenvector.
+  /// eigenvector; 0 where the data do not determine it.
   double operator()(double eigenvalue, const VectorXd& eigenvector,
                     const VectorXd& direction) const {
     const double strength = std::abs(eigenvalue) < kSuspicious
                                 ? curvature(likelihood_, parametrisation_, point_, direction)
                                 : eigenvalue;
-    return strength > kSingular ? strength : expected(eigenvector, direction);
+    if (strength > kSingular) return strength;
+    const double known = expected(eigenvector, direction);
+    return known > kSingularExpected ? known : 0;
   }
 
  private:
@@ -152,7 +158,7 @@ InvertedInformation invert(const Likelihood& likelihood, const Parametrisation& 
   for (Index k = 0; k < size; ++k) {
     const VectorXd of_unit = eigen.eigenvectors().col(k), direction = scale.cwiseProduct(of_unit);
     const double strength = strengthOf(eigen.eigenvalues()[k], of_unit, direction);
-    if (strength > kSingular) {
+    if (strength > 0) {
       result.inverse += direction * direction.transpose() / strength;
     } else {
       result.leaveOut((jacobian * direction).cwiseQuotient(alone), parametrisation.naturalNames());

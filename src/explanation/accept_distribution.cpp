@@ -10,11 +10,10 @@ namespace uncertainty_identification {
 /// Accepts a residual distribution if the held-out experiments confirm it. Outliers are then masked
 /// in all experiments, and the model is fitted again.
 bool Search::acceptDistribution(SearchState* state, const FittedEffect& best) {
-  constexpr double kClustered = 1e-6;  // p-value: bursts are no residual distribution
   const Residuals residuals = residualsOf(state->fit, state->train);
   const ResidualDistribution distribution =
       residualDistribution(state->fit, state->train, residuals);
-  if (distribution.clustering < kClustered) {
+  if (!distribution.isOfNoise()) {
     state->banned.insert(state->banned.end(), {"noise_tails", "sens_outliers"});
     return false;
   }

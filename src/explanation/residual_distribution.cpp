@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "explanation/after_input_changes.h"
 #include "math/constants.h"
 #include "math/distributions.h"
 #include "math/polynomial.h"
@@ -176,6 +177,9 @@ ResidualDistribution residualDistribution(const Fit& fit, const FitData& data,
     marked.push_back((signal.abs() > 4 * deviation).cast<double>());
   distribution.clustering = clusteringOf(distribution.areAdditive() ? distribution.found : marked,
                                          static_cast<double>(r.size()));
+  const NominalModel& nominal = fit.model->nominal();
+  const int delay = nominal.polynomials(fit.at.parameters.head(nominal.parameterCount())).delay;
+  distribution.after_changes = afterInputChanges(marked, data, delay);
   return distribution;
 }
 

@@ -22,6 +22,11 @@ struct ResidualDistribution {
   double additive_gain = 0;  ///< of removing them, minus the cost of stating where and how large
   /// p-value of large residuals lying so close together in time.
   double clustering = 1;
+  /// p-value of large residuals lying so often behind changes of the input.
+  double after_changes = 1;
+
+  /// Whether they lie as noise does: neither in bursts nor behind changes of the input.
+  bool isOfNoise() const { return clustering >= 1e-6 && after_changes >= 1e-3; }
 
   /// Whether the residuals are better explained by wrong readings than by disturbances.
   bool areAdditive() const;

@@ -145,14 +145,15 @@ void dropUnconfirmed(Explanation* explanation) {
 
 /// Where the data are too few to search for what the simulation lacks, what makes the residuals
 /// white may stand for it: a cause in the plant or its sensor and actuator has to make the
-/// simulation better.
+/// simulation of held-out experiments better.
 void dropUnsimulated(Explanation* explanation) {
   constexpr double kBetter = 0.95;  // of the error
   if (explanation->simulation.skipped.rfind("fewer than", 0) != 0) return;
-  const auto is_doubtful = [](const Cause& cause) {
+  const bool in_sample = explanation->held_out.empty();
+  const auto is_doubtful = [&](const Cause& cause) {
     const bool changes = cause.group == "plant" || cause.group == "actuator" ||
                          (cause.group == "sensor" && !isOfSamples(cause));
-    return changes && cause.gain && !(errorRatio(*cause.gain) < kBetter);
+    return changes && cause.gain && (in_sample || !(errorRatio(*cause.gain) < kBetter));
   };
   const auto first = std::stable_partition(explanation->causes.begin(), explanation->causes.end(),
                                            [&](const Cause& each) { return !is_doubtful(each); });
@@ -160,10 +161,12 @@ void dropUnsimulated(Explanation* explanation) {
   const std::vector<Cause> dropped(first, explanation->causes.end());
   explanation->causes.erase(first, explanation->causes.end());
   explanation->warnings.push_back(
-      namesOf(dropped) + ": makes the residuals white, but the simulation no better, and " +
-      explanation->simulation.skipped + " do not show what the simulation lacks; not named");
+      namesOf(dropped) + ": makes the residuals white, but " +
+      (in_sample ? "no experiment is held out that confirms it" : "the simulation no better") +
+      ", and " + explanation->simulation.skipped +
+      " do not show what the simulation lacks; not named");
   forgetModelWithCauses(explanation);
-  conclude(explanation);
+  conclude(explanation, true);
 }
 
 /// Gives the likelihood's causes the curves of the same name.
@@ -202,12 +205,11 @@ std::string shortcoming(const SimulationCauses& simulation, double fit, double c
   return text.str();
 }
 
-/// Tests of what cannot be predicted may pass though the simulation lacks much. What the samples
-/// or the noise show does not explain that.
+/// Tests of what cannot be predicted may pass though the simulation lacks much, even though a
+/// constant would simulate better. What the samples or the noise shows does not explain that.
 void warnOfPoorSimulation(Explanation* explanation) {
-  const Verdict verdict = explanation->verdict;
   const std::vector<Cause>& causes = explanation->causes;
-  if (verdict != Verdict::none && verdict != Verdict::explained) return;
+  if (explanation->verdict != Verdict::none && explanation->verdict != Verdict::explained) return;
   const SimulationCauses& simulation = explanation->simulation;
   double fit = simulation.skipped.empty() ? simulation.fit_after : kNan;
   double coverage = kNan;
@@ -219,15 +221,18 @@ void warnOfPoorSimulation(Explanation* explanation) {
   }
   const std::string lacks = shortcoming(simulation, fit, coverage);
   if (!lacks.empty()) explanation->warnings.push_back(lacks);
+  if (causes.empty() && !lacks.empty()) {
+    if (fit < 0) explanation->verdict = Verdict::unknown;
+    explanation->message = "the checks of the residuals find nothing wrong, but " + lacks;
+  }
   const bool is_aside = std::all_of(causes.begin(), causes.end(), [&](const Cause& cause) {
     return isOfSamples(cause) || cause.group == "noise" || cause.name == "sens_outliers";
   });
   if (causes.empty() || !is_aside) return;
-  std::ostringstream text;
-  text.precision(3);
   if (lacks.empty()) {
-    text << ". The simulation is the same with it and fits held-out data by " << fit << " %";
-    explanation->message += text.str();
+    explanation->message += ". The simulation is the same with it and fits " +
+                            std::string(explanation->held_out.empty() ? "" : "held-out ") +
+                            "data by " + rounded(fit) + " %";
     return;
   }
   explanation->verdict = Verdict::partly_explained;

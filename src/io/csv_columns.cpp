@@ -30,6 +30,9 @@ class Chooser {
       : header_(header), configuration_(configuration) {}
 
   CsvColumns run() {
+    if (header_.titles == 1) remark("a line above the table is passed over");
+    if (header_.titles > 1)
+      remark(std::to_string(header_.titles) + " lines above the table are passed over");
     if (header_.line == 0)
       remark("no line names the columns, which are called '" + list(header_.names) + "'");
     chooseExperiment();

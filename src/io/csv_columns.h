@@ -12,6 +12,7 @@ namespace uncertainty_identification {
 /// What stands above the numbers of a CSV file.
 struct CsvHeader {
   std::string path;
+  long titles = 0;                 ///< lines above the table, of a single cell each
   long line = 0;                   ///< of the names, from 1; 0: none, the names are invented
   std::vector<std::string> names;  ///< of the columns; one without a name is empty
   std::vector<std::string> units;  ///< of the row below the names, without brackets; empty: none

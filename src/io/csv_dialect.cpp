@@ -61,6 +61,15 @@ bool parseNumber(const CsvCell& cell, char point, double& value) {
   return shortNumber(cell, point, value) || longNumber(cell, point, value);
 }
 
+/// Whether the cell is this word, in whatever case.
+bool isWord(const CsvCell& cell, const char* word) {
+  const auto size = static_cast<std::ptrdiff_t>(std::strlen(word));
+  const auto is_same = [](char left, char right) {
+    return (left >= 'A' && left <= 'Z' ? left - 'A' + 'a' : left) == right;
+  };
+  return cell.end - cell.begin == size && std::equal(cell.begin, cell.end, word, is_same);
+}
+
 bool holds(const CsvCell& cell, char character) {
   return std::find(cell.begin, cell.end, character) != cell.end;
 }
@@ -122,6 +131,10 @@ std::vector<CsvCell> CsvDialect::split(const std::string& line) const {
 }
 
 bool CsvDialect::number(const CsvCell& cell, double& value) {
+  if (const std::optional<bool> state = switchState(cell)) {
+    value = *state ? 1 : 0;
+    return true;
+  }
   if (point_ != '\0') return parseNumber(cell, point_, value) || grouped(cell, value);
   const char point = holds(cell, ',') ? ',' : '.';
   if (!parseNumber(cell, point, value)) return grouped(cell, value);
@@ -161,6 +174,13 @@ std::string CsvDialect::remedyFor(const CsvCell& cell) const {
   if (separator_ == ',' && parseNumber(cell, ',', ignored))
     return "; numbers with decimal commas need another separator, such as ;";
   return "";
+}
+
+std::optional<bool> switchState(const CsvCell& cell) {
+  if (cell.empty() || (*cell.begin >= '0' && *cell.begin <= '9')) return std::nullopt;
+  if (isWord(cell, "true") || isWord(cell, "on")) return true;
+  if (isWord(cell, "false") || isWord(cell, "off")) return false;
+  return std::nullopt;
 }
 
 bool looksNumeric(const CsvCell& cell) {

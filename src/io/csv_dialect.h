@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,8 @@ class CsvDialect {
   void split(const char* begin, const char* end, std::vector<CsvCell>& cells) const;
   std::vector<CsvCell> split(const std::string& line) const;
 
-  /// Reads a number, whatever the locale of the program; false if the cell holds anything else.
+  /// Reads a number, whatever the locale of the program, or the state of a switch, as 1 or 0; false
+  /// if the cell holds anything else.
   /// Where the comma does not separate, the first number with a point or a comma decides which of
   /// the two is the decimal point of the file. Separators of thousands are passed over once a
   /// number such as 1,234.5 or 1.234.567 has shown which character they are; "1,234" alone could
@@ -55,6 +57,9 @@ class CsvDialect {
   char separator_, point_;  // point_ is 0 while it is not known
   char thousands_ = '\0';
 };
+
+/// The state of a switch that the cell names: true, false, on or off, in whatever case.
+std::optional<bool> switchState(const CsvCell& cell);
 
 /// Whether the cell is a number with a decimal point or comma, and perhaps separated thousands.
 bool looksNumeric(const CsvCell& cell);

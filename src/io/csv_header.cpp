@@ -53,6 +53,7 @@ class HeadFinder {
   }
 
   CsvHead run() {
+    passOverTitles();
     const std::string first = table_.front().text;
     head_.dialect = dialectBelow(first, 1);
     if (mostAreNumbers(head_.dialect.split(first)))
@@ -75,6 +76,26 @@ class HeadFinder {
       table_.push_back(line);
     else if (table_.empty() && !trimmedCell(begin, end).empty())
       comment_ = line;
+  }
+
+  /// Passes over lines of a single cell above rows of several: what a logger writes of itself.
+  void passOverTitles() {
+    if (separator_ != '\0' || table_.size() < 4) return;
+    const std::string& typical = table_[table_.size() / 2].text;
+    const CsvDialect dialect = dialectBelow(typical, 0);
+    const auto cells = [&](const NumberedLine& line) {
+      return namesOf(dialect.split(line.text)).size();
+    };
+    const std::size_t columns = dialect.split(typical).size();
+    const auto is_title = [&](const NumberedLine& line) { return cells(line) == 1; };
+    const auto first = std::find_if_not(table_.begin(), table_.end(), is_title);
+    const auto whole = std::count_if(
+        first, table_.end(), [&](const NumberedLine& line) { return cells(line) == columns; });
+    const auto titles = first - table_.begin();
+    if (columns < 2 || titles == 0 || 2 * whole < table_.end() - first) return;
+    head_.header.titles = titles;
+    comment_ = {};
+    table_.erase(table_.begin(), first);
   }
 
   CsvDialect dialectBelow(const std::string& header, std::size_t first_row) const {

@@ -17,7 +17,8 @@ struct CsvHead {
 };
 
 /// Finds the separator, the names and the row of units from the first lines. Passes over remarks
-/// and over a first line "sep=;". A comment directly above rows of numbers that has as many cells
+/// and titles, which are lines of a single cell above rows of several, and over a first line
+/// "sep=;". A comment directly above rows of numbers that has as many cells
 /// names the columns; where nothing does, they are t (rising like a clock) or column1, column2, ...
 /// Throws FileError for an empty file.
 CsvHead readHead(const std::string& path, CsvLines& lines);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -162,6 +164,41 @@ StandardErrors errorsAtTruth(const test::RandomSystemOptions& options,
   const test::CoreSetup setup(test::configurationOf(options), system.experiments);
   const Parametrisation parametrisation(setup.model(), Constraint::free, 1, MatrixXd(0, 0));
   return standardErrors(setup.likelihood(), parametrisation, test::parametersOf(system.truth));
+}
+
+/// Neighbouring samples of a smooth input are nearly the same, so that the information of the
+/// numerator's coefficients is nearly singular. They are determined all the same, as linear
+/// regression shows.
+TEST(StandardErrors, OfANumeratorBehindASmoothInputAreKnown) {
+  test::RandomSystemOptions options;
+  options.nb = 4;
+  options.na = options.nc = options.nd = options.taps = 0;
+  auto system = test::randomSystem(options, 7);
+  MatrixXd regressors(0, 4);
+  for (Experiment& experiment : system.experiments) {
+    const VectorXd rough = experiment.u;
+    experiment.u[0] = 0;
+    for (int pass = 0; pass < 6; ++pass)
+      for (Index t = 1; t < experiment.u.size(); ++t)
+        experiment.u[t] = 0.9 * experiment.u[t - 1] + 0.1 * experiment.u[t];
+    for (Index t = 0; t < experiment.u.size(); ++t) {
+      regressors.conservativeResize(regressors.rows() + 1, 4);
+      for (Index k = 0; k < 4; ++k) {
+        regressors(regressors.rows() - 1, k) = t > k ? experiment.u[t - 1 - k] : 0;
+        if (t > k)
+          experiment.y[t] += system.truth.b[k] * (experiment.u[t - 1 - k] - rough[t - 1 - k]);
+      }
+    }
+  }
+  const MatrixXd r =
+      regressors.householderQr().matrixQR().topRows(4).triangularView<Eigen::Upper>();
+  const MatrixXd inverse = r.inverse();
+  const StandardErrors errors = errorsAtTruth(options, system);
+  EXPECT_TRUE(errors.singular.empty());
+  for (Index k = 0; k < 4; ++k) {
+    const double expected = std::sqrt(system.truth.noise_variance) * inverse.row(k).norm();
+    EXPECT_NEAR(std::sqrt(errors.covariance(k, k)), expected, 0.01 * expected) << k;
+  }
 }
 
 /// An input that moves only just before the end shows b1 but never b2.

@@ -132,6 +132,22 @@ TEST(SimulationAnswer, PlayAsWideAsTheSensorsStepsIsNotNamed) {
   EXPECT_TRUE(test::mentions(none.refused, "hardly wider than the steps of 0.5")) << none.refused;
 }
 
+TEST(SimulationAnswer, IsUnknownWhereAConstantSimulatesBetter) {
+  const auto answered = [](double fit) {
+    Explanation found = withFriction(true, {});
+    found.verdict = Verdict::none;
+    found.simulation.causes.clear();
+    found.simulation.fit_before = found.simulation.fit_after = fit;
+    joinSimulation(&found);
+    return found;
+  };
+  EXPECT_EQ(answered(80).verdict, Verdict::none);
+  EXPECT_EQ(answered(30).verdict, Verdict::none) << "there may be much noise";
+  EXPECT_TRUE(test::mentions(answered(30).message, "nothing wrong, but the simulation fits"));
+  EXPECT_EQ(answered(-30).verdict, Verdict::unknown);
+  EXPECT_TRUE(test::mentions(answered(-30).message, "by -30 % only"));
+}
+
 TEST(SimulationAnswer, TellsThatNoiseChangesNoSimulation) {
   const auto message = [](const std::string& name, const std::string& group) {
     Explanation found = withFriction(true, {ofLikelihood(name, 74, 74)});
@@ -140,7 +156,7 @@ TEST(SimulationAnswer, TellsThatNoiseChangesNoSimulation) {
     joinSimulation(&found);
     return found.message;
   };
-  const std::string told = "The simulation is the same with it and fits held-out data by 74 %";
+  const std::string told = "The simulation is the same with it and fits data by 74 %";
   EXPECT_TRUE(test::mentions(message("noise_tails", "noise"), told));
   EXPECT_FALSE(test::mentions(message("act_delay", "actuator"), told));
 }
@@ -162,11 +178,12 @@ TEST(SimulationAnswer, NoiseExplainsNoSimulationThatFitsByLessThanHalf) {
 }
 
 TEST(SimulationAnswer, TooFewSamplesToSearchItNeedCausesThatMakeItBetter) {
-  const auto answered = [](const std::string& group, double after) {
+  const auto answered = [](const std::string& group, double after, bool is_held_out = true) {
     Explanation found = withFriction(true, {ofLikelihood("sens_drift", 84, after)});
     found.causes[0].group = group;
     found.simulation = {};
     found.simulation.skipped = "fewer than 200 samples";
+    if (is_held_out) found.held_out = {"12"};
     joinSimulation(&found);
     return found;
   };
@@ -175,6 +192,10 @@ TEST(SimulationAnswer, TooFewSamplesToSearchItNeedCausesThatMakeItBetter) {
   ASSERT_EQ(dropped.warnings.size(), 1u);
   EXPECT_TRUE(test::mentions(dropped.warnings[0], "sens_drift: makes the residuals white, but"));
   EXPECT_EQ(answered("sensor", 90).causes.size(), 1u);
+  const Explanation in_sample = answered("sensor", 90, false);
+  EXPECT_TRUE(in_sample.causes.empty());
+  EXPECT_EQ(in_sample.verdict, Verdict::unknown);
+  EXPECT_TRUE(test::mentions(in_sample.warnings.at(0), "no experiment is held out"));
   EXPECT_EQ(answered("noise", 84).causes.size(), 1u) << "changes no simulation";
 }
 

@@ -49,9 +49,16 @@ TEST(CsvDialect, NumbersAreExactToTheLastBit) {
     expectExact(text);
 }
 
+TEST(CsvDialect, StatesOfSwitchesAreOneAndZero) {
+  for (const char* text : {"True", "true", "ON", "on"}) EXPECT_EQ(numberIn(text), 1) << text;
+  for (const char* text : {"False", "FALSE", "off"}) EXPECT_EQ(numberIn(text), 0) << text;
+  EXPECT_FALSE(looksNumeric(cellOf("on"))) << "may well be the name of a column";
+}
+
 TEST(CsvDialect, OtherTextsAreNoNumbers) {
-  for (const char* text : {"", "-", "+", ".", "-.", "1.2.3", "1-2", "--1", "1 2", "1e", "e5", "1,5",
-                           "12:30", "1_000", "1;2", "abc", "1.5V"})
+  for (const char* text :
+       {"",   "-",   "+",     ".",     "-.",  "1.2.3", "1-2",  "--1",   "1 2", "1e",
+        "e5", "1,5", "12:30", "1_000", "1;2", "abc",   "1.5V", "truth", "o",   "offs"})
     EXPECT_TRUE(std::isnan(numberIn(text))) << text;
 }
 
