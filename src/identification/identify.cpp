@@ -145,6 +145,8 @@ Estimate identifyFrom(const Request& request, const std::vector<Experiment>& exp
   estimate.trust = trustOfInputs(std::move(estimate.trust), data);
   estimate.trust = trustOfLength(std::move(estimate.trust), estimate.nominal_model.a,
                                  longestOf(data.experiments));
+  estimate.trust = trustOfOrders(std::move(estimate.trust), journal->candidates,
+                                 estimate.simulation_fit_percent);
   estimate.validation = validate(problem, fitted, asked, validation, journal);
   estimate.trust = trustAfterValidation(std::move(estimate.trust), estimate.validation);
   return estimate;

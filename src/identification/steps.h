@@ -137,6 +137,11 @@ Trust trustOf(const FittedModel& fitted, const Estimate& estimate);
 /// be too short for its slowest time constant.
 Trust trustOfLength(Trust trust, const Eigen::VectorXd& a, int longest);
 
+/// The same for orders that were chosen among `candidates`, with a plant whose simulation fits its
+/// own experiments by `fit` [%]: parts that were held out may be simulated far worse.
+Trust trustOfOrders(Trust trust, const std::vector<Candidate>& candidates,
+                    std::optional<double> fit);
+
 /// The same for data of which hardly any input changes: constant ones do not show how gains differ;
 /// and for an output that wraps as an angle does.
 Trust trustOfInputs(Trust trust, const CheckedData& data);

@@ -122,6 +122,24 @@ Trust trustOfLength(Trust trust, const Eigen::VectorXd& a, int longest) {
   return trust;
 }
 
+Trust trustOfOrders(Trust trust, const std::vector<Candidate>& candidates,
+                    std::optional<double> fit) {
+  constexpr double kFar = 2.5, kGood = 90;  // ratio of errors; [%] fit
+  for (const Candidate& candidate : candidates) {
+    if (!fit || candidate.choice != "orders" || !candidate.chosen || !candidate.validation_fit)
+      continue;
+    const double held_out = *candidate.validation_fit;
+    if (held_out >= kGood || 100 - held_out < kFar * (100 - *fit)) continue;
+    trust.trusted = false;
+    trust.reasons.push_back(
+        "with the chosen orders, parts of the data that were held out are simulated far worse "
+        "(fit " +
+        number(held_out) + " %) than those fitted to (" + number(*fit) +
+        " %): the data are too few for these orders, or the plant changes or is not linear");
+  }
+  return trust;
+}
+
 Trust trustOfInputs(Trust trust, const CheckedData& data) {
   constexpr int kFewestMoved = 3;
   if (std::any_of(data.experiments.begin(), data.experiments.end(), wrapsOf)) {

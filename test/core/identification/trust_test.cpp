@@ -135,6 +135,23 @@ TEST(TrustOfLength, RecordsShorterThanTheSlowestTimeConstantExtrapolate) {
   EXPECT_TRUE(trustOfLength({}, slow, 160).trusted);
 }
 
+TEST(TrustOfOrders, ThatSimulateHeldOutDataFarWorseIsNotGiven) {
+  const auto found = [](double held_out, double fit) {
+    Candidate chosen, other;
+    chosen.choice = other.choice = "orders";
+    chosen.chosen = true;
+    chosen.validation_fit = held_out;
+    other.validation_fit = 10;
+    return trustOfOrders({}, {other, chosen}, fit);
+  };
+  EXPECT_TRUE(found(72, 74).trusted);
+  EXPECT_TRUE(found(95, 99.9).trusted) << "good enough";
+  const Trust far = found(52, 87);
+  ASSERT_EQ(far.reasons.size(), 1u);
+  EXPECT_FALSE(far.trusted);
+  EXPECT_TRUE(test::mentions(far.reasons[0], "(fit 52 %)")) << far.reasons[0];
+}
+
 TEST(TrustOfInputs, AnOutputThatWrapsIsNotTrusted) {
   CheckedData data;
   data.experiments.resize(1);
