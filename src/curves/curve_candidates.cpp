@@ -13,11 +13,12 @@ namespace {
 /// Of places that the data cannot tell apart, the first is named.
 int rankOf(const CurveCandidate& candidate) {
   constexpr Place kOrder[] = {
-      Place::input,        Place::position,      Place::rate,
-      Place::output_state, Place::sensor,        Place::time_gain,
-      Place::covariate,    Place::position_gain, Place::input_times_position,
-      Place::rate_gain,    Place::time,          Place::covariate_gain,
-      Place::play,         Place::rate_limit,    Place::output_play};
+      Place::input,          Place::position,      Place::rate,
+      Place::output_state,   Place::sensor,        Place::time_gain,
+      Place::covariate,      Place::position_gain, Place::input_times_position,
+      Place::hysteresis,     Place::rate_gain,     Place::time,
+      Place::covariate_gain, Place::play,          Place::rate_limit,
+      Place::output_play};
   return static_cast<int>(std::find(std::begin(kOrder), std::end(kOrder), candidate.place.place) -
                           std::begin(kOrder));
 }

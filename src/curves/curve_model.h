@@ -20,6 +20,7 @@ struct CurveModel {
   std::vector<Curve> curves;
   Eigen::VectorXd theta;
   double rate_scale = 1;                 ///< one unit of the rate, per sample
+  double input_zero = 0;                 ///< added to u to count from the physical zero
   std::vector<Eigen::VectorXd> initial;  ///< state at the beginning of each window; empty: unknown
 
   int linearParameters() const { return 2 * order + (direct ? 1 : 0) + 1; }

@@ -73,6 +73,10 @@ std::string inWords(const PlaceOf& at, const std::string& shape) {
       return "how strongly the input acts depends on the speed of the output, by " + what;
     case Place::input_times_position:
       return "how strongly the output acts back depends on the input, by " + what;
+    case Place::hysteresis:
+      return "the output follows the input in a loop that does not depend on speed (hysteresis): "
+             "each unit of motion pushes it back, by " +
+             what;
     case Place::sensor:
       return "the sensor reads through " + what;
     case Place::time_gain:
@@ -110,6 +114,9 @@ std::string adviceFor(Place place) {
       return "record reversals of different sizes: play loses the same width at each";
     case Place::rate_limit:
       return "record steps of different sizes: a limited rate makes large ones slower";
+    case Place::hysteresis:
+      return "record slow and fast cycles of the same size: the loop of a hysteresis stays the "
+             "same";
     case Place::time:
     case Place::time_gain:
       return "repeat the same input at the beginning and at the end of an experiment";
@@ -128,8 +135,11 @@ std::string causeNamed(Place place, const std::string& shape) {
       return plantNamed(shape);
     case Place::position_gain:
     case Place::rate_gain:
-    case Place::input_times_position:
       return "plant_product";
+    case Place::input_times_position:  // |u| x is Dahl's hysteresis
+      return shape == "magnitude" ? "plant_hysteresis" : "plant_product";
+    case Place::hysteresis:
+      return "plant_hysteresis";
     case Place::sensor:
       return shape == "saturation" ? "sens_clip" : shape == "curve" ? "sens_curve" : "sens_wiener";
     case Place::play:
@@ -152,7 +162,7 @@ std::string causeNamed(Place place, const std::string& shape) {
 
 std::vector<std::string> curveCauseNames() {
   std::set<std::string> names{"act_delay"};
-  for (int index = 0; index <= static_cast<int>(Place::output_state); ++index) {
+  for (int index = 0; index <= static_cast<int>(Place::hysteresis); ++index) {
     const auto place = static_cast<Place>(index);
     names.insert(causeNamed(place, "curve"));
     for (const Shape* shape : shapesAt(place)) names.insert(causeNamed(place, shape->name));

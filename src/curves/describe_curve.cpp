@@ -54,7 +54,8 @@ std::string signalOf(const PlaceOf& at) {
 
 bool isFactor(Place place) {
   return place == Place::position_gain || place == Place::rate_gain || place == Place::time_gain ||
-         place == Place::covariate_gain || place == Place::input_times_position;
+         place == Place::covariate_gain || place == Place::input_times_position ||
+         place == Place::hysteresis;
 }
 
 /// Whether the whole characteristic is drawn, and not only what it adds.

@@ -5,10 +5,11 @@
 namespace uncertainty_identification {
 
 std::string nameOf(Place place) {
-  static const std::array<const char*, 15> kNames{
+  static const std::array<const char*, 16> kNames{
       "input",       "position",  "rate",           "position_gain", "input_times_position",
       "sensor",      "play",      "rate_limit",     "time_gain",     "time",
-      "output_play", "covariate", "covariate_gain", "rate_gain",     "output_state"};
+      "output_play", "covariate", "covariate_gain", "rate_gain",     "output_state",
+      "hysteresis"};
   return kNames.at(static_cast<std::size_t>(place));
 }
 
@@ -35,7 +36,8 @@ bool hasPhysicalZero(Place place) {
 }
 
 bool isFedBack(Place place) {
-  return place == Place::position || place == Place::rate || place == Place::output_state;
+  return place == Place::position || place == Place::rate || place == Place::output_state ||
+         place == Place::hysteresis;
 }
 
 }  // namespace uncertainty_identification

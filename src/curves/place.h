@@ -27,7 +27,9 @@ enum class Place {
   covariate,             ///< f(covariate), added to the plant's input
   covariate_gain,        ///< the input acts by 1 + f(covariate)
   rate_gain,             ///< the input acts by 1 + f(rate)
-  output_state           ///< f(x), added to the change of x itself; plants of the second order on
+  output_state,          ///< f(x), added to the change of x itself; plants of the second order on
+  hysteresis  ///< |u| f(x), added to the plant's input: a loop that does not depend on speed, as of
+              ///< Dahl and of Bouc and Wen, where u is the velocity
 };
 
 /// What the place is called in results, such as "input" or "position".

@@ -100,9 +100,22 @@ void keepFirstLag(const SimulationData& data, std::vector<ScreenedPlace>* sorted
   *sorted = std::move(kept);
 }
 
+/// Whether the input goes both ways from its physical zero, so that its size is not itself.
+bool changesSign(const SimulationData& data) {
+  constexpr double kShare = 0.1;
+  double above = 0, below = 0, samples = 0;
+  for (const SimulationWindow& window : data.windows) {
+    above += static_cast<double>((window.u.array() > -data.scales.u.zero()).count());
+    below += static_cast<double>((window.u.array() < -data.scales.u.zero()).count());
+    samples += window.samples();
+  }
+  return std::min(above, below) > kShare * samples;
+}
+
 std::vector<PlaceOf> placesFor(const SimulationData& data, const CurveModel& model) {
   std::vector<PlaceOf> all{{Place::input, ""}, {Place::position, ""}};
   if (model.order > 1) all.push_back({Place::output_state, ""});
+  if (changesSign(data)) all.push_back({Place::hysteresis, ""});
   for (const Place place : {Place::rate, Place::position_gain, Place::input_times_position,
                             Place::rate_gain, Place::sensor, Place::time_gain, Place::time})
     all.push_back({place, ""});
@@ -187,6 +200,7 @@ CurveModel startBehind(const SimulationData& data, const CurveModel& linear, Pla
 CurveModel extended(const SimulationData& data, const WindowFit& fit, const PlaceOf& place,
                     double width) {
   CurveModel model = fit.model;
+  model.input_zero = data.scales.u.zero();
   const Curve curve = curveAt(data, place, &model);
   Eigen::VectorXd theta(model.theta.size() + curve.parameters());
   theta << model.theta, Eigen::VectorXd::Constant(curve.parameters(), width);
@@ -242,6 +256,11 @@ WindowFit fitPlace(const SimulationData& data, const WindowFit& before,
   }
   best = fitFreely(data, std::move(best.model), context.limits(25));
   const Place place = screened.place.place;
+  if (place == Place::hysteresis && !best.model.direct) {
+    // What has hysteresis, a damper or a magnet, mostly has a part that follows at once as well.
+    WindowFit direct = fitFreely(data, withDirectTerm(best.model), context.limits(25));
+    if (direct.left_out < 0.9 * best.left_out) best = std::move(direct);
+  }
   const bool is_before_plant = place == Place::play || place == Place::rate_limit;
   if (!is_before_plant || !before.model.curves.empty()) return best;
   CurveModel behind = startBehind(data, before.model, place);

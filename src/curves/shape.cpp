@@ -173,6 +173,7 @@ const std::map<Place, std::vector<std::string>>& namesAtPlaces() {
         "asymmetric_slope"}},
       {Place::position_gain, {"linear", "square", "tanh", "magnitude", "exponential", "hinge"}},
       {Place::input_times_position, {"linear", "square", "tanh", "magnitude", "exponential"}},
+      {Place::hysteresis, {"linear", "signed_square", "cubic"}},
       {Place::rate_gain, {"coulomb", "linear", "magnitude"}},
       {Place::sensor,
        {"saturation", "hinge", "square", "cubic", "exponential", "polynomial", "magnitude", "root",

@@ -138,6 +138,16 @@ void Simulator::feedBack(int k) {
         addDerivatives(c, slope, &input_.by, x_.value, &added_.by);
         break;
       }
+      case Place::hysteresis: {
+        const double input = input_.value + model_.input_zero, size = std::abs(input);
+        const double slope = curveAt(c, x_.value);
+        const auto& columns = tables_[c].columns;
+        const double value = (1 - share_) * columns(0, left_) + share_ * columns(0, left_ + 1);
+        added_.value += size * value;
+        if (derive_) added_.by += (input < 0 ? -value : value) * input_.by;
+        addDerivatives(c, slope, &x_.by, size, &added_.by);
+        break;
+      }
       case Place::time:
       case Place::covariate: {
         const double z =

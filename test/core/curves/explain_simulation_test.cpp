@@ -89,6 +89,34 @@ TEST(ExplainSimulation, NamesNoCurveByThreeSteps) {
   EXPECT_TRUE(by({0.5, 1, 1.5, 2}).skipped.empty());
 }
 
+/// Runs of a damper after Bouc and Wen: the force of a spring that yields, driven by the velocity.
+std::vector<Experiment> ofADamper(int exponent) {
+  std::vector<Experiment> all = emptyRuns(kRuns + kHeld, 0.01);
+  for (std::size_t r = 0; r < all.size(); ++r) {
+    std::mt19937_64 engine(r + 41);
+    std::normal_distribution<double> normal;
+    const double fast = 0.05 + 0.01 * static_cast<double>(r % 5),
+                 size = 1 + 0.1 * static_cast<double>(r % 7);
+    double z = 0;
+    for (int k = 0; k < kSamples; ++k) {
+      const double v = size * (std::sin(fast * k) + 0.6 * std::sin(0.37 * fast * k + 1));
+      all[r].u[k] = v;
+      all[r].y[k] = z + 0.01 * normal(engine);
+      z += 0.2 * (v - std::abs(v) * z * std::pow(std::abs(z), exponent - 1));
+    }
+  }
+  return all;
+}
+
+TEST(ExplainSimulation, NamesHysteresis) {
+  for (const int exponent : {1, 2}) {
+    const SimulationCauses found = explained(ofADamper(exponent));
+    ASSERT_FALSE(found.causes.empty()) << exponent;
+    EXPECT_EQ(found.causes.front().what.name, "plant_hysteresis") << exponent;
+    EXPECT_GT(found.fit_after, 95);
+  }
+}
+
 /// Runs whose output a second heater warms through a lag of 30 samples.
 std::vector<Experiment> besideAHeater() {
   std::vector<Experiment> all = runs(kRuns + kHeld, 31, same, none);

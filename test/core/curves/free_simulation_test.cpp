@@ -80,7 +80,7 @@ TEST_P(FreeSimulations, DerivativesAreThoseOfTheOutput) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEachPlace, FreeSimulations, testing::Range(0, 15));
+INSTANTIATE_TEST_SUITE_P(OfEachPlace, FreeSimulations, testing::Range(0, 16));
 
 TEST(FreeSimulation, OfALinearPlantIsItsDifferenceEquation) {
   const SimulationWindow window = slowWaves();
