@@ -1,11 +1,13 @@
 #include "curves/curve_candidates.h"
 
 #include <algorithm>
+#include <complex>
 #include <iterator>
 #include <utility>
 
 #include "curves/fit_comparison.h"
 #include "curves/held_out.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -40,6 +42,21 @@ void keepMostPromising(int places, std::vector<ScreenedPlace>* screened) {
   *screened = std::move(kept);
 }
 
+/// Whether the loop does not depend on speed, as hysteresis must not: without the curve the plant
+/// sums the motion up, by a pole at 1.
+bool sumsUp(const CurveModel& model) {
+  constexpr double kNear = 0.03;
+  const Eigen::VectorXcd poles = roots(model.theta.head(model.order));
+  return std::any_of(poles.data(), poles.data() + poles.size(),
+                     [](const std::complex<double>& pole) { return std::abs(pole - 1.0) < kNear; });
+}
+
+bool isPossible(const CurveCandidate& candidate) {
+  return candidate.fit.parameters() > 0 &&
+         (candidate.place.place != Place::hysteresis ||
+          (sumsUp(candidate.fit.model) && sumsUp(candidate.naming.fit.model)));
+}
+
 void addCurves(const SimulationData& data, const WindowFit& now, const CandidateLimits& limits,
                const CurveSearchContext& context, std::vector<CurveCandidate>* all) {
   constexpr int kShapes = 5;
@@ -58,7 +75,7 @@ void addCurves(const SimulationData& data, const WindowFit& now, const Candidate
     found[2 * k + 1].fit = whole.naming.fit;
   });
   for (CurveCandidate& candidate : found)
-    if (candidate.fit.parameters() > 0) all->push_back(std::move(candidate));
+    if (isPossible(candidate)) all->push_back(std::move(candidate));
 }
 
 /// Dead time must beat order + 2; a higher order must beat dead time where that gains much.

@@ -13,6 +13,15 @@ namespace {
 /// Number of states and direct terms, by which models are ordered.
 double sizeOf(const WindowFit& fit) { return fit.model.order + (fit.model.direct ? 0.5 : 0.0); }
 
+CurveModel withDirectTerm(const CurveModel& model) {
+  CurveModel larger = model;
+  larger.direct = true;
+  const Eigen::Index before = 2 * model.order, after = model.theta.size() - before;
+  larger.theta.resize(model.theta.size() + 1);
+  larger.theta << model.theta.head(before), 0.0, model.theta.tail(after);
+  return larger;
+}
+
 WindowFit withDelay(const SimulationData& data, const WindowFit& fit, int delay,
                     const CurveSearchContext& context) {
   CurveModel later = fit.model;

@@ -256,11 +256,6 @@ WindowFit fitPlace(const SimulationData& data, const WindowFit& before,
   }
   best = fitFreely(data, std::move(best.model), context.limits(25));
   const Place place = screened.place.place;
-  if (place == Place::hysteresis && !best.model.direct) {
-    // What has hysteresis, a damper or a magnet, mostly has a part that follows at once as well.
-    WindowFit direct = fitFreely(data, withDirectTerm(best.model), context.limits(25));
-    if (direct.left_out < 0.9 * best.left_out) best = std::move(direct);
-  }
   const bool is_before_plant = place == Place::play || place == Place::rate_limit;
   if (!is_before_plant || !before.model.curves.empty()) return best;
   CurveModel behind = startBehind(data, before.model, place);

@@ -102,15 +102,6 @@ CurveModel linearStart(const SimulationData& data, int order, bool direct, int d
   return best;
 }
 
-CurveModel withDirectTerm(const CurveModel& model) {
-  CurveModel larger = model;
-  larger.direct = true;
-  const Eigen::Index before = 2 * model.order, after = model.theta.size() - before;
-  larger.theta.resize(model.theta.size() + 1);
-  larger.theta << model.theta.head(before), 0.0, model.theta.tail(after);
-  return larger;
-}
-
 CurveModel withCancellingPair(const CurveModel& model, double pole) {
   const int n = model.order;
   CurveModel larger = model;

@@ -10,9 +10,6 @@ namespace uncertainty_identification {
 CurveModel linearStart(const SimulationData& data, int order, bool direct, int delay,
                        int iterations = 8);
 
-/// The model, which has none, with a direct term that is zero.
-CurveModel withDirectTerm(const CurveModel& model);
-
 /// The model with one order more: a pole at `pole` that a zero cancels.
 CurveModel withCancellingPair(const CurveModel& model, double pole);
 
