@@ -31,13 +31,16 @@ CandidateKind kindOf(PlantChange::Kind kind) {
                                              : CandidateKind::delay;
 }
 
-/// The best of the screened places, and those that machines most often have.
+/// The best of the screened places, and those that machines most often have. Hysteresis, which is
+/// rare and resembles other products, has to be the best of all.
 void keepMostPromising(int places, std::vector<ScreenedPlace>* screened) {
   std::vector<ScreenedPlace> kept;
   for (ScreenedPlace& each : *screened) {
     const Place place = each.place.place;
     const bool is_usual = place == Place::input || place == Place::position || place == Place::rate;
-    if (is_usual || static_cast<int>(kept.size()) < places) kept.push_back(std::move(each));
+    const bool is_too_rare = place == Place::hysteresis && !kept.empty();
+    const bool is_promising = static_cast<int>(kept.size()) < places && !is_too_rare;
+    if (is_usual || is_promising) kept.push_back(std::move(each));
   }
   *screened = std::move(kept);
 }

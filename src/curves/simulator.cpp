@@ -48,6 +48,16 @@ void Simulator::multiply(std::size_t curve, double z, const Eigen::ArrayXd* thro
   gain_.value *= factor;
 }
 
+/// added_ += factor curve(through)
+void Simulator::addProduct(std::size_t curve, const Dual& through, const Dual& factor) {
+  const double slope = curveAt(curve, through.value);
+  const auto& columns = tables_[curve].columns;
+  const double value = (1 - share_) * columns(0, left_) + share_ * columns(0, left_ + 1);
+  added_.value += factor.value * value;
+  if (derive_) added_.by += value * factor.by;
+  addDerivatives(curve, slope, &through.by, factor.value, &added_.by);
+}
+
 double Simulator::widthOf(std::size_t curve, double* sign) const {
   const double raw = model_.theta[first_[curve]];
   *sign = raw < 0 ? -1 : 1;
@@ -129,23 +139,14 @@ void Simulator::feedBack(int k) {
       case Place::covariate_gain:
         multiply(c, covariates_[c][k], nullptr);
         break;
-      case Place::input_times_position: {
-        const double slope = curveAt(c, input_.value);
-        const auto& columns = tables_[c].columns;
-        const double value = (1 - share_) * columns(0, left_) + share_ * columns(0, left_ + 1);
-        added_.value += x_.value * value;
-        if (derive_) added_.by += value * x_.by;
-        addDerivatives(c, slope, &input_.by, x_.value, &added_.by);
+      case Place::input_times_position:
+        addProduct(c, input_, x_);
         break;
-      }
       case Place::hysteresis: {
-        const double input = input_.value + model_.input_zero, size = std::abs(input);
-        const double slope = curveAt(c, x_.value);
-        const auto& columns = tables_[c].columns;
-        const double value = (1 - share_) * columns(0, left_) + share_ * columns(0, left_ + 1);
-        added_.value += size * value;
-        if (derive_) added_.by += (input < 0 ? -value : value) * input_.by;
-        addDerivatives(c, slope, &x_.by, size, &added_.by);
+        const double input = input_.value + model_.input_zero;
+        size_.value = std::abs(input);
+        if (derive_) size_.by = input < 0 ? -input_.by : input_.by;
+        addProduct(c, x_, size_);
         break;
       }
       case Place::time:

@@ -35,6 +35,7 @@ class Simulator {
   void addDerivatives(std::size_t curve, double slope, const Eigen::ArrayXd* through, double factor,
                       Eigen::ArrayXd* to) const;
   void add(std::size_t curve, const Dual& through, Dual* to);
+  void addProduct(std::size_t curve, const Dual& through, const Dual& factor);
   void distort(std::size_t curve, Dual* signal);
   void multiply(std::size_t curve, double z, const Eigen::ArrayXd* through);
   void play(std::size_t curve, Dual* signal);
@@ -59,7 +60,7 @@ class Simulator {
   Eigen::ArrayXXd by_state_;  ///< columns_ x order
   double previous_ = 0;
   Eigen::ArrayXd previous_by_;
-  Dual x_, input_, gain_, added_, to_state_, rate_, total_, plant_output_, output_;
+  Dual x_, input_, gain_, added_, to_state_, rate_, total_, plant_output_, output_, size_;
   int left_ = 0;
   double share_ = 0;
 };
