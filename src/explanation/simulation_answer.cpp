@@ -140,7 +140,7 @@ void dropUnconfirmed(Explanation* explanation) {
                                   ": raises the likelihood, but neither held-out data nor a useful "
                                   "simulation confirm it, and tests still fail; not named");
   if (explanation->causes.empty()) forgetModelWithCauses(explanation);
-  conclude(explanation);
+  conclude(explanation, true);
 }
 
 /// Where the data are too few to search for what the simulation lacks, what makes the residuals
@@ -228,7 +228,7 @@ void warnOfPoorSimulation(Explanation* explanation) {
   const bool is_aside = std::all_of(causes.begin(), causes.end(), [&](const Cause& cause) {
     return isOfSamples(cause) || cause.group == "noise" || cause.name == "sens_outliers";
   });
-  if (causes.empty() || !is_aside) return;
+  if (causes.empty() || !is_aside || (lacks.empty() && !std::isfinite(fit))) return;
   if (lacks.empty()) {
     explanation->message += ". The simulation is the same with it and fits " +
                             std::string(explanation->held_out.empty() ? "" : "held-out ") +
@@ -282,6 +282,7 @@ void dropPlayOfSensorSteps(const std::vector<Experiment>& fitted, SimulationCaus
                           rounded(step) + " in which the sensor reads, and simulates as these do";
     simulation->causes.clear();
     simulation->fit_after = simulation->fit_before;
+    for (SimulatedWindow& window : simulation->pictures) window.after = window.before;
     return;
   }
 }

@@ -122,6 +122,7 @@ TEST(SimulationAnswer, PlayAsWideAsTheSensorsStepsIsNotNamed) {
     SimulationCauses simulation = withFriction(false, {}).simulation;
     simulation.causes[0].what = {"sens_backlash", "output_play", "output_play", ""};
     simulation.causes[0].values = {{"half_width", half_width, 0.01}};
+    simulation.pictures = {{"1", 0, 1, {}, Eigen::Vector2d(1, 2), Eigen::Vector2d(3, 4)}};
     dropPlayOfSensorSteps(rounded, &simulation);
     return simulation;
   };
@@ -129,6 +130,7 @@ TEST(SimulationAnswer, PlayAsWideAsTheSensorsStepsIsNotNamed) {
   const SimulationCauses none = remaining(kStep);
   EXPECT_TRUE(none.causes.empty());
   EXPECT_EQ(none.fit_after, none.fit_before);
+  EXPECT_EQ(none.pictures.at(0).after, none.pictures.at(0).before);
   EXPECT_TRUE(test::mentions(none.refused, "hardly wider than the steps of 0.5")) << none.refused;
 }
 
@@ -159,6 +161,12 @@ TEST(SimulationAnswer, TellsThatNoiseChangesNoSimulation) {
   const std::string told = "The simulation is the same with it and fits data by 74 %";
   EXPECT_TRUE(test::mentions(message("noise_tails", "noise"), told));
   EXPECT_FALSE(test::mentions(message("act_delay", "actuator"), told));
+  Explanation unknown_fit = withFriction(true, {ofLikelihood("noise_tails", NAN, NAN)});
+  unknown_fit.causes[0].group = "noise";
+  unknown_fit.simulation = {};
+  unknown_fit.simulation.skipped = "the input is constant";
+  joinSimulation(&unknown_fit);
+  EXPECT_FALSE(test::mentions(unknown_fit.message, "nan")) << unknown_fit.message;
 }
 
 /// Also where the data were too few to search the simulation.
