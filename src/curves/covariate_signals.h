@@ -13,8 +13,8 @@
 namespace uncertainty_identification {
 
 /// The covariates that move within some experiment and are known in all of them and of `held`, and
-/// each behind lags of 2 to 256 `lag_unit` [s], in powers of two; 0: without lags. By names that
-/// people can read.
+/// each of them behind first-order lags whose time constants are 2, 4, ... 256 times `lag_unit`
+/// [s]; with 0 there are no lags. The keys are names for people: "heater behind a lag of 4 s".
 std::map<std::string, CovariateScale> covariateScales(const std::vector<Experiment>& experiments,
                                                       const std::vector<Experiment>& held,
                                                       double lag_unit);

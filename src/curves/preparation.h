@@ -23,8 +23,9 @@ struct WindowPlan {
 WindowPlan planWindows(const std::vector<Experiment>& experiments);
 
 /// Scales of the signals of `experiments`. Covariates are those that move in some experiment and
-/// are known in all, those of `held` as well: a second heater may be off for a whole record. They
-/// are there behind lags as well, of so many `lag_unit` [s] as covariateScales() says; 0: not.
+/// are known in all, those of `held` as well: a second heater may be off for a whole record. Each
+/// covariate is also given behind the lags of covariateScales(), which are multiples of `lag_unit`
+/// [s]; with 0 there are no lags.
 SignalScales scalesOf(const std::vector<Experiment>& experiments,
                       const std::vector<Experiment>& held = {}, double lag_unit = 0);
 

@@ -42,8 +42,9 @@ struct SignalScales {
   std::map<std::string, CovariateScale> covariates;
 };
 
-/// Offset and unit of a signal of which these are the sums. The mean is kept where it is small and
-/// not to be removed.
+/// Offset and unit of a signal with this sum and sum of squares over `count` samples. The unit is
+/// its standard deviation. The offset is its mean if `remove_mean` is true or the mean is larger
+/// than three deviations, and zero otherwise.
 Scale scaleOf(double sum, double squares, double count, bool remove_mean);
 
 /// Windows of all records with one sample time.
