@@ -161,6 +161,12 @@ Optimum maximumLikelihood(const Likelihood& likelihood, const ModelParameters& s
     return optimum;
   }
   optimum.trace.push_back({optimum.iterations, likelihood.passes(), near.log_likelihood, {}});
+  if (options.max_iterations <= kScoringSteps) {  // the whitening costs more than all of these
+    optimum.termination = cancelled ? Termination::cancelled : Termination::iteration_limit;
+    optimum.message = messageOf(optimum.termination);
+    optimum.point = near.parameters;
+    return optimum;
+  }
   QuasiNewton search(likelihood, parametrisation, recording, std::move(near), &optimum);
   optimum.termination = maximise(options, cancelled, &optimum, &search);
   optimum.message = messageOf(optimum.termination);

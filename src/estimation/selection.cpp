@@ -78,6 +78,17 @@ class Selection {
     return larger;
   }
 
+  /// Whether the last models simulate held-out data no better than a smaller one does: larger ones
+  /// cost the most and gain the least.
+  static bool gainNoMore(const std::vector<OrderFit>& models) {
+    constexpr std::size_t kInVain = 3;
+    constexpr double kImmaterial = 0.1;  // [% of fit]
+    std::size_t best = 0;
+    for (std::size_t k = 1; k < models.size(); ++k)
+      if (!(models[k].held_out_fit <= models[best].held_out_fit + kImmaterial)) best = k;
+    return models.size() > best + kInVain;
+  }
+
   /// Output-error models of increasing order, each with the delay of the smallest Steiglitz-McBride
   /// residual.
   std::vector<OrderFit> outputErrorModels() {
@@ -106,7 +117,7 @@ class Selection {
       fits_.crossValidate(&model);
       record(model);
       models.push_back(std::move(model));
-      if (!report(0.7 * order / largest)) break;
+      if (!report(0.7 * order / largest) || gainNoMore(models)) break;
     }
     return models;
   }

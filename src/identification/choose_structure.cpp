@@ -153,9 +153,12 @@ StructureFit withNoiseOrders(const Problem& problem, const StructureFit& chosen,
   }
   std::vector<StructureFit> fits;
   for (const ErrorStructure& structure : structures) {
-    if (auto fit = fitStructure(problem, structure, {chosen.start()}, true, journal))
-      fits.push_back(std::move(*fit));
-    if (journal->progress.searchEnds()) break;
+    const double before = fits.empty() ? 0 : fits.back().log_likelihood;
+    auto fit = fitStructure(problem, structure, {chosen.start()}, true, journal);
+    if (!fit) continue;
+    const bool in_vain = fits.size() > 1 && fit->log_likelihood < before + kImmaterial;
+    fits.push_back(std::move(*fit));
+    if (in_vain || journal->progress.searchEnds()) break;
   }
   if (fits.empty()) return chosen;
   return bestOf(problem, fits, "noise orders", false, journal);

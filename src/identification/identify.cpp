@@ -29,12 +29,13 @@ Problem problemOf(const Request& request, const CheckedData& data, Journal* jour
   return problem;
 }
 
-/// The data with the beginnings of long records in place of the whole: folds need Go alone, and one
-/// fit each.
+/// The data with the beginnings of long records in place of the whole, and of very many records a
+/// part: folds need Go alone, and one fit each.
 CheckedData beginnings(CheckedData data) {
   constexpr int kAlways =
       2000;  // samples of a record that are kept, however many records there are
   const int longest = std::max(kAlways, kEnoughSamples / data.count());
+  data.experiments = fewerSamples(data.experiments, 10 * kEnoughSamples);
   for (Experiment& experiment : data.experiments)
     if (experiment.samples() > longest) experiment = excerpt(experiment, 0, longest);
   data.blocks = makeBlocks(data.experiments);
@@ -176,7 +177,8 @@ Estimate identify(const Request& request, const std::vector<Experiment>& experim
 }
 
 FoldModel identifyPlant(const Request& request, const std::vector<Experiment>& experiments) {
-  constexpr int kEnough = 12;  // iterations from the estimate of all folds
+  constexpr int kEnough = 5;           // scoring steps from the estimate of all folds
+  constexpr double kTolerance = 1e-3;  // [nats]
   Journal journal{ProgressPhases(request.progress)};
   const Interruption interruption([&] { return journal.progress.mustEnd(); });
   const CheckedData data = beginnings(checkData(request.configuration, experiments, &journal));
@@ -184,8 +186,9 @@ FoldModel identifyPlant(const Request& request, const std::vector<Experiment>& e
   problem.plant = fitPlant(problem, &journal);
   if (!problem.plant) {
     adopt(chooseModel(problem, problem.configuration, &journal), &problem);
-    int& iterations = problem.configuration.estimation.max_iterations;
-    iterations = std::min(iterations, kEnough);
+    EstimationOptions& estimation = problem.configuration.estimation;
+    estimation.max_iterations = std::min(estimation.max_iterations, kEnough);
+    estimation.tolerance = std::max(estimation.tolerance, kTolerance);
     const FittedModel fitted = fitModel(problem, &journal);
     problem.plant = plantOf(*fitted.model, fitted.optimum.point);
     problem.plant->polynomials = meanPlant(*fitted.model, fitted.optimum.point);

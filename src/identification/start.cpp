@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "estimation/excerpt.h"
 #include "estimation/initial_guess.h"
 #include "estimation/selection.h"
 #include "identification/steps.h"
@@ -186,7 +187,8 @@ VectorXd givenParameters(const Problem& problem, const LinearModel& model) {
 
 std::vector<VectorXd> startsFromData(const Problem& problem, const LinearModel& model) {
   const Configuration& configuration = problem.configuration;
-  const std::vector<Experiment>& experiments = problem.data.experiments;
+  const std::vector<Experiment> experiments =
+      fewerSamples(problem.data.experiments, 2 * kEnoughSamples);
   const LinearModel plain(remainingNominalModel(problem), model.basis(), configuration.estimation);
   std::vector<VectorXd> starts =
       problem.plant

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "math/polynomial.h"
-#include "model/central_differences.h"
 #include "model/continuous_poles.h"
 #include "model/zero_order_hold.h"
 #include "uncertainty_identification/errors.h"
@@ -28,11 +27,13 @@ double leadingZeros(const Eigen::VectorXd& b) {
 }
 
 /// The product of p, a polynomial in s with ascending powers, and 1 + f1 s + f2 s^2.
-Eigen::VectorXd times(const Eigen::VectorXd& p, double f1, double f2, Eigen::Index degree) {
-  Eigen::VectorXd out = Eigen::VectorXd::Zero(p.size() + degree);
+template <typename Scalar>
+Coefficients<Scalar> times(const Coefficients<Scalar>& p, const Scalar& f1, const Scalar& f2,
+                           Eigen::Index degree) {
+  Coefficients<Scalar> out = Coefficients<Scalar>::Zero(p.size() + degree);
   out.head(p.size()) = p;
-  out.segment(1, p.size()) += f1 * p;
-  if (degree == 2) out.segment(2, p.size()) += f2 * p;
+  out.segment(1, p.size()) += p * f1;
+  if (degree == 2) out.segment(2, p.size()) += p * f2;
   return out;
 }
 
@@ -87,49 +88,31 @@ class Continuous : public NominalModel {
   /// sample time as unit of time is sampled; its characteristic polynomial and numerator follow by
   /// the Faddeev-LeVerrier recursion.
   Polynomials polynomials(const Eigen::VectorXd& theta) const override {
-    const std::vector<double> value = values(theta);
-    Eigen::VectorXd numerator = Eigen::VectorXd::Ones(1), denominator = numerator;
-    double dead_samples = 0;
-    for (std::size_t k = 0; k < physical_.size(); ++k) {
-      const double scaled = value[k] / sample_time_;
-      switch (physical_[k].kind) {
-        case Physical::gain:
-          numerator *= value[k];
-          break;
-        case Physical::time_constant:
-          denominator = times(denominator, scaled, 0, 1);
-          break;
-        case Physical::frequency: {
-          const double w = value[k] * sample_time_;
-          denominator = times(denominator, 2 * value[k + 1] / w, 1 / (w * w), 2);
-          break;
-        }
-        case Physical::zero:
-          numerator = times(numerator, scaled, 0, 1);
-          break;
-        case Physical::dead_time:
-          dead_samples = scaled;
-          break;
-        case Physical::damping:
-          break;
-      }
-    }
+    Sampled<double> sampled = sample(values(theta));
     Polynomials p;
     p.delay = delay_;
-    discretise(numerator, denominator, dead_samples, extra_, &p);
+    p.b = std::move(sampled.b);
+    p.a = std::move(sampled.a);
     p.c = theta.segment(theta.size() - nc_ - nd_, nc_);
     p.d = theta.tail(nd_);
     return p;
   }
 
-  /// By differences, but C and D are theta's own.
+  /// Exact, by dual numbers, a few parameters at a time; C and D are theta's own.
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& theta) const override {
+    constexpr Eigen::Index kAtOnce = Dual::DerType::SizeAtCompileTime;
     const Eigen::Index noise = nc_ + nd_, own = theta.size() - noise;
-    const Eigen::MatrixXd of_plant = centralDifferences(
-        [this](const Eigen::VectorXd& at) { return polynomials(at).stacked(); }, theta, own);
-    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(of_plant.rows(), theta.size());
-    all.leftCols(own) = of_plant;
+    const Eigen::Index nb = order_ + extra_, plant = nb + order_;
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(plant + noise, theta.size());
     all.bottomRightCorner(noise, noise).setIdentity();
+    for (Eigen::Index first = 0; first < own; first += kAtOnce) {
+      const Eigen::Index count = std::min(kAtOnce, own - first);
+      const Sampled<Dual> sampled = sample(dualValues(theta, first));
+      for (Eigen::Index k = 0; k < plant; ++k) {
+        const Dual& coefficient = k < nb ? sampled.b[k] : sampled.a[k - nb];
+        all.row(k).segment(first, count) = coefficient.derivatives().head(count).transpose();
+      }
+    }
     return all;
   }
 
@@ -246,12 +229,59 @@ class Continuous : public NominalModel {
            kind == Physical::damping;
   }
 
+  /// B and A at the values of all physical parameters.
+  template <typename Scalar>
+  Sampled<Scalar> sample(const std::vector<Scalar>& value) const {
+    Coefficients<Scalar> numerator = Coefficients<Scalar>::Ones(1), denominator = numerator;
+    Scalar dead_samples(0);
+    const Scalar rate(1 / sample_time_), one(1);
+    for (std::size_t k = 0; k < physical_.size(); ++k) {
+      const Scalar scaled = value[k] * rate;
+      switch (physical_[k].kind) {
+        case Physical::gain:
+          numerator *= value[k];
+          break;
+        case Physical::time_constant:
+          denominator = times<Scalar>(denominator, scaled, Scalar(0), 1);
+          break;
+        case Physical::frequency: {
+          const Scalar period = one / (value[k] * Scalar(sample_time_));
+          const Scalar slope = Scalar(2) * value[k + 1] * period, square = period * period;
+          denominator = times<Scalar>(denominator, slope, square, 2);
+          break;
+        }
+        case Physical::zero:
+          numerator = times<Scalar>(numerator, scaled, Scalar(0), 1);
+          break;
+        case Physical::dead_time:
+          dead_samples = scaled;
+          break;
+        case Physical::damping:
+          break;
+      }
+    }
+    return discretise<Scalar>(numerator, denominator, dead_samples, extra_);
+  }
+
   double maxDeadTime() const { return sample_time_ * (extra_ - 1); }
 
   std::vector<double> values(const Eigen::VectorXd& theta) const {
     std::vector<double> all;
     Eigen::Index next = 0;
     for (const Physical& p : physical_) all.push_back(p.fixed ? p.value : theta[next++]);
+    return all;
+  }
+
+  /// The same, with the derivatives by the estimated parameters from `first` on.
+  std::vector<Dual> dualValues(const Eigen::VectorXd& theta, Eigen::Index first) const {
+    std::vector<Dual> all;
+    Eigen::Index next = 0;
+    for (const Physical& p : physical_) {
+      all.emplace_back(p.fixed ? p.value : theta[next]);
+      if (p.fixed) continue;
+      const Eigen::Index k = next++ - first;
+      if (k >= 0 && k < Dual::DerType::SizeAtCompileTime) all.back().derivatives()[k] = 1;
+    }
     return all;
   }
 

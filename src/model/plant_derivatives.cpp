@@ -64,6 +64,7 @@ const MatrixXd& PlantCoefficients::jacobianDerivative(const DerivativeIndex& dir
     const auto moved = [&](double distance) -> MatrixXd {
       VectorXd there = theta_;
       there[j] += distance;
+      if (others.empty()) return nominal_.jacobian(there).topRows(nb_ + na_);
       return PlantCoefficients(nominal_, there).jacobianDerivative(others);
     };
     result =

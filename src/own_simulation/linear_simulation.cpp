@@ -115,12 +115,11 @@ class LinearSimulation : public Simulation {
       direct = gain * delayFilter(std::ceil(dead_samples - 1e-9));
     }
     if (numerator.size() > 0) {
-      Polynomials polynomials;
       const int extra = static_cast<int>(std::ceil(dead_samples)) + 2;
-      discretise(numerator, denominator, dead_samples, extra, &polynomials);
-      system.num.resize(polynomials.b.size() + 1);
-      system.num << 0, polynomials.b;
-      system.den = withLeadingOne(polynomials.a);
+      const Sampled<double> plant = discretise<double>(numerator, denominator, dead_samples, extra);
+      system.num.resize(plant.b.size() + 1);
+      system.num << 0, plant.b;
+      system.den = withLeadingOne(plant.a);
     }
     if (direct.size() > 0) system.num = sumOf(system.num, product(direct, system.den));
     return system;
