@@ -13,15 +13,14 @@
 #include "curves/describe_curve.h"
 #include "curves/held_out.h"
 #include "curves/preparation.h"
-#include "data/experiment_checks.h"
 
 namespace uncertainty_identification {
 namespace {
 
 constexpr int kMostSamples = 6000;  ///< that are fitted to: enough for a curve, and a bounded time
 constexpr int kFewestSamples = 200, kFewestWindows = 4;
-constexpr std::size_t kFewestSteps = 4;
-constexpr const char* kFewSteps = "fewer than four records of a single step each";
+constexpr int kFewestSteps = 4;
+constexpr const char* kFewSteps = "the input makes fewer than four steps";
 
 /// The last third of the windows.
 SimulationData lastThird(SimulationData* data) {
@@ -48,12 +47,22 @@ std::string sentenceOf(const WindowPlan& plan, const SimulationData& data, std::
   return text.str();
 }
 
-/// Whether the input changes at most once in each of a few records. Steps of two or three sizes
-/// show that the answers differ, but many curves follow so few answers.
+/// Number of samples at which a signal changes.
+int changesOf(const Eigen::VectorXd& signal) {
+  const Eigen::Index count = signal.size();
+  return count < 2
+             ? 0
+             : static_cast<int>(
+                   (signal.tail(count - 1).array() != signal.head(count - 1).array()).count());
+}
+
+/// Whether the inputs of all records together make few steps. Steps of two or three sizes show that
+/// the answers differ, but many curves follow so few answers.
 bool areFewSteps(const std::vector<Experiment>& fitted, const std::vector<Experiment>& held) {
-  return fitted.size() + held.size() < kFewestSteps &&
-         std::all_of(fitted.begin(), fitted.end(), isSingleStep) &&
-         std::all_of(held.begin(), held.end(), isSingleStep);
+  int steps = 0;
+  for (const auto* records : {&fitted, &held})
+    for (const Experiment& record : *records) steps += std::max(1, changesOf(record.u));
+  return steps < kFewestSteps;
 }
 
 std::string reasonToSkip(const SimulationData& data) {

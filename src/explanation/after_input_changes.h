@@ -12,4 +12,9 @@ namespace uncertainty_identification {
 /// block; 1 where the input changes all the time, or never.
 double afterInputChanges(const std::vector<Signals>& marked, const FitData& data, int delay);
 
+/// p-value of the rank correlation between the sizes of the residuals and how much the known
+/// signals, the input and covariates, have changed just before: of a normal distribution, if they
+/// were independent. 1 where the correlation is negligible.
+double sizeByChanges(const std::vector<Signals>& residuals, const FitData& data, int delay);
+
 }  // namespace uncertainty_identification

@@ -263,9 +263,10 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
     else
       explanation_.warnings.push_back(reason);
   }
-  const bool withheld = explanation_.causes.empty() && !found.causes.empty();
-  const SearchState& named = withheld ? base : found;
-  if (withheld) explanation_.checks_after = explanation_.checks_before;
+  const bool withheld = explanation_.causes.size() < found.causes.size();
+  const bool nothing_named = withheld && explanation_.causes.empty();
+  const SearchState& named = nothing_named ? base : found;
+  if (nothing_named) explanation_.checks_after = explanation_.checks_before;
   if (const Check check = parsimony(named); !check.passed) {
     explanation_.checks_before.push_back(parsimony(base));
     explanation_.checks_after.push_back(check);

@@ -180,6 +180,7 @@ ResidualDistribution residualDistribution(const Fit& fit, const FitData& data,
   const NominalModel& nominal = fit.model->nominal();
   const int delay = nominal.polynomials(fit.at.parameters.head(nominal.parameterCount())).delay;
   distribution.after_changes = afterInputChanges(marked, data, delay);
+  distribution.by_changes = sizeByChanges(residuals.standardised, data, delay);
   return distribution;
 }
 

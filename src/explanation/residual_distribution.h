@@ -24,9 +24,13 @@ struct ResidualDistribution {
   double clustering = 1;
   /// p-value of large residuals lying so often behind changes of the input.
   double after_changes = 1;
+  /// p-value of residuals being the larger, the more the known signals have changed just before.
+  double by_changes = 1;
 
   /// Whether they lie as noise does: neither in bursts nor behind changes of the input.
-  bool isOfNoise() const { return clustering >= 1e-6 && after_changes >= 1e-3; }
+  bool isOfNoise() const {
+    return clustering >= 1e-6 && after_changes >= 1e-3 && by_changes >= 1e-4;
+  }
 
   /// Whether the residuals are better explained by wrong readings than by disturbances.
   bool areAdditive() const;

@@ -122,6 +122,40 @@ bool isReachedByDifferentInputs(const std::vector<Experiment>& experiments, doub
          kWidely * std::sqrt(std::max(variance, 0.0));
 }
 
+/// Whether the output comes to a value, and leaves it, at a speed that its readings show: by more
+/// than a few of their smallest differences a sample. Readings of coarse resolution repeat their
+/// largest value also where the machine turns round, but the last steps there are small.
+bool isReachedAtSpeed(const std::vector<Experiment>& experiments, double value, double resolution) {
+  constexpr double kFew = 2.5;
+  std::vector<double> steps;
+  for (const Experiment& experiment : experiments) {
+    const Eigen::VectorXd& y = experiment.y;
+    const auto known = [&](int t) {
+      return t >= 0 && t < experiment.samples() && experiment.isValid(t);
+    };
+    for (int t = 0; t < experiment.samples(); ++t) {
+      if (!known(t) || y[t] != value) continue;
+      if (known(t - 1) && known(t - 2) && y[t - 1] != value)
+        steps.push_back(std::abs(y[t - 1] - y[t - 2]));
+      if (known(t + 1) && known(t + 2) && y[t + 1] != value)
+        steps.push_back(std::abs(y[t + 1] - y[t + 2]));
+    }
+  }
+  if (steps.empty()) return true;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>((steps.size() - 1) / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle > kFew * resolution;
+}
+
+/// The smallest difference between two values that differ by more than rounding.
+double smallestDifference(const std::vector<double>& sorted) {
+  const double rounding = 1e-9 * (sorted.back() - sorted.front());
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < sorted.size(); ++k)
+    if (sorted[k] - sorted[k - 1] > rounding) least = std::min(least, sorted[k] - sorted[k - 1]);
+  return least;
+}
+
 /// How often the values next to the first one occur, in the median of five. Coarse resolution
 /// repeats values everywhere, a limit only its own.
 template <typename Iterator>
@@ -217,11 +251,12 @@ std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experimen
     return {{"sens_quant", {exact("step", "unit of y", step)}}};
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const double low = values.front(), high = values.back();
-  const double held = heldShare(experiments, values);
+  const double held = heldShare(experiments, values), resolution = smallestDifference(values);
   const auto isLimit = [&](double value, double next_to_it) {
     const auto count = static_cast<double>(visits(experiments, value, held > 0));
     return count >= kFewest && count >= kCrowded * next_to_it &&
-           isReachedByDifferentInputs(experiments, value);
+           isReachedByDifferentInputs(experiments, value) &&
+           isReachedAtSpeed(experiments, value, resolution);
   };
   const bool at_low = isLimit(low, visitsNextTo(values.begin(), values.end()));
   const bool at_high = isLimit(high, visitsNextTo(values.rbegin(), values.rend()));

@@ -37,8 +37,21 @@ std::string notNamed(const std::string& failed) {
          failed;
 }
 
+std::string partlyNamed(const std::string& names) {
+  return names +
+         " explains part of what is wrong; what would describe the rest is not named as a cause, "
+         "for reasons that the warnings tell";
+}
+
 std::string joined(const std::string& list, const std::string& name) {
   return list.empty() ? name : list + ", " + name;
+}
+
+/// Whether a cause is noise that a single record shows, and no other one clearly confirms.
+bool isUnconfirmedNoise(const FoundCause& found, const SearchState& state) {
+  constexpr double kClear = 6;  // [nats] of held-out records
+  const bool confirmed = !state.fitted_to && found.gain && found.gain->log_density > kClear;
+  return state.train.count() == 1 && !confirmed && groupOf(found.effect->name()) == "noise";
 }
 
 }  // namespace
@@ -65,6 +78,11 @@ std::string reasonNotToName(const FoundCause& found, const SearchState& state, b
     return named(*found.effect) +
            ": the orders of the model were chosen, not stated, and one order more may be all that "
            "this describes; it is not named as a cause";
+  if (passed && isUnconfirmedNoise(found, state))
+    return named(*found.effect) +
+           " would describe the residuals, but a single record does not tell noise from what the "
+           "model lacks; it is not named as a cause: record again, or give another record by "
+           "--validation";
   if (passed || !isSymptom(found, state)) return "";
   return named(*found.effect) +
          " describes part of what is wrong, but may be only a symptom: not all of it is explained";
@@ -94,12 +112,16 @@ void conclude(Explanation* explanation, bool withheld) {
   if (explanation->causes.empty()) {
     explanation->verdict = passed ? Verdict::none : Verdict::unknown;
   } else {
-    explanation->verdict = passed ? Verdict::explained : Verdict::partly_explained;
+    explanation->verdict = passed && !withheld ? Verdict::explained : Verdict::partly_explained;
   }
   const std::string names = describedNames(explanation->causes);
   std::string failed;
   for (const Check& check : explanation->checks_after)
     if (!check.passed) failed = joined(failed, check.name);
+  if (withheld && passed && !explanation->causes.empty()) {
+    explanation->message = partlyNamed(names);
+    return;
+  }
   const bool ended_early = explanation->termination == Termination::iteration_limit;
   if (explanation->verdict != Verdict::unknown || !(withheld || ended_early))
     explanation->message = messageOf(explanation->verdict, names, failed);

@@ -24,7 +24,7 @@ Check parsimony(const SearchState& state);
 std::string describedNames(const std::vector<Cause>& causes);
 
 /// Sets verdict and message of an explanation from its causes and checks. `withheld`: causes were
-/// found, and none of them is named.
+/// found that are not named.
 void conclude(Explanation* explanation, bool withheld = false);
 
 }  // namespace uncertainty_identification

@@ -84,7 +84,7 @@ TEST(ExplainSimulation, NamesNoCurveByThreeSteps) {
   const auto by = [&](const std::vector<double>& sizes) {
     return explainSimulation(stepsOfSizes(sizes), {}, {}, &pool);
   };
-  EXPECT_EQ(by({0.5, 1, 2}).skipped, "fewer than four records of a single step each");
+  EXPECT_EQ(by({0.5, 1, 2}).skipped, "the input makes fewer than four steps");
   EXPECT_TRUE(by({0.5, 1, 2}).causes.empty());
   EXPECT_TRUE(by({0.5, 1, 1.5, 2}).skipped.empty());
 }

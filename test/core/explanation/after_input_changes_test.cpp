@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace uncertainty_identification {
 namespace {
 
@@ -36,6 +38,29 @@ TEST(AfterInputChanges, IsImprobableWhereLargeResidualsFollowTheInput) {
   EXPECT_LT(afterInputChanges(marked(data, kDelay + 3), data, kDelay), 1e-9);
   EXPECT_EQ(afterInputChanges(marked(data, kHeld / 2), data, kDelay), 1);
   EXPECT_EQ(afterInputChanges(marked(data, 0), data, kDelay), 1) << "it does not act yet";
+}
+
+/// Residuals of the same size, or larger within three samples behind each change of a covariate.
+TEST(SizeByChanges, IsImprobableWhereResidualsGrowBehindACovariate) {
+  const FitData still = held(kSamples);
+  std::vector<Experiment> experiments = still.experiments();
+  for (Experiment& experiment : experiments) {
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(kSamples);
+    for (int t = 0; t < kSamples; ++t) load[t] = (t / kHeld) % 2;
+    experiment.signals["load"] = load;
+  }
+  const FitData moved(experiments);
+  std::vector<Signals> residuals;
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  for (const Block& block : moved.blocks())
+    residuals.push_back(
+        Signals::NullaryExpr(block.u.rows(), block.u.cols(), [&] { return normal(random); }));
+  EXPECT_EQ(sizeByChanges(residuals, moved, kDelay), 1);
+  for (Signals& signal : residuals)
+    for (int t = kHeld; t < kSamples; t += kHeld) signal.middleCols(t, 4) *= 6;
+  EXPECT_LT(sizeByChanges(residuals, moved, kDelay), 1e-6);
+  EXPECT_EQ(sizeByChanges(residuals, still, kDelay), 1) << "nothing is known to change";
 }
 
 TEST(AfterInputChanges, CannotBeToldOfAnInputThatAlwaysChanges) {

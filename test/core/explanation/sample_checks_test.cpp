@@ -158,6 +158,22 @@ TEST(SampleChecks, ExtremesOfACoarseSensorAreNoLimit) {
   for (const SpoiltSamples& found : checkSamples(coarse)) EXPECT_NE(found.name, "sens_clip");
 }
 
+/// Readings of hundredths, which most samples read but once.
+TEST(SampleChecks, AMachineThatTurnsRoundHasNoLimit) {
+  constexpr int kSamples = 300;
+  std::vector<Experiment> slow{noise().front()};
+  slow[0].u.conservativeResize(kSamples);
+  slow[0].y.resize(kSamples);
+  for (int t = 0; t < kSamples; ++t)
+    slow[0].y[t] = std::round(500 * std::sin(1.57 * std::sin(0.0317 * t))) / 100;
+  EXPECT_TRUE(checkSamples(slow).empty());
+  for (Experiment& experiment : slow) experiment.y = experiment.y.cwiseMin(4);
+  const auto found = checkSamples(slow);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].name, "sens_clip");
+  EXPECT_EQ(found[0].parameters.at(1).value, 4);
+}
+
 TEST(SampleChecks, RepeatedValuesAreASensorThatHolds) {
   std::vector<Experiment> experiments = noise();
   for (int t = 10; t < 500; t += 100) experiments[1].y[t] = experiments[1].y[t - 1];

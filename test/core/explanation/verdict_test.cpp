@@ -48,6 +48,25 @@ TEST(ReasonNotToName, IsThatTestsFailAndItMayBeASymptom) {
   EXPECT_TRUE(test::mentions(reasonNotToName(second, with({first, second}), false), "symptom"));
 }
 
+TEST(ReasonNotToName, IsThatASingleRecordDoesNotTellNoiseFromMisfit) {
+  Experiment record;
+  record.u = record.y = Eigen::VectorXd::LinSpaced(10, 0, 1);
+  record.sample_time = 1;
+  FoundCause noise = found("noise_step", 100);
+  noise.gain = Gain();
+  noise.gain->log_density = 20;
+  SearchState state{{}, FitData({record}), FitData({record}), {noise}, {}};
+  state.fitted_to = true;
+  EXPECT_TRUE(test::mentions(reasonNotToName(noise, state, true), "single record"));
+  EXPECT_EQ(reasonNotToName(found("act_deadzone", 100), state, true), "");
+  state.fitted_to = false;
+  EXPECT_EQ(reasonNotToName(noise, state, true), "") << "another record confirms it";
+  noise.gain->log_density = 2;
+  EXPECT_TRUE(test::mentions(reasonNotToName(noise, state, true), "single record"));
+  state.train = FitData({record, record});
+  EXPECT_EQ(reasonNotToName(noise, state, true), "");
+}
+
 TEST(Conclude, SaysThatWhatIsWrongIsNotNamed) {
   Explanation explanation;
   explanation.checks_after = {{"whiteness", 99, 1e-9, false, ""}};
@@ -57,6 +76,18 @@ TEST(Conclude, SaysThatWhatIsWrongIsNotNamed) {
   EXPECT_EQ(explanation.verdict, Verdict::unknown);
   EXPECT_TRUE(test::mentions(explanation.message, "reasons that the warnings tell"));
   EXPECT_TRUE(test::mentions(explanation.message, "whiteness"));
+}
+
+TEST(Conclude, DoesNotCallExplainedWhatOnlyCausesThatAreNotNamedComplete) {
+  Explanation explanation;
+  explanation.causes.resize(1);
+  explanation.causes[0].name = "act_deadzone";
+  explanation.checks_after = {{"whiteness", 1, 0.5, true, ""}};
+  conclude(&explanation);
+  EXPECT_EQ(explanation.verdict, Verdict::explained);
+  conclude(&explanation, true);
+  EXPECT_EQ(explanation.verdict, Verdict::partly_explained);
+  EXPECT_TRUE(test::mentions(explanation.message, "explains part"));
 }
 
 TEST(Parsimony, DoesNotCountWhatOneOrderMoreWouldDescribe) {
