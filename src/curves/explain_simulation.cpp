@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
-#include <numeric>
 #include <sstream>
 #include <utility>
 
@@ -13,36 +12,23 @@
 #include "curves/describe_curve.h"
 #include "curves/held_out.h"
 #include "curves/preparation.h"
+#include "curves/window_search.h"
 
 namespace uncertainty_identification {
 namespace {
 
-constexpr int kMostSamples = 6000;  ///< that are fitted to: enough for a curve, and a bounded time
 constexpr int kFewestSamples = 200, kFewestWindows = 4;
 constexpr int kFewestSteps = 4;
 constexpr const char* kFewSteps = "the input makes fewer than four steps";
 
-/// The last third of the windows.
-SimulationData lastThird(SimulationData* data) {
-  SimulationData held = *data;
-  const auto first = static_cast<std::ptrdiff_t>(data->windows.size() - data->windows.size() / 3);
-  held.windows.erase(held.windows.begin(), held.windows.begin() + first);
-  data->windows.resize(static_cast<std::size_t>(first));
-  for (SimulationData* part : {data, &held}) {
-    part->groups.resize(part->windows.size() + 1);
-    std::iota(part->groups.begin(), part->groups.end(), 0);
-    part->samples = 0;
-    for (const SimulationWindow& window : part->windows) part->samples += window.measuredSamples();
-  }
-  return held;
-}
-
-std::string sentenceOf(const WindowPlan& plan, const SimulationData& data, std::size_t records) {
+std::string sentenceOf(const WindowPlan& plan, const WindowSearch& search, std::size_t records) {
+  const std::size_t windows =
+      search.data.windows.size() + (search.held_out_of_data ? search.kept.windows.size() : 0);
   std::ostringstream text;
   text.precision(3);
   text << records << (records == 1 ? " record" : " records");
-  if (plan.thinning > 1) text << ", thinned to one sample each " << data.sample_time << " s";
-  text << ", simulated in " << data.windows.size() << " windows of about " << plan.length
+  if (plan.thinning > 1) text << ", thinned to one sample each " << search.data.sample_time << " s";
+  text << ", simulated in " << windows << " windows of about " << plan.length
        << " samples, each from an initial state of its own";
   return text.str();
 }
@@ -120,31 +106,24 @@ std::vector<SimulatedWindow> picturesOf(const std::vector<Experiment>& experimen
   return pictures;
 }
 
-double fitOf(const SimulationData& held, double squared_error) {
-  return heldOutFit(held, Eigen::VectorXd::Constant(1, squared_error));
-}
-
 std::string refusalOf(const std::vector<FoundCurve>& refused) {
-  std::string names;
-  for (const FoundCurve& cause : refused)
-    names += (names.empty() ? "" : ", ") + causeNamed(cause.place.place, cause.shape);
-  return names +
+  return namesOf(refused) +
          ": simulates held-out data better, but does not clearly predict the next output better "
          "than a linear model; where a controller answers to disturbances, or a load differs from "
          "time to time, a linear plant looks the same. Not named";
 }
 
-void describe(const CurveSearchResult& result, const SimulationData& data,
-              const SimulationData& held, SimulationCauses* found) {
+void describe(const WindowSearch& search, SimulationCauses* found) {
+  const CurveSearchResult& result = search.result;
   found->order = result.base.model.order;
   for (const FoundCurve& cause : result.causes) {
-    found->causes.push_back(describeCurve(cause, result.fit, data));
-    found->causes.back().fit_before = fitOf(held, cause.held_before);
-    found->causes.back().fit_after = fitOf(held, cause.held_after);
+    found->causes.push_back(describeCurve(cause, result.fit, search.data));
+    found->causes.back().fit_before = search.fitOf(cause.held_before);
+    found->causes.back().fit_after = search.fitOf(cause.held_after);
   }
-  if (!result.refused.empty()) found->refused = refusalOf(result.refused);
-  found->fit_before = fitOf(held, heldOutErrors(held, result.base.model).sum());
-  found->fit_after = fitOf(held, result.held_error);
+  if (!result.refused.empty() && found->refused.empty()) found->refused = refusalOf(result.refused);
+  found->fit_before = search.fitOf(search.baseError());
+  found->fit_after = search.fitOf(result.held_error);
 }
 
 }  // namespace
@@ -160,13 +139,10 @@ SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
   const WindowPlan plan = planWindows(fitted);
   const double lag_unit = plan.thinning * fitted.front().sample_time;
   const SignalScales scales = scalesOf(fitted, held, lag_unit);
-  SimulationData data = windowsOf(fitted, plan, scales, kMostSamples);
-  found.skipped = areFewSteps(fitted, held) ? kFewSteps : reasonToSkip(data);
+  found.skipped = areFewSteps(fitted, held)
+                      ? kFewSteps
+                      : reasonToSkip(windowsOf(fitted, plan, scales, kMostSamplesOfSearch));
   if (!found.skipped.empty()) return found;
-  found.preparation = sentenceOf(plan, data, fitted.size());
-  const SimulationData kept =
-      held.empty() ? lastThird(&data) : windowsOf(held, plan, scales, kMostSamples);
-  if (data.windows.empty() || kept.windows.empty()) return found;
 
   CurveSearchLimits limits;
   limits.max_causes = std::min(limits.max_causes, options.max_causes);
@@ -188,10 +164,17 @@ SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
     const std::lock_guard<std::mutex> lock(telling);
     doing = what;
   };
-  const CurveSearchResult result = searchCurves(data, kept, limits, context);
-  describe(result, data, kept, &found);
-  found.pictures = picturesOf(held.empty() ? fitted : held, kept, result);
-  found.ended_early = result.ended_early;
+  const WindowSearcher search = [&](const WindowPlan& windows, const CurveSearchLimits& within) {
+    return searchWindows(fitted, held, windows, scales, within, context);
+  };
+  WindowSearch searched = search(plan, limits);
+  if (searched.kept.windows.empty()) return found;
+  found.preparation = sentenceOf(plan, searched, fitted.size());
+  if (!plan.one_of_each && searched.needsConfirmation())
+    found.refused = confirm(plan, withOtherWindows(plan, fitted), limits, search, &searched);
+  describe(searched, &found);
+  found.pictures = picturesOf(held.empty() ? fitted : held, searched.kept, searched.result);
+  found.ended_early = searched.result.ended_early;
   found.seconds = seconds();
   return found;
 }

@@ -1,5 +1,7 @@
 #include "curves/found_curve.h"
 
+#include <algorithm>
+
 #include "curves/fit_comparison.h"
 
 namespace uncertainty_identification {
@@ -8,6 +10,25 @@ namespace {
 bool isSame(const TiedCurve& left, const TiedCurve& right) {
   return left.place.place == right.place.place && left.place.covariate == right.place.covariate &&
          left.shape == right.shape;
+}
+
+/// A covariate without the lag that it is behind of.
+std::string withoutLag(const std::string& covariate) {
+  return covariate.substr(0, covariate.find(" behind a lag"));
+}
+
+std::vector<PlaceOf> placesOf(const FoundCurve& cause) {
+  std::vector<PlaceOf> places{cause.place};
+  for (const TiedCurve& tie : cause.ties) places.push_back(tie.place);
+  return places;
+}
+
+bool areAlike(const FoundCurve& cause, const FoundCurve& other) {
+  for (const PlaceOf& one : placesOf(cause))
+    for (const PlaceOf& another : placesOf(other))
+      if (one.place == another.place && withoutLag(one.covariate) == withoutLag(another.covariate))
+        return true;
+  return false;
 }
 
 }  // namespace
@@ -40,6 +61,16 @@ FoundCurve foundCurve(const std::vector<CurveCandidate>& tied, const WindowFit& 
     addTie({tied[k].place, tied[k].naming.shape}, &found);
   addTies(first.naming, &found);
   return found;
+}
+
+std::size_t countConfirmed(const std::vector<FoundCurve>& causes,
+                           const std::vector<FoundCurve>& others) {
+  std::size_t count = 0;
+  while (count < causes.size() &&
+         std::any_of(others.begin(), others.end(),
+                     [&](const FoundCurve& other) { return areAlike(causes[count], other); }))
+    ++count;
+  return count;
 }
 
 }  // namespace uncertainty_identification

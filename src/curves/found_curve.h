@@ -35,4 +35,8 @@ void addTies(const Naming& naming, FoundCurve* cause);
 /// the fit without it.
 FoundCurve foundCurve(const std::vector<CurveCandidate>& tied, const WindowFit& now);
 
+/// How many of the first causes are also among `others`: at the same place, as a tie or with one.
+std::size_t countConfirmed(const std::vector<FoundCurve>& causes,
+                           const std::vector<FoundCurve>& others);
+
 }  // namespace uncertainty_identification

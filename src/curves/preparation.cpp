@@ -108,6 +108,18 @@ WindowPlan planWindows(const std::vector<Experiment>& experiments) {
   return plan;
 }
 
+WindowPlan withOtherWindows(const WindowPlan& plan, const std::vector<Experiment>& experiments) {
+  constexpr int kFewest = 4;
+  WindowPlan other = plan;
+  other.length = plan.length * 3 / 2;
+  int windows = 0;
+  for (const Experiment& experiment : experiments)
+    windows += std::max(
+        1, (experiment.samples() / plan.thinning + other.length / 2) / std::max(other.length, 1));
+  if (windows < kFewest) other.length = plan.length * 2 / 3;
+  return other;
+}
+
 SignalScales scalesOf(const std::vector<Experiment>& experiments,
                       const std::vector<Experiment>& held, double lag_unit) {
   double count = 0, measured = 0;

@@ -22,6 +22,10 @@ struct WindowPlan {
 /// least 10 windows of 60 to 400 samples.
 WindowPlan planWindows(const std::vector<Experiment>& experiments);
 
+/// The plan with windows half as long again or, where records make too few of them, shorter by a
+/// third.
+WindowPlan withOtherWindows(const WindowPlan& plan, const std::vector<Experiment>& experiments);
+
 /// Scales of the signals of `experiments`. Covariates are those that move in some experiment and
 /// are known in all, those of `held` as well: a second heater may be off for a whole record. Each
 /// covariate is also given behind the lags of covariateScales(), which are multiples of `lag_unit`

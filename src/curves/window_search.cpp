@@ -1,0 +1,76 @@
+#include "curves/window_search.h"
+
+#include <numeric>
+
+#include "curves/curve_words.h"
+#include "curves/held_out.h"
+
+namespace uncertainty_identification {
+namespace {
+
+/// The last third of the windows.
+SimulationData lastThird(SimulationData* data) {
+  SimulationData held = *data;
+  const auto first = static_cast<std::ptrdiff_t>(data->windows.size() - data->windows.size() / 3);
+  held.windows.erase(held.windows.begin(), held.windows.begin() + first);
+  data->windows.resize(static_cast<std::size_t>(first));
+  for (SimulationData* part : {data, &held}) {
+    part->groups.resize(part->windows.size() + 1);
+    std::iota(part->groups.begin(), part->groups.end(), 0);
+    part->samples = 0;
+    for (const SimulationWindow& window : part->windows) part->samples += window.measuredSamples();
+  }
+  return held;
+}
+
+std::string unconfirmed(const std::vector<FoundCurve>& causes, int length, int other) {
+  return namesOf(causes) + ": simulates windows of about " + std::to_string(length) +
+         " samples better, but is not found in windows of " + std::to_string(other) +
+         ", so that it may stand for something else. Not named";
+}
+
+}  // namespace
+
+double WindowSearch::fitOf(double squared_error) const {
+  return heldOutFit(kept, Eigen::VectorXd::Constant(1, squared_error));
+}
+
+double WindowSearch::baseError() const { return heldOutErrors(kept, result.base.model).sum(); }
+
+bool WindowSearch::needsConfirmation() const {
+  constexpr double kWell = 90;  // [% of fit]
+  return !result.causes.empty() && fitOf(baseError()) > kWell;
+}
+
+WindowSearch searchWindows(const std::vector<Experiment>& fitted,
+                           const std::vector<Experiment>& held, const WindowPlan& plan,
+                           const SignalScales& scales, const CurveSearchLimits& limits,
+                           const CurveSearchContext& context) {
+  WindowSearch search{windowsOf(fitted, plan, scales, kMostSamplesOfSearch), {}, held.empty(), {}};
+  search.kept =
+      held.empty() ? lastThird(&search.data) : windowsOf(held, plan, scales, kMostSamplesOfSearch);
+  if (!search.data.windows.empty() && !search.kept.windows.empty())
+    search.result = searchCurves(search.data, search.kept, limits, context);
+  return search;
+}
+
+std::string confirm(const WindowPlan& plan, const WindowPlan& other, CurveSearchLimits limits,
+                    const WindowSearcher& search, WindowSearch* searched) {
+  const std::vector<FoundCurve> causes = searched->result.causes;
+  const CurveSearchResult again = search(other, limits).result;
+  const std::size_t confirmed = countConfirmed(causes, again.causes);
+  if (confirmed == causes.size() || again.ended_early) return "";
+  limits.max_causes = static_cast<int>(confirmed);
+  *searched = search(plan, limits);
+  return unconfirmed({causes.begin() + static_cast<std::ptrdiff_t>(confirmed), causes.end()},
+                     plan.length, other.length);
+}
+
+std::string namesOf(const std::vector<FoundCurve>& causes) {
+  std::string names;
+  for (const FoundCurve& cause : causes)
+    names += (names.empty() ? "" : ", ") + causeNamed(cause.place.place, cause.shape);
+  return names;
+}
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "curves/curve_search.h"
+#include "curves/preparation.h"
+
+namespace uncertainty_identification {
+
+/// Samples that are fitted to: enough for a curve, and a bounded time.
+constexpr int kMostSamplesOfSearch = 6000;
+
+/// A search for curves in windows of some length.
+struct WindowSearch {
+  SimulationData data, kept;      ///< windows that are fitted to and those held out
+  bool held_out_of_data = false;  ///< there were no records to hold out: the last third is
+  CurveSearchResult result;
+
+  double fitOf(double squared_error) const;  ///< of the held-out windows [%]
+  double baseError() const;                  ///< squared, of the linear plant in them
+
+  /// Whether the causes may be owed to the choice of windows: the linear plant simulates so well
+  /// that little is left to tell causes apart.
+  bool needsConfirmation() const;
+};
+
+/// Searches windows of `fitted`. Those held out are of `held` or, where this is empty, the last
+/// third. `kept` is empty where there are too few.
+WindowSearch searchWindows(const std::vector<Experiment>& fitted,
+                           const std::vector<Experiment>& held, const WindowPlan& plan,
+                           const SignalScales& scales, const CurveSearchLimits& limits,
+                           const CurveSearchContext& context);
+
+using WindowSearcher = std::function<WindowSearch(const WindowPlan&, const CurveSearchLimits&)>;
+
+/// Drops the causes that are not found again in windows of the length of `other`. What is said of
+/// these; empty where there are none.
+std::string confirm(const WindowPlan& plan, const WindowPlan& other, CurveSearchLimits limits,
+                    const WindowSearcher& search, WindowSearch* searched);
+
+/// The names of causes, separated by commas.
+std::string namesOf(const std::vector<FoundCurve>& causes);
+
+}  // namespace uncertainty_identification

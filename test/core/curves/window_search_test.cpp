@@ -1,0 +1,92 @@
+// Which causes are dropped because windows of another length do not show them.
+#include "curves/window_search.h"
+
+#include <gtest/gtest.h>
+
+#include "support/mentions.h"
+
+namespace uncertainty_identification {
+namespace {
+
+FoundCurve found(Place place, const std::string& shape, const std::vector<TiedCurve>& ties = {}) {
+  FoundCurve cause;
+  cause.place.place = place;
+  cause.shape = shape;
+  cause.ties = ties;
+  return cause;
+}
+
+WindowSearch with(const std::vector<FoundCurve>& causes, std::size_t most) {
+  WindowSearch search;
+  search.result.causes.assign(causes.begin(),
+                              causes.begin() + static_cast<long>(std::min(most, causes.size())));
+  return search;
+}
+
+struct Confirmed {
+  std::string said;
+  std::vector<FoundCurve> causes;
+};
+
+/// What is left of the causes found in windows of 60 samples, if those of 90 show `others`.
+Confirmed confirmed(const std::vector<FoundCurve>& causes, const std::vector<FoundCurve>& others,
+                    bool ended_early = false) {
+  WindowPlan plan, other;
+  plan.length = 60;
+  other.length = 90;
+  const WindowSearcher search = [&](const WindowPlan& windows, const CurveSearchLimits& limits) {
+    const auto most = static_cast<std::size_t>(limits.max_causes);
+    WindowSearch searched = with(windows.length == 60 ? causes : others, most);
+    searched.result.ended_early = windows.length == 90 && ended_early;
+    return searched;
+  };
+  WindowSearch searched = search(plan, {});
+  std::string said = confirm(plan, other, {}, search, &searched);
+  return {std::move(said), searched.result.causes};
+}
+
+TEST(WindowSearch, KeepsWhatOtherWindowsShowAtTheSamePlace) {
+  const FoundCurve root = found(Place::position, "root"), sine = found(Place::position, "sine");
+  const Confirmed same = confirmed({root}, {found(Place::input, "power"), sine});
+  EXPECT_TRUE(same.said.empty());
+  EXPECT_EQ(same.causes.size(), 1u);
+  const FoundCurve tied = found(Place::rate, "coulomb", {{{Place::position, ""}, "root"}});
+  EXPECT_EQ(confirmed({tied}, {sine}).causes.size(), 1u) << "as a tie";
+}
+
+TEST(WindowSearch, DropsWhatTheyDoNotShowAndWhatWasFoundAfterIt) {
+  const FoundCurve input = found(Place::input, "dead_zone"), rate = found(Place::rate, "coulomb"),
+                   position = found(Place::position, "root");
+  const Confirmed left = confirmed({input, rate, position}, {position, input});
+  ASSERT_EQ(left.causes.size(), 1u);
+  EXPECT_EQ(left.causes[0].shape, "dead_zone");
+  EXPECT_TRUE(test::mentions(left.said, "plant_coulomb, plant_root"));
+  EXPECT_TRUE(test::mentions(left.said, "not found in windows of 90"));
+  EXPECT_TRUE(confirmed({input}, {}).causes.empty());
+}
+
+TEST(WindowSearch, DropsNothingWhereTheOtherSearchHadNoTime) {
+  EXPECT_EQ(confirmed({found(Place::input, "dead_zone")}, {}, true).causes.size(), 1u);
+}
+
+TEST(WindowSearch, CovariatesAreAlikeWhateverTheirLag) {
+  FoundCurve near = found(Place::covariate, "linear"), far = near, other = near;
+  near.place.covariate = "heater";
+  far.place.covariate = "heater behind a lag of 4 s";
+  other.place.covariate = "door";
+  EXPECT_EQ(countConfirmed({near}, {far}), 1u);
+  EXPECT_EQ(countConfirmed({near}, {other}), 0u);
+}
+
+TEST(WindowSearch, OtherWindowsAreLongerUnlessTheyWouldBeTooFew) {
+  WindowPlan plan;
+  plan.length = 60;
+  Experiment record;
+  record.u = record.y = Eigen::VectorXd::Zero(600);
+  EXPECT_EQ(withOtherWindows(plan, {record}).length, 90);
+  record.u = record.y = Eigen::VectorXd::Zero(250);
+  EXPECT_EQ(withOtherWindows(plan, {record}).length, 40);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
