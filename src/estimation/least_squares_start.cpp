@@ -193,7 +193,7 @@ LeastSquaresModel LeastSquaresStart::arx(int nb, int na, int delay) const {
 LeastSquaresModel LeastSquaresStart::steiglitzMcBride(int nb, int na, int first_delay,
                                                       int last_delay, Start start) const {
   constexpr int kIterations = 8;
-  constexpr double kStands = 1e-4;  // change of A after which another iteration gives the same
+  constexpr double kStands = 1e-4;  // change of A that is immaterial to a start
   const int u_lags = last_delay + nb - 1;
   VectorXd prefilter;
   LeastSquaresModel best;

@@ -131,6 +131,13 @@ std::string messageOf(Termination termination) {
   }
 }
 
+/// How scoring steps ended that were all there was to do.
+Termination endOfScoring(const std::vector<TracePoint>& steps, int max_iterations) {
+  if (static_cast<int>(steps.size()) >= max_iterations) return Termination::iteration_limit;
+  const bool accepted = steps.empty() || !steps.back().step || steps.back().step->accepted;
+  return accepted ? Termination::converged : Termination::stalled;
+}
+
 }  // namespace
 
 Optimum maximumLikelihood(const Likelihood& likelihood, const ModelParameters& start,
@@ -160,9 +167,10 @@ Optimum maximumLikelihood(const Likelihood& likelihood, const ModelParameters& s
         "noise to estimate)";
     return optimum;
   }
+  const Termination of_scoring = endOfScoring(optimum.trace, options.max_iterations);
   optimum.trace.push_back({optimum.iterations, likelihood.passes(), near.log_likelihood, {}});
   if (options.max_iterations <= kScoringSteps) {  // the whitening costs more than all of these
-    optimum.termination = cancelled ? Termination::cancelled : Termination::iteration_limit;
+    optimum.termination = cancelled ? Termination::cancelled : of_scoring;
     optimum.message = messageOf(optimum.termination);
     optimum.point = near.parameters;
     return optimum;

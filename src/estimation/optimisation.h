@@ -42,7 +42,8 @@ Optimum expectationMaximisation(const Likelihood& likelihood, const ModelParamet
 /// Maximises the observed log-likelihood over all parameters jointly: scoring steps, then NLopt's
 /// L-BFGS with the exact gradient, in coordinates whitened by the observed information. Iterations
 /// are the scoring steps and the evaluations of L-BFGS. Converged when the predicted gain of a
-/// Newton step is less than options.tolerance [nats].
+/// Newton step is less than options.tolerance [nats]. Where options.max_iterations is five or less
+/// there are scoring steps only, which have converged when one gains less than that.
 Optimum maximumLikelihood(const Likelihood& likelihood, const ModelParameters& start,
                           const OptimisationOptions& options);
 

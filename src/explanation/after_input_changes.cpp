@@ -51,7 +51,7 @@ Eigen::ArrayXd largestOfLast(const Eigen::ArrayXd& changes, Eigen::Index reach) 
   return largest;
 }
 
-/// How much the input, as it acts after the delay, and the covariates have changed just before.
+/// How much the input and the covariates have changed just before, or within the delay.
 Eigen::ArrayXd recentChanges(const Experiment& experiment, int delay) {
   constexpr Eigen::Index kReach = 3;
   Eigen::ArrayXd sum = largestOfLast(relativeChanges(experiment.u), kReach + delay);
@@ -120,7 +120,7 @@ double sizeByChanges(const std::vector<Signals>& residuals, const FitData& data,
   const double scale = std::sqrt(x.square().sum() * y.square().sum());
   const double correlation = scale > 0 ? (x * y).sum() / scale : 0;
   if (correlation < kNegligible) return 1;
-  return 0.5 * std::erfc(correlation * std::sqrt(0.5 * static_cast<double>(sizes.size() - 1)));
+  return normalTail(correlation * std::sqrt(static_cast<double>(sizes.size() - 1)));
 }
 
 }  // namespace uncertainty_identification

@@ -254,19 +254,18 @@ void Explaining::describeModels(const SearchState& base, const SearchState& foun
 void Explaining::describe(const SearchState& base, const SearchState& found) {
   progress_.report("describing", 0.9, found.fit.log_likelihood);
   explanation_.checks_after = checkResiduals(found.fit, found.train, found.heavy_tails);
-  const bool passed = allPassed(explanation_.checks_after);
   for (const FoundCause& cause : found.causes) {
     if (cause.effect->name() == "exp_feedback") explanation_.warnings.push_back(kFeedback);
-    const std::string reason = reasonNotToName(cause, found, passed);
+    const std::string reason = reasonNotToName(cause, found, allPassed(explanation_.checks_after));
     if (reason.empty())
       explanation_.causes.push_back(described(cause, found));
     else
       explanation_.warnings.push_back(reason);
   }
   const bool withheld = explanation_.causes.size() < found.causes.size();
-  const bool nothing_named = withheld && explanation_.causes.empty();
-  const SearchState& named = nothing_named ? base : found;
-  if (nothing_named) explanation_.checks_after = explanation_.checks_before;
+  const bool none_named = withheld && explanation_.causes.empty();
+  const SearchState& named = none_named ? base : found;
+  if (none_named) explanation_.checks_after = explanation_.checks_before;
   if (const Check check = parsimony(named); !check.passed) {
     explanation_.checks_before.push_back(parsimony(base));
     explanation_.checks_after.push_back(check);

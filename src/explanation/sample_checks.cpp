@@ -20,6 +20,15 @@ std::vector<double> measured(const std::vector<Experiment>& experiments) {
   return values;
 }
 
+/// The smallest difference between two values that differ by more than rounding.
+double smallestDifference(const std::vector<double>& sorted) {
+  const double rounding = 1e-9 * (sorted.back() - sorted.front());
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < sorted.size(); ++k)
+    if (sorted[k] - sorted[k - 1] > rounding) least = std::min(least, sorted[k] - sorted[k - 1]);
+  return least;
+}
+
 /// The power of ten of which all values are multiples, as a file prints them; 0 where there is
 /// none.
 double printedUnit(const std::vector<double>& values) {
@@ -48,9 +57,8 @@ double latticeStep(const std::vector<double>& values) {
   }
   if (levels.size() < 2 || 2 * levels.size() > values.size() || levels.size() > kMostLevels)
     return 0;
-  double least = std::numeric_limits<double>::infinity(), steps = 0;
-  for (std::size_t k = 1; k < levels.size(); ++k)
-    least = std::min(least, levels[k] - levels[k - 1]);
+  const double least = smallestDifference(levels);
+  double steps = 0;
   for (std::size_t k = 1; k < levels.size(); ++k)
     steps += std::round((levels[k] - levels[k - 1]) / least);
   const double step = (levels.back() - levels.front()) / steps, unit = printedUnit(values);
@@ -145,15 +153,6 @@ bool isReachedAtSpeed(const std::vector<Experiment>& experiments, double value, 
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>((steps.size() - 1) / 2);
   std::nth_element(steps.begin(), middle, steps.end());
   return *middle > kFew * resolution;
-}
-
-/// The smallest difference between two values that differ by more than rounding.
-double smallestDifference(const std::vector<double>& sorted) {
-  const double rounding = 1e-9 * (sorted.back() - sorted.front());
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 1; k < sorted.size(); ++k)
-    if (sorted[k] - sorted[k - 1] > rounding) least = std::min(least, sorted[k] - sorted[k - 1]);
-  return least;
 }
 
 /// How often the values next to the first one occur, in the median of five. Coarse resolution

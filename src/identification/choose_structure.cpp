@@ -142,7 +142,7 @@ StructureFit bestOf(const Problem& problem, const std::vector<StructureFit>& fit
   return fits[chosen];
 }
 
-/// The structure with C and D of the orders of least BIC.
+/// The structure with C and D of the orders of least BIC, up to the first that gain nothing.
 StructureFit withNoiseOrders(const Problem& problem, const StructureFit& chosen, Journal* journal) {
   std::vector<ErrorStructure> structures;
   for (int order = 0; order <= kLargestNoiseOrder; ++order) {

@@ -5,36 +5,17 @@
 
 #include "math/polynomial.h"
 #include "model/continuous_poles.h"
-#include "model/zero_order_hold.h"
+#include "model/physical_parameters.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {
-
-/// A physical parameter: its name and unit in results and, by its kind, the values it may take.
-struct Physical {
-  enum Kind { gain, time_constant, frequency, damping, zero, dead_time } kind;
-  std::string name, unit;
-  double value;  ///< if fixed
-  bool fixed;
-};
 
 /// Number of coefficients before the first that is not zero.
 double leadingZeros(const Eigen::VectorXd& b) {
   const double* first =
       std::find_if(b.data(), b.data() + b.size(), [](double value) { return value != 0; });
   return first == b.data() + b.size() ? 0 : static_cast<double>(first - b.data());
-}
-
-/// The product of p, a polynomial in s with ascending powers, and 1 + f1 s + f2 s^2.
-template <typename Scalar>
-Coefficients<Scalar> times(const Coefficients<Scalar>& p, const Scalar& f1, const Scalar& f2,
-                           Eigen::Index degree) {
-  Coefficients<Scalar> out = Coefficients<Scalar>::Zero(p.size() + degree);
-  out.head(p.size()) = p;
-  out.segment(1, p.size()) += p * f1;
-  if (degree == 2) out.segment(2, p.size()) += p * f2;
-  return out;
 }
 
 class Continuous : public NominalModel {
@@ -59,15 +40,16 @@ class Continuous : public NominalModel {
 
   /// [samples]; 0 where the dead time is known or there is none.
   int longestDeadTime() const {
-    const bool estimated = std::any_of(physical_.begin(), physical_.end(), [](const Physical& one) {
-      return one.kind == Physical::dead_time && !one.fixed;
-    });
+    const bool estimated =
+        std::any_of(physical_.begin(), physical_.end(), [](const PhysicalParameter& one) {
+          return one.kind == PhysicalParameter::dead_time && !one.fixed;
+        });
     return estimated ? extra_ - 1 : 0;
   }
 
   std::vector<std::string> names() const override {
     std::vector<std::string> all;
-    for (const Physical& p : physical_) {
+    for (const PhysicalParameter& p : physical_) {
       if (!p.fixed) all.push_back(p.name);
     }
     for (int k = 1; k <= nc_; ++k) all.push_back("c" + std::to_string(k));
@@ -77,18 +59,15 @@ class Continuous : public NominalModel {
 
   std::vector<std::string> units() const override {
     std::vector<std::string> all;
-    for (const Physical& p : physical_) {
+    for (const PhysicalParameter& p : physical_) {
       if (!p.fixed) all.push_back(p.unit);
     }
     all.resize(names().size());
     return all;
   }
 
-  /// Zero-order hold of G(s), exact for a dead time of any length. A state-space form with the
-  /// sample time as unit of time is sampled; its characteristic polynomial and numerator follow by
-  /// the Faddeev-LeVerrier recursion.
   Polynomials polynomials(const Eigen::VectorXd& theta) const override {
-    Sampled<double> sampled = sample(values(theta));
+    Sampled<double> sampled = sampledPlant(physical_, theta, sample_time_, extra_);
     Polynomials p;
     p.delay = delay_;
     p.b = std::move(sampled.b);
@@ -98,21 +77,14 @@ class Continuous : public NominalModel {
     return p;
   }
 
-  /// Exact, by dual numbers, a few parameters at a time; C and D are theta's own.
+  /// C and D are theta's own.
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& theta) const override {
-    constexpr Eigen::Index kAtOnce = Dual::DerType::SizeAtCompileTime;
     const Eigen::Index noise = nc_ + nd_, own = theta.size() - noise;
-    const Eigen::Index nb = order_ + extra_, plant = nb + order_;
-    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(plant + noise, theta.size());
+    const Eigen::MatrixXd of_plant =
+        sampledJacobian(physical_, theta.head(own), sample_time_, extra_);
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(of_plant.rows() + noise, theta.size());
+    all.topLeftCorner(of_plant.rows(), own) = of_plant;
     all.bottomRightCorner(noise, noise).setIdentity();
-    for (Eigen::Index first = 0; first < own; first += kAtOnce) {
-      const Eigen::Index count = std::min(kAtOnce, own - first);
-      const Sampled<Dual> sampled = sample(dualValues(theta, first));
-      for (Eigen::Index k = 0; k < plant; ++k) {
-        const Dual& coefficient = k < nb ? sampled.b[k] : sampled.a[k - nb];
-        all.row(k).segment(first, count) = coefficient.derivatives().head(count).transpose();
-      }
-    }
     return all;
   }
 
@@ -124,10 +96,11 @@ class Continuous : public NominalModel {
   }
 
   bool admissible(const Eigen::VectorXd& theta) const override {
-    const std::vector<double> value = values(theta);
+    const std::vector<double> value = valuesOf(physical_, theta);
     for (std::size_t k = 0; k < physical_.size(); ++k) {
       if (isPositive(physical_[k].kind) && !(value[k] > 0)) return false;
-      if (physical_[k].kind == Physical::dead_time && !(value[k] >= 0 && value[k] <= maxDeadTime()))
+      if (physical_[k].kind == PhysicalParameter::dead_time &&
+          !(value[k] >= 0 && value[k] <= maxDeadTime()))
         return false;
     }
     return NominalModel::admissible(theta);
@@ -139,7 +112,7 @@ class Continuous : public NominalModel {
     ContinuousPoles poles = continuousPoles(p.a, sample_time_);
     Eigen::VectorXd theta(parameterCount());
     Eigen::Index next = 0;
-    for (const Physical& q : physical_) {
+    for (const PhysicalParameter& q : physical_) {
       const double start = startOf(q.kind, p, &poles);
       if (!q.fixed) theta[next++] = start;
     }
@@ -153,26 +126,30 @@ class Continuous : public NominalModel {
 
  private:
   void list(const NominalModelOptions& options) {
-    const auto add = [&](Physical::Kind kind, const std::string& name, const std::string& unit) {
+    const auto add = [&](PhysicalParameter::Kind kind, const std::string& name,
+                         const std::string& unit) {
       const auto fixed = options.fixed.find(name);
       const bool known = fixed != options.fixed.end();
       physical_.push_back({kind, name, unit, known ? fixed->second : 0.0, known});
     };
-    add(Physical::gain, "gain", "");
+    add(PhysicalParameter::gain, "gain", "");
     for (int k = 1; k <= options.time_constants; ++k)
-      add(Physical::time_constant, "tau" + std::to_string(k), "s");
+      add(PhysicalParameter::time_constant, "tau" + std::to_string(k), "s");
     for (int k = 1; k <= options.resonances; ++k) {
-      add(Physical::frequency, "omega" + std::to_string(k), "rad/s");
-      add(Physical::damping, "zeta" + std::to_string(k), "1");
+      add(PhysicalParameter::frequency, "omega" + std::to_string(k), "rad/s");
+      add(PhysicalParameter::damping, "zeta" + std::to_string(k), "1");
     }
-    for (int k = 1; k <= options.zeros; ++k) add(Physical::zero, "zero" + std::to_string(k), "s");
-    if (options.dead_time) add(Physical::dead_time, "dead_time", "s");
+    for (int k = 1; k <= options.zeros; ++k)
+      add(PhysicalParameter::zero, "zero" + std::to_string(k), "s");
+    if (options.dead_time) add(PhysicalParameter::dead_time, "dead_time", "s");
     for (const auto& [name, value] : options.fixed) {
-      const bool known = std::any_of(physical_.begin(), physical_.end(),
-                                     [name = name](const Physical& p) { return p.name == name; });
+      const bool known =
+          std::any_of(physical_.begin(), physical_.end(),
+                      [name = name](const PhysicalParameter& p) { return p.name == name; });
       if (!known) {
         std::string allowed;
-        for (const Physical& p : physical_) allowed += (allowed.empty() ? "" : ", ") + p.name;
+        for (const PhysicalParameter& p : physical_)
+          allowed += (allowed.empty() ? "" : ", ") + p.name;
         throw ConfigurationError("nominal_model.fixed: no parameter '" + name +
                                  "'; this structure has " + allowed);
       }
@@ -181,22 +158,22 @@ class Continuous : public NominalModel {
 
   /// Start value of the next parameter of this kind. Counts the poles used, so that each is used
   /// once.
-  double startOf(Physical::Kind kind, const Polynomials& p, ContinuousPoles* poles) const {
+  double startOf(PhysicalParameter::Kind kind, const Polynomials& p, ContinuousPoles* poles) const {
     switch (kind) {
-      case Physical::gain:
+      case PhysicalParameter::gain:
         return p.b.sum() / (1 + p.a.sum());
-      case Physical::time_constant:
+      case PhysicalParameter::time_constant:
         return poles->nextTimeConstant();
-      case Physical::frequency:
+      case PhysicalParameter::frequency:
         return std::abs(poles->pair());
-      case Physical::damping: {
+      case PhysicalParameter::damping: {
         const std::complex<double> pair = poles->pair();
         ++poles->used_pairs;
         return std::max(-pair.real() / std::abs(pair), 1e-3);
       }
-      case Physical::dead_time:
+      case PhysicalParameter::dead_time:
         return deadTimeOf(p);
-      case Physical::zero:
+      case PhysicalParameter::zero:
         break;
     }
     return 0;
@@ -224,77 +201,23 @@ class Continuous : public NominalModel {
                                    longest - kInside * std::min(1.0, longest));
   }
 
-  static bool isPositive(Physical::Kind kind) {
-    return kind == Physical::time_constant || kind == Physical::frequency ||
-           kind == Physical::damping;
-  }
-
-  /// B and A at the values of all physical parameters.
-  template <typename Scalar>
-  Sampled<Scalar> sample(const std::vector<Scalar>& value) const {
-    Coefficients<Scalar> numerator = Coefficients<Scalar>::Ones(1), denominator = numerator;
-    Scalar dead_samples(0);
-    const Scalar rate(1 / sample_time_), one(1);
-    for (std::size_t k = 0; k < physical_.size(); ++k) {
-      const Scalar scaled = value[k] * rate;
-      switch (physical_[k].kind) {
-        case Physical::gain:
-          numerator *= value[k];
-          break;
-        case Physical::time_constant:
-          denominator = times<Scalar>(denominator, scaled, Scalar(0), 1);
-          break;
-        case Physical::frequency: {
-          const Scalar period = one / (value[k] * Scalar(sample_time_));
-          const Scalar slope = Scalar(2) * value[k + 1] * period, square = period * period;
-          denominator = times<Scalar>(denominator, slope, square, 2);
-          break;
-        }
-        case Physical::zero:
-          numerator = times<Scalar>(numerator, scaled, Scalar(0), 1);
-          break;
-        case Physical::dead_time:
-          dead_samples = scaled;
-          break;
-        case Physical::damping:
-          break;
-      }
-    }
-    return discretise<Scalar>(numerator, denominator, dead_samples, extra_);
+  static bool isPositive(PhysicalParameter::Kind kind) {
+    return kind == PhysicalParameter::time_constant || kind == PhysicalParameter::frequency ||
+           kind == PhysicalParameter::damping;
   }
 
   double maxDeadTime() const { return sample_time_ * (extra_ - 1); }
-
-  std::vector<double> values(const Eigen::VectorXd& theta) const {
-    std::vector<double> all;
-    Eigen::Index next = 0;
-    for (const Physical& p : physical_) all.push_back(p.fixed ? p.value : theta[next++]);
-    return all;
-  }
-
-  /// The same, with the derivatives by the estimated parameters from `first` on.
-  std::vector<Dual> dualValues(const Eigen::VectorXd& theta, Eigen::Index first) const {
-    std::vector<Dual> all;
-    Eigen::Index next = 0;
-    for (const Physical& p : physical_) {
-      all.emplace_back(p.fixed ? p.value : theta[next]);
-      if (p.fixed) continue;
-      const Eigen::Index k = next++ - first;
-      if (k >= 0 && k < Dual::DerType::SizeAtCompileTime) all.back().derivatives()[k] = 1;
-    }
-    return all;
-  }
 
   /// Maps parameters to or from unbounded coordinates: positive parameters by the logarithm, the
   /// dead time by the logistic function, C and D by their reflection coefficients.
   Eigen::VectorXd mapped(const Eigen::VectorXd& from, bool to_unbounded) const {
     Eigen::VectorXd to = from;
     Eigen::Index next = 0;
-    for (const Physical& p : physical_) {
+    for (const PhysicalParameter& p : physical_) {
       if (p.fixed) continue;
       const double x = from[next];
       if (isPositive(p.kind)) to[next] = to_unbounded ? std::log(x) : std::exp(x);
-      if (p.kind == Physical::dead_time) {
+      if (p.kind == PhysicalParameter::dead_time) {
         to[next] =
             to_unbounded ? std::log(x / (maxDeadTime() - x)) : maxDeadTime() / (1 + std::exp(-x));
       }
@@ -311,7 +234,7 @@ class Continuous : public NominalModel {
 
   double sample_time_;
   int delay_, order_, nc_, nd_, extra_;
-  std::vector<Physical> physical_;
+  std::vector<PhysicalParameter> physical_;
 };
 
 }  // namespace

@@ -64,7 +64,8 @@ const MatrixXd& PlantCoefficients::jacobianDerivative(const DerivativeIndex& dir
     const auto moved = [&](double distance) -> MatrixXd {
       VectorXd there = theta_;
       there[j] += distance;
-      if (others.empty()) return nominal_.jacobian(there).topRows(nb_ + na_);
+      if (others.empty())  // the coefficients themselves are not needed there
+        return nominal_.jacobian(there).topRows(nb_ + na_);
       return PlantCoefficients(nominal_, there).jacobianDerivative(others);
     };
     result =

@@ -185,6 +185,16 @@ TEST(Continuous, JacobianMatchesDifferences) {
   }
 }
 
+TEST(Continuous, JacobianHasItsRowsWhereAllOfThePlantIsFixed) {
+  NominalModelOptions known = options(1, 0, 0, false);
+  known.fixed = {{"gain", 2}, {"tau1", 0.1}};
+  known.nd = 1;
+  const auto model = makeContinuous(known, kSampleTime);
+  const Eigen::MatrixXd jacobian = model->jacobian(vectorOf({0.3}));
+  ASSERT_EQ(jacobian.rows(), model->polynomials(vectorOf({0.3})).stacked().size());
+  EXPECT_EQ(jacobian, (Eigen::MatrixXd(3, 1) << 0, 0, 1).finished());
+}
+
 TEST(Continuous, RefusesInadmissibleParameters) {
   const auto model = makeContinuous(options(1, 0, 0, true), kSampleTime);
   EXPECT_TRUE(model->admissible(vectorOf({1, 0.05, 0})));
