@@ -59,6 +59,7 @@ Sampled<Scalar> sample(const std::vector<PhysicalParameter>& physical,
 std::vector<Dual> dualValues(const std::vector<PhysicalParameter>& physical, const VectorXd& theta,
                              Index first) {
   std::vector<Dual> all;
+  all.reserve(physical.size());
   Index next = 0;
   for (const PhysicalParameter& p : physical) {
     all.emplace_back(p.fixed ? p.value : theta[next]);
@@ -74,6 +75,7 @@ std::vector<Dual> dualValues(const std::vector<PhysicalParameter>& physical, con
 std::vector<double> valuesOf(const std::vector<PhysicalParameter>& physical,
                              const VectorXd& theta) {
   std::vector<double> all;
+  all.reserve(physical.size());
   Index next = 0;
   for (const PhysicalParameter& p : physical) all.push_back(p.fixed ? p.value : theta[next++]);
   return all;
