@@ -29,7 +29,11 @@ MadeEffects actuatorOffset(const DataSummary& data) {
        Stage::actuator,
        ScreeningKind::regression,
        {{"offset", "unit of u", data.input_deviation}},
-       {VectorXd::Zero(1)}},
+       {VectorXd::Zero(1)},
+       /*nonlinear=*/false,
+       /*own_point=*/false,
+       /*traits=*/{},
+       /*excludes=*/{"sens_bias"}},
       [](const VectorXd& psi, Chain* chain) { chain->u += psi[0]; })};
 }
 

@@ -1,6 +1,7 @@
 #include "uncertainty_identification/effects/catalogue.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "configuration/edit_distance.h"
@@ -150,6 +151,20 @@ std::shared_ptr<const Effect> findEffect(const Effects& catalogue, const std::st
   throw ConfigurationError("effects: found '" + name + (variant.empty() ? "" : "', variant '") +
                            variant + "', which does not exist or does not fit these data" +
                            (nearest != nullptr ? "; the nearest is " + nearest->label() : ""));
+}
+
+std::shared_ptr<const Effect> findEffect(const Effects& catalogue, Trait trait) {
+  const auto found = std::find_if(catalogue.begin(), catalogue.end(),
+                                  [&](const auto& effect) { return effect->has(trait); });
+  if (found == catalogue.end()) throw std::logic_error("effects: none has the trait asked for");
+  return *found;
+}
+
+bool hasTrait(const std::string& name, Trait trait) {
+  static const Effects all = catalogue({});
+  return std::any_of(all.begin(), all.end(), [&](const auto& effect) {
+    return effect->name() == name && effect->has(trait);
+  });
 }
 
 std::string nearestEffect(const std::string& name, DataSummary data) {

@@ -27,7 +27,8 @@ class ClockOffset : public Effect {
                 {logVariance("deviation", "samples")},
                 values({0, 3, 6}),
                 /*nonlinear=*/true,
-                /*own_point=*/true}) {}
+                /*own_point=*/true,
+                {Trait::own_shifts}}) {}
 
   void apply(const VectorXd& psi, Chain* chain) const override {
     constexpr double kStep = 0.05;

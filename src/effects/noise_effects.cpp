@@ -34,7 +34,10 @@ class NoiseColour : public Effect {
              Stage::measurement,
              ScreeningKind::regression,
              {{"d1", "1", 0.2}, {"d2", "1", 0.2}},
-             colourStarts()}) {}
+             colourStarts(),
+             /*nonlinear=*/false,
+             /*own_point=*/false,
+             {Trait::of_noise, Trait::noise_poles}}) {}
 
   bool admissible(const VectorXd& psi) const override { return isStable(psi, 0.999); }
 

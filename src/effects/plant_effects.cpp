@@ -163,7 +163,12 @@ MadeEffects plantAging(const DataSummary& data) {
        Stage::output,
        ScreeningKind::regression,
        shifts,
-       {VectorXd::Zero(data.regressors)}},
+       {VectorXd::Zero(data.regressors)},
+       /*nonlinear=*/false,
+       /*own_point=*/false,
+       {Trait::of_mixture},
+       /*excludes=*/{},
+       /*least_score=*/4.5},
       [starts = data.starts](const VectorXd& psi, Chain* chain) {
         const Lanes positions = chain->positions(starts);
         for (Eigen::Index i = 0; i < psi.size(); ++i)

@@ -141,7 +141,10 @@ MadeEffects sensorClipping(const DataSummary& data) {
                          100 * data.output_deviation}},
                        quantileStarts(data.output_sizes, {0.6, 0.75, 0.85, 0.92, 0.97},
                                       1e-3 * data.output_deviation),
-                       /*nonlinear=*/true},
+                       /*nonlinear=*/true,
+                       /*own_point=*/false,
+                       {Trait::output_limit},
+                       /*excludes=*/{"sens_wiener"}},
                       [](const VectorXd& psi, Chain* chain) {
                         const Signals x = chain->expected();
                         chain->transform(x.min(psi[0]).max(-psi[0]),

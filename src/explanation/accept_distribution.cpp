@@ -7,6 +7,11 @@
 
 namespace uncertainty_identification {
 
+void Search::banDistributions(SearchState* state) const {
+  for (const Trait trait : {Trait::heavy_tails, Trait::outliers})
+    state->banned.push_back(findEffect(catalogue_, trait)->name());
+}
+
 /// Accepts a residual distribution if the held-out experiments confirm it. Outliers are then masked
 /// in all experiments, and the model is fitted again.
 bool Search::acceptDistribution(SearchState* state, const FittedEffect& best) {
@@ -14,7 +19,7 @@ bool Search::acceptDistribution(SearchState* state, const FittedEffect& best) {
   const ResidualDistribution distribution =
       residualDistribution(state->fit, state->train, residuals);
   if (!distribution.isOfNoise()) {
-    state->banned.insert(state->banned.end(), {"noise_tails", "sens_outliers"});
+    banDistributions(state);
     return false;
   }
   const DistributionFamily family = familyOf(*best.effect);
@@ -46,7 +51,7 @@ bool Search::acceptDistribution(SearchState* state, const FittedEffect& best) {
                                     state->train, context_);
   if (cause.gain) cause.gain->noise_variance.after = state->fit.at.noise_variance;
   state->causes.push_back(std::move(cause));
-  state->banned.insert(state->banned.end(), {"noise_tails", "sens_outliers"});
+  banDistributions(state);
   state->heavy_tails = true;
   state->total += best.score;
   return true;

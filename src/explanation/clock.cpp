@@ -9,8 +9,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr const char* kName = "exp_clock";
-
 /// Shifts the output of each experiment by the shift that its point states, without uncertainty.
 class FixedShift : public Effect {
  public:
@@ -37,7 +35,7 @@ class FixedShift : public Effect {
 
 bool hasClock(const ExtendedModel& model) {
   for (const auto& effect : model.effects()) {
-    if (effect->name() == kName) return true;
+    if (effect->has(Trait::own_shifts)) return true;
   }
   return false;
 }
@@ -48,7 +46,7 @@ MatrixXd clockStart(const ExtendedModel& model, const ModelParameters& at, const
   VectorXd parameters = at.parameters;
   Index row = 0;
   for (std::size_t k = 0; k < model.effects().size(); ++k) {
-    if (model.effects()[k]->name() != kName) {
+    if (!model.effects()[k]->has(Trait::own_shifts)) {
       effects.push_back(model.effects()[k]);
       continue;
     }

@@ -43,7 +43,7 @@ class Explaining {
                   const std::vector<Experiment>& validation);
 
  private:
-  bool isExcluded(const std::string& name) const;
+  bool isExcluded(Trait trait) const;
   std::vector<SpoiltSamples> maskSpoilt(Split* data);
   void searchSimulation(const Split& data);
   Estimate identify(const std::vector<Experiment>& experiments);
@@ -65,9 +65,10 @@ class Explaining {
   Explanation explanation_;
 };
 
-bool Explaining::isExcluded(const std::string& name) const {
+bool Explaining::isExcluded(Trait trait) const {
   const auto& excluded = configuration_.explanation.exclude;
-  return std::find(excluded.begin(), excluded.end(), name) != excluded.end();
+  return std::any_of(excluded.begin(), excluded.end(),
+                     [&](const std::string& name) { return hasTrait(name, trait); });
 }
 
 std::vector<SpoiltSamples> Explaining::maskSpoilt(Split* data) {
@@ -76,12 +77,12 @@ std::vector<SpoiltSamples> Explaining::maskSpoilt(Split* data) {
   data->held = withoutRest(std::move(data->held));
   std::vector<SpoiltSamples> spoilt;
   for (SpoiltSamples& each : checkSamples(data->train)) {
-    if (!isExcluded(each.name) && !isExceeded(each, data->held)) spoilt.push_back(std::move(each));
+    if (!isExcluded(each.trait) && !isExceeded(each, data->held)) spoilt.push_back(std::move(each));
   }
   for (const SpoiltSamples& each : spoilt) {
     data->train = withoutSpoiled(std::move(data->train), each);
     data->held = withoutSpoiled(std::move(data->held), each);
-    if (each.name != "sens_quant") configuration_.limits.max_missing = kAny;
+    if (each.trait != Trait::quantisation) configuration_.limits.max_missing = kAny;
   }
   return spoilt;
 }
@@ -255,7 +256,7 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
   progress_.report("describing", 0.9, found.fit.log_likelihood);
   explanation_.checks_after = checkResiduals(found.fit, found.train, found.heavy_tails);
   for (const FoundCause& cause : found.causes) {
-    if (cause.effect->name() == "exp_feedback") explanation_.warnings.push_back(kFeedback);
+    if (cause.effect->has(Trait::feedback)) explanation_.warnings.push_back(kFeedback);
     const std::string reason = reasonNotToName(cause, found, allPassed(explanation_.checks_after));
     if (reason.empty())
       explanation_.causes.push_back(described(cause, found));

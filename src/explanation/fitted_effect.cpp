@@ -32,12 +32,10 @@ FittedEffect screened(const Screening& screening, const std::shared_ptr<const Ef
 }  // namespace
 
 bool isOfNoise(const Effect& effect) {
-  return effect.name().rfind("noise_", 0) == 0 || effect.name() == "sens_outliers";
+  return effect.stage() == Stage::noise || effect.has(Trait::of_noise);
 }
 
-bool isOfMixture(const Effect& effect) {
-  return effect.name() == "exp_mode" || effect.name() == "plant_aging";
-}
+bool isOfMixture(const Effect& effect) { return effect.has(Trait::of_mixture); }
 
 Fit afterPredictedStep(const FittedEffect& candidate, const FitData& data,
                        const FitContext& context) {

@@ -72,7 +72,7 @@ std::vector<FittedEffect> fittedFromWhiteNoise(const Fit& base, const FitData& d
   if (absorbsWhatPersists(p)) fitted = mostPromising(white, base, data, effects, context);
   Effects colour;
   std::copy_if(effects.begin(), effects.end(), std::back_inserter(colour),
-               [](const auto& effect) { return effect->name() == "noise_colour"; });
+               [](const auto& effect) { return effect->has(Trait::noise_poles); });
   for (const FittedEffect& screened : screenedEffects(white, data, colour, context))
     fitted.push_back(fittedFromEachStart(screened, white.at, base, data, context));
   return fitted;

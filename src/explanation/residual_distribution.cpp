@@ -185,11 +185,11 @@ ResidualDistribution residualDistribution(const Fit& fit, const FitData& data,
 }
 
 bool isResidualDistribution(const Effect& effect) {
-  return effect.name() == "noise_tails" || effect.name() == "sens_outliers";
+  return effect.has(Trait::heavy_tails) || effect.has(Trait::outliers);
 }
 
 DistributionFamily familyOf(const Effect& effect) {
-  return effect.name() == "noise_tails" ? DistributionFamily::student : DistributionFamily::mixture;
+  return effect.has(Trait::heavy_tails) ? DistributionFamily::student : DistributionFamily::mixture;
 }
 
 VectorXd distributionGain(const ResidualDistribution& distribution, DistributionFamily family,

@@ -247,7 +247,7 @@ std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experimen
   const std::vector<double> values = measured(experiments);
   if (values.size() < 2) return {};
   if (const double step = latticeStep(values); step > 0)
-    return {{"sens_quant", {exact("step", "unit of y", step)}}};
+    return {{Trait::quantisation, {exact("step", "unit of y", step)}}};
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const double low = values.front(), high = values.back();
   const double held = heldShare(experiments, values), resolution = smallestDifference(values);
@@ -261,15 +261,15 @@ std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experimen
   const bool at_high = isLimit(high, visitsNextTo(values.rbegin(), values.rend()));
   std::vector<SpoiltSamples> found;
   if (at_low || at_high)
-    found.push_back({"sens_clip",
+    found.push_back({Trait::output_limit,
                      {exact("lower_limit", "unit of y", at_low ? low : -kNone),
                       exact("upper_limit", "unit of y", at_high ? high : kNone)}});
-  if (held > 0) found.push_back({"sens_dropout", {exact("share", "1", held)}});
+  if (held > 0) found.push_back({Trait::held_samples, {exact("share", "1", held)}});
   return found;
 }
 
 bool isExceeded(const SpoiltSamples& limit, const std::vector<Experiment>& others) {
-  if (limit.name != "sens_clip") return false;
+  if (limit.trait != Trait::output_limit) return false;
   const double low = limit.parameters.at(0).value, high = limit.parameters.at(1).value;
   const std::vector<double> values = measured(others);
   return !values.empty() && (values.front() < low || values.back() > high);
@@ -277,9 +277,9 @@ bool isExceeded(const SpoiltSamples& limit, const std::vector<Experiment>& other
 
 std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,
                                        const SpoiltSamples& defect) {
-  if (defect.name == "sens_quant") return experiments;
+  if (defect.trait == Trait::quantisation) return experiments;
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  const bool clipped = defect.name == "sens_clip";
+  const bool clipped = defect.trait == Trait::output_limit;
   const double low = clipped ? defect.parameters[0].value : -kFar;
   const double high = clipped ? defect.parameters[1].value : kFar;
   for (Experiment& experiment : experiments) {

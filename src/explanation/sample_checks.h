@@ -1,9 +1,9 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "uncertainty_identification/data/experiment.h"
+#include "uncertainty_identification/effects/effect.h"
 #include "uncertainty_identification/explanation/explanation.h"
 
 /// Checks of the samples for defects of the sensor that show without a model: a measurement with
@@ -12,7 +12,7 @@ namespace uncertainty_identification {
 
 /// A defect of the sensor that spoils samples.
 struct SpoiltSamples {
-  std::string name;  ///< of the effect: sens_quant, sens_clip or sens_dropout
+  Trait trait;  ///< of the effect: quantisation, output_limit or held_samples
   std::vector<CauseParameter> parameters;
 };
 

@@ -168,7 +168,7 @@ Screening::Start Screening::best(const std::shared_ptr<const Effect>& effect) co
     best.fit.at.parameters.conservativeResize(base_.at.parameters.size() + psi.size());
     best.fit.at.parameters.tail(psi.size()) = psi;
   }
-  if (effect->name() == "exp_clock") {  // the shifts do not depend on their variance, which is psi
+  if (effect->has(Trait::own_shifts)) {  // the shifts do not depend on their variance, which is psi
     ModelParameters with = base_.at;
     with.parameters.conservativeResize(with.parameters.size() + 1);
     with.parameters.tail(1).setZero();

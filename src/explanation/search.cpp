@@ -16,13 +16,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Pairs of effects of which a model needs only one: the other then has nothing left to describe.
-const std::vector<std::pair<std::string, std::string>>& exclusions() {
-  static const std::vector<std::pair<std::string, std::string>> all{{"act_offset", "sens_bias"},
-                                                                    {"sens_clip", "sens_wiener"}};
-  return all;
-}
-
 bool isAmong(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
@@ -32,6 +25,13 @@ bool isAmong(const std::vector<std::string>& list, const std::string& name) {
 bool SearchState::has(const std::string& name) const {
   return std::any_of(causes.begin(), causes.end(),
                      [&](const FoundCause& cause) { return cause.effect->name() == name; });
+}
+
+bool SearchState::excludes(const Effect& effect) const {
+  return std::any_of(causes.begin(), causes.end(), [&](const FoundCause& cause) {
+    return isAmong(cause.effect->description().excludes, effect.name()) ||
+           isAmong(effect.description().excludes, cause.effect->name());
+  });
 }
 
 PairedGains SearchState::gains(const Fit& before, const Fit& after) const {
@@ -44,21 +44,20 @@ Search::Search(const ExplanationOptions& options, FitContext context, Effects ca
     : options_(options), context_(std::move(context)), catalogue_(std::move(catalogue)) {}
 
 double Search::threshold(const Effect& effect) const {
-  constexpr double kMode = 2.5, kAging = 4.5;  // [nats]; a mode must pass a bootstrap test as well
-  if (effect.name() == "exp_mode") return kMode;
-  return effect.name() == "plant_aging" ? kAging : options_.acceptance;
+  const double least = effect.description().least_score;
+  return least > 0 ? least : options_.acceptance;
+}
+
+bool Search::isWanted(const Effect& effect, const SearchState& state) const {
+  const std::string& name = effect.name();
+  return !isAmong(options_.exclude, name) && !isAmong(state.banned, name) && !state.has(name);
 }
 
 Effects Search::considered(const SearchState& state) const {
   Effects effects;
-  for (const auto& effect : catalogue_) {
-    const std::string& name = effect->name();
-    bool wanted = effect->stage() != Stage::data && !isAmong(options_.exclude, name) &&
-                  !isAmong(state.banned, name) && !state.has(name);
-    for (const auto& [one, other] : exclusions())
-      wanted = wanted && !(name == one && state.has(other)) && !(name == other && state.has(one));
-    if (wanted) effects.push_back(effect);
-  }
+  for (const auto& effect : catalogue_)
+    if (effect->stage() != Stage::data && isWanted(*effect, state) && !state.excludes(*effect))
+      effects.push_back(effect);
   return effects;
 }
 
@@ -70,23 +69,22 @@ std::vector<FittedEffect> Search::rank(const SearchState& state) {
   std::vector<FittedEffect> ranked =
       fittedEffects(state.fit, state.train, considered(state), context_, checks_pass);
   // Effects outside the chain of signals, which are fitted in ways of their own.
-  const auto outside = [&](const std::string& name) -> std::shared_ptr<const Effect> {
-    if (isAmong(options_.exclude, name) || isAmong(state.banned, name) || state.has(name))
-      return nullptr;
-    return findEffect(catalogue_, name, "");
+  const auto outside = [&](Trait trait) {
+    const auto effect = findEffect(catalogue_, trait);
+    return isWanted(*effect, state) ? effect : nullptr;
   };
-  if (const auto mode = outside("exp_mode"))
+  if (const auto mode = outside(Trait::new_component))
     ranked.push_back(oneMoreComponent(state.fit, state.train, mode, context_));
   const ResidualDistribution distribution =
       residualDistribution(state.fit, state.train, residualsOf(state.fit, state.train));
-  const auto addDistribution = [&](const char* name, double gain, int parameters) {
+  const auto addDistribution = [&](Trait trait, double gain, int parameters) {
     constexpr double kSelection = 2;  // [nats] for the choice among several distributions
-    const auto effect = outside(name);
+    const auto effect = outside(trait);
     const double penalty = bicPenalty(parameters, state.train.samples()) + kSelection;
     if (effect) ranked.push_back({effect, state.fit, penalty, gain - penalty, {}, false});
   };
-  addDistribution("noise_tails", distribution.student_gain, 1);
-  addDistribution("sens_outliers", distribution.readingsGain(), 2);
+  addDistribution(Trait::heavy_tails, distribution.student_gain, 1);
+  addDistribution(Trait::outliers, distribution.readingsGain(), 2);
   sortByScore(&ranked);
   return ranked;
 }
@@ -109,9 +107,10 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
   constexpr double kImprobable = 0.05;
   if (isResidualDistribution(*candidate.effect)) return acceptDistribution(state, candidate);
   const std::string& name = candidate.effect->name();
-  if (name == "exp_mode" && !beatsSimulation(*state, candidate)) return false;
+  const bool is_component = candidate.effect->has(Trait::new_component);
+  if (is_component && !beatsSimulation(*state, candidate)) return false;
   const Fit fit =
-      name == "exp_mode"
+      is_component
           ? takeScoringSteps(candidate.fit, state->train, context_.options, 12, 0.01)
           : optimiseWithRestarts(candidate.fit, state->train, context_, !candidate.restarted);
   const Gain gain = gainOf(heldOut(state->fit, state->held), heldOut(fit, state->held),
@@ -139,7 +138,7 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
   next.fit = fit;
   next.causes.push_back(std::move(cause));
   next.total += score;
-  if (name != "exp_mode") eliminate(&next);
+  if (!is_component) eliminate(&next);
   if (isDifferencing(next.fit)) return false;
   const bool kept = next.has(name);
   if (!kept) next.banned.push_back(name);

@@ -40,6 +40,8 @@ struct SearchState {
   bool fitted_to = false;  ///< too few experiments to hold any out: `held` are those of `train`
 
   bool has(const std::string& name) const;
+  /// Whether a cause leaves an effect nothing to describe (EffectDescription::excludes).
+  bool excludes(const Effect& effect) const;
   /// Gains of log density of the model `after` over the model `before`.
   PairedGains gains(const Fit& before, const Fit& after) const;
 };
@@ -76,7 +78,9 @@ class Search {
   bool acceptDistribution(SearchState* state, const FittedEffect& best);
   void eliminate(SearchState* state);
   void removeThoseThatHoldNoMore(const SearchState& base, SearchState* found);
+  bool isWanted(const Effect& effect, const SearchState& state) const;
   Effects considered(const SearchState& state) const;
+  void banDistributions(SearchState* state) const;
   double threshold(const Effect& effect) const;
   bool beatsSimulation(const SearchState& state, const FittedEffect& candidate) const;
 

@@ -53,7 +53,7 @@ void addCausesThatSamplesShow(const std::vector<SpoiltSamples>& spoilt, const Ef
                               SearchState* base) {
   constexpr double kMost = 0.5, kNoticeable = 0.05;  // variance of rounding / sigma^2
   for (const SpoiltSamples& each : spoilt) {
-    if (each.name == "sens_quant") {
+    if (each.trait == Trait::quantisation) {
       const double step = each.parameters.front().value;
       const double share = step * step / 12 / base->fit.at.noise_variance;
       if (share <= kMost) {
@@ -64,11 +64,11 @@ void addCausesThatSamplesShow(const std::vector<SpoiltSamples>& spoilt, const Ef
     }
     const HeldOut held = heldOut(base->fit, base->held);
     FoundCause cause;
-    cause.effect = findEffect(effects, each.name, "");
+    cause.effect = findEffect(effects, each.trait);
     cause.parameters = each.parameters;
     cause.gain = gainOf(held, held, base->gains(base->fit, base->fit));
     base->causes.push_back(std::move(cause));
-    base->banned.push_back(each.name);
+    base->banned.push_back(base->causes.back().effect->name());
   }
 }
 
@@ -77,7 +77,7 @@ void addFeedback(const Effects& effects, SearchState* found) {
   constexpr double kFeedback = 1e-4;  // p-value
   if (feedbackProbability(residualsOf(found->fit, found->train), found->train) >= kFeedback) return;
   FoundCause cause;
-  cause.effect = findEffect(effects, "exp_feedback", "");
+  cause.effect = findEffect(effects, Trait::feedback);
   found->causes.push_back(std::move(cause));
 }
 
@@ -122,7 +122,8 @@ SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& contex
   const DataSummary summary = summaryOf(base);
   const Effects effects = catalogue(summary);
   addCausesThatSamplesShow(spoilt, effects, &base);
-  const bool tests_feedback = !contains(options.exclude, "exp_feedback");
+  const bool tests_feedback =
+      !contains(options.exclude, findEffect(effects, Trait::feedback)->name());
   const ExplanationOptions whole = options;
   if (!only.empty()) excludeOthers(only, effects, summary, &options.exclude);
   Search search(options, context, effects);

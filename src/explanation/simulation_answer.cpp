@@ -21,8 +21,10 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Found in the samples themselves or by a test of the input: no curve can imitate them.
 bool isOfSamples(const Cause& cause) {
-  return cause.name == "sens_quant" || cause.name == "sens_dropout" || cause.name == "sens_clip" ||
-         cause.name == "exp_feedback";
+  const auto traits = {Trait::quantisation, Trait::held_samples, Trait::output_limit,
+                       Trait::feedback};
+  return std::any_of(traits.begin(), traits.end(),
+                     [&](Trait trait) { return hasTrait(cause.name, trait); });
 }
 
 /// Logarithm of the ratio of squared errors, by fits [%].
@@ -226,7 +228,7 @@ void warnOfPoorSimulation(Explanation* explanation) {
     explanation->message = "the checks of the residuals find nothing wrong, but " + lacks;
   }
   const bool is_aside = std::all_of(causes.begin(), causes.end(), [&](const Cause& cause) {
-    return isOfSamples(cause) || cause.group == "noise" || cause.name == "sens_outliers";
+    return isOfSamples(cause) || cause.group == "noise" || hasTrait(cause.name, Trait::outliers);
   });
   if (causes.empty() || !is_aside || (lacks.empty() && !std::isfinite(fit))) return;
   if (lacks.empty()) {
@@ -274,7 +276,7 @@ void dropPlayOfSensorSteps(const std::vector<Experiment>& fitted, SimulationCaus
   if (simulation->causes.size() != 1 || simulation->causes[0].what.shape != "output_play") return;
   const double half_width = simulation->causes[0].values.at(0).value;
   for (const SpoiltSamples& spoilt : checkSamples(withoutRest(fitted))) {
-    if (spoilt.name != "sens_quant") continue;
+    if (spoilt.trait != Trait::quantisation) continue;
     const double step = spoilt.parameters.front().value;
     if (half_width >= kHardlyWider * step) continue;
     simulation->refused = simulation->causes[0].what.name + ": a play of half width " +

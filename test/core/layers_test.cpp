@@ -138,6 +138,22 @@ TEST(Layers, PublicHeadersIncludeNoPrivateOnes) {
   }
 }
 
+/// What the search for causes must know of an effect, the effect declares (Trait).
+TEST(Layers, TheSearchForCausesKnowsNoEffectByItsName) {
+  static const std::regex name(R"re("(?:act|plant|sens|noise|exp)_\w+")re");
+  int files = 0;
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(PROJECT_FOLDER) / "src" / "explanation")) {
+    std::ifstream in(entry.path());
+    ++files;
+    for (std::string line; std::getline(in, line);) {
+      const std::string code = line.substr(0, line.find("//"));
+      EXPECT_FALSE(std::regex_search(code, name)) << entry.path() << ": " << line;
+    }
+  }
+  EXPECT_GT(files, 40);
+}
+
 /// Two types of one name in two libraries are linked as one: what follows is memory destroyed, and
 /// no message.
 TEST(Layers, NoTypeNameIsUsedTwice) {

@@ -42,6 +42,13 @@ std::vector<std::string> registeredNames(const DataSummary& data);
 std::shared_ptr<const Effect> findEffect(const Effects& catalogue, const std::string& name,
                                          const std::string& variant);
 
+/// The first effect with this trait, which must be there.
+std::shared_ptr<const Effect> findEffect(const Effects& catalogue, Trait trait);
+
+/// Whether a built-in effect of this name has this trait. Effects that need covariates or time
+/// stamps are not considered.
+bool hasTrait(const std::string& name, Trait trait);
+
 /// The effect whose name is nearest to this one. Effects that need covariates, time stamps or more
 /// experiments are considered even where these data have none.
 std::string nearestEffect(const std::string& name, DataSummary data);

@@ -33,12 +33,23 @@ enum class ScreeningKind {
 /// What else the search for causes must know of an effect. Traits are declared by the effect, so
 /// that the search needs to know no effect by its name.
 enum class Trait {
-  order,        ///< linear dynamics, which a model of higher order or longer delay has as well
-  moves_plant,  ///< changes the best theta so much that fits must begin at new starts of it
-  many_optima,  ///< the likelihood has many local maxima: fits must begin at each start
-  in_mixture,   ///< the mixture of the base model may have absorbed it: fits must restart that
-  differencing  ///< near the upper limit of its parameter it takes differences of the data, and so
-                ///< would absorb any drift
+  order,          ///< linear dynamics, which a model of higher order or longer delay has as well
+  moves_plant,    ///< changes the best theta so much that fits must begin at new starts of it
+  many_optima,    ///< the likelihood has many local maxima: fits must begin at each start
+  in_mixture,     ///< the mixture of the base model may have absorbed it: fits must restart that
+  differencing,   ///< near the upper limit of its parameter it takes differences of the data, and
+                  ///< so would absorb any drift
+  of_mixture,     ///< estimated from whole experiments, not from samples
+  new_component,  ///< one more component of the mixture
+  noise_poles,    ///< more poles of the noise model, which may have taken the place of others
+  of_noise,       ///< changes no simulation, as all effects of Stage::noise
+  heavy_tails,    ///< all innovations are distributed with heavier tails than Gaussian
+  outliers,       ///< some samples are
+  own_shifts,     ///< its points are shifts in time, and are found by a search of their own
+  quantisation,   ///< seen in the samples: they lie on a lattice
+  held_samples,   ///< seen in the samples: they repeat
+  output_limit,   ///< may be seen in the samples: they crowd at the lowest or highest
+  feedback        ///< seen in the input: it depends on the output
 };
 
 /// A parameter of an effect.
@@ -102,6 +113,9 @@ struct EffectDescription {
   /// log-variance of that size.
   bool own_point = false;
   std::vector<Trait> traits = {};
+  std::vector<std::string> excludes = {};  ///< names of effects that have nothing left to describe
+                                           ///< where this one is there, and the reverse
+  double least_score = 0;  ///< [nats] that it has to gain; 0: explanation.acceptance
 };
 
 /// A physical effect that may be missing from a model. It changes the signals of the chain at its

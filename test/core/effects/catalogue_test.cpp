@@ -171,5 +171,14 @@ TEST(DataSummary, HoldsWhatEffectsChooseTheirScalesBy) {
   EXPECT_EQ(summary.samples, 4);
 }
 
+TEST(Traits, AreThoseThatTheEffectsDeclare) {
+  EXPECT_EQ(findEffect(all(), Trait::feedback)->name(), "exp_feedback");
+  EXPECT_EQ(findEffect(all(), Trait::new_component)->name(), "exp_mode");
+  EXPECT_THROW(findEffect({}, Trait::feedback), std::logic_error);
+  EXPECT_TRUE(hasTrait("sens_clip", Trait::output_limit));
+  EXPECT_FALSE(hasTrait("sens_clip", Trait::feedback));
+  EXPECT_FALSE(hasTrait("no_such_effect", Trait::output_limit));
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

@@ -62,8 +62,8 @@ Gain simulated(double before, double after) {
 TEST(AcceptanceRules, RefuseWhatSimulatesWorse) {
   EXPECT_TRUE(simulatesAsWell(Named("act_deadzone"), simulated(80, 79.91)));
   EXPECT_FALSE(simulatesAsWell(Named("act_deadzone"), simulated(80, 79.89)));
-  EXPECT_TRUE(simulatesAsWell(Named("noise_colour"), simulated(80, 79.1)));
-  EXPECT_FALSE(simulatesAsWell(Named("noise_colour"), simulated(80, 78.9)));
+  EXPECT_TRUE(simulatesAsWell(Named("noise_colour", {Trait::of_noise}), simulated(80, 79.1)));
+  EXPECT_FALSE(simulatesAsWell(Named("noise_colour", {Trait::of_noise}), simulated(80, 78.9)));
   EXPECT_FALSE(simulatesAsWell(Named("act_deadzone"), simulated(80, std::nan(""))));
 }
 
@@ -95,7 +95,8 @@ TEST(AcceptanceRules, ClearIsATwentiethOfTheSquaredErrorOrThreeStandardErrors) {
 TEST(AcceptanceRules, DependOnTheEffectAndItsScore) {
   EXPECT_EQ(acceptanceRule(Named("act_deadzone"), 14), AcceptanceRule::significant_gain);
   EXPECT_EQ(acceptanceRule(Named("act_deadzone"), 16), AcceptanceRule::any_gain);
-  EXPECT_EQ(acceptanceRule(Named("exp_mode"), 16), AcceptanceRule::no_significant_loss);
+  EXPECT_EQ(acceptanceRule(Named("exp_mode", {Trait::of_mixture}), 16),
+            AcceptanceRule::no_significant_loss);
 }
 
 TEST(Equivalence, IsThatOfScoresThatAreNear) {

@@ -69,7 +69,7 @@ TEST(SampleChecks, ALatticeIsASensorThatReadsInSteps) {
     experiment.y = (0.3 * (experiment.y.array() / 0.3).round() + 0.07).matrix();
   const auto found = checkSamples(experiments);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].name, "sens_quant");
+  EXPECT_EQ(found[0].trait, Trait::quantisation);
   EXPECT_NEAR(found[0].parameters.at(0).value, 0.3, 1e-9);
   const auto kept = withoutSpoiled(experiments, found[0]);
   EXPECT_EQ(kept[0].validSamples(), 500) << "steps spoil no sample";
@@ -87,7 +87,7 @@ TEST(SampleChecks, StepsAreSeenThroughTheRoundingOfAFile) {
   }
   const auto found = checkSamples(experiments);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].name, "sens_quant");
+  EXPECT_EQ(found[0].trait, Trait::quantisation);
   EXPECT_NEAR(found[0].parameters.at(0).value, 1.0 / 16, 1e-3);
 }
 
@@ -100,7 +100,7 @@ TEST(SampleChecks, RepeatedExtremesAreALimit) {
   }
   const auto found = checkSamples(experiments);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].name, "sens_clip");
+  EXPECT_EQ(found[0].trait, Trait::output_limit);
   EXPECT_EQ(found[0].parameters.at(0).value, -HUGE_VAL) << "nothing is clipped below";
   EXPECT_EQ(found[0].parameters.at(1).value, 3);
   int valid = 0;
@@ -110,7 +110,7 @@ TEST(SampleChecks, RepeatedExtremesAreALimit) {
 }
 
 TEST(SampleChecks, ALimitIsNoneWhereOtherExperimentsReadBeyondIt) {
-  SpoiltSamples limit{"sens_clip", {}};
+  SpoiltSamples limit{Trait::output_limit, {}};
   limit.parameters.resize(2);
   limit.parameters[0].value = -HUGE_VAL;
   limit.parameters[1].value = 3;
@@ -118,7 +118,7 @@ TEST(SampleChecks, ALimitIsNoneWhereOtherExperimentsReadBeyondIt) {
   EXPECT_TRUE(isExceeded(limit, others));
   for (Experiment& experiment : others) experiment.y = experiment.y.cwiseMin(3.0);
   EXPECT_FALSE(isExceeded(limit, others));
-  EXPECT_FALSE(isExceeded({"sens_quant", {}}, others));
+  EXPECT_FALSE(isExceeded({Trait::quantisation, {}}, others));
 }
 
 /// A robot's joint that waits at the end of its path, held by friction while the command creeps.
@@ -145,7 +145,7 @@ TEST(SampleChecks, ARecordThatBeginsAndEndsAtRestHasNoLimit) {
   for (int t = 50; t < 500; t += 60) experiments[0].y[t] = 0;
   const auto found = checkSamples(experiments);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].name, "sens_clip");
+  EXPECT_EQ(found[0].trait, Trait::output_limit);
 }
 
 TEST(SampleChecks, ExtremesOfACoarseSensorAreNoLimit) {
@@ -155,7 +155,8 @@ TEST(SampleChecks, ExtremesOfACoarseSensorAreNoLimit) {
       const double step = std::round(std::min(std::max(y / 2, -2.0), 2.0));
       y = step + 0.01 * step * step;  // five levels, the outer ones 70 times each
     }
-  for (const SpoiltSamples& found : checkSamples(coarse)) EXPECT_NE(found.name, "sens_clip");
+  for (const SpoiltSamples& found : checkSamples(coarse))
+    EXPECT_NE(found.trait, Trait::output_limit);
 }
 
 /// Readings of hundredths, which most samples read but once.
@@ -170,7 +171,7 @@ TEST(SampleChecks, AMachineThatTurnsRoundHasNoLimit) {
   for (Experiment& experiment : slow) experiment.y = experiment.y.cwiseMin(4);
   const auto found = checkSamples(slow);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].name, "sens_clip");
+  EXPECT_EQ(found[0].trait, Trait::output_limit);
   EXPECT_EQ(found[0].parameters.at(1).value, 4);
 }
 
@@ -179,7 +180,7 @@ TEST(SampleChecks, RepeatedValuesAreASensorThatHolds) {
   for (int t = 10; t < 500; t += 100) experiments[1].y[t] = experiments[1].y[t - 1];
   const auto found = checkSamples(experiments);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].name, "sens_dropout");
+  EXPECT_EQ(found[0].trait, Trait::held_samples);
   EXPECT_DOUBLE_EQ(found[0].parameters.at(0).value, 5.0 / 1000);
   const auto kept = withoutSpoiled(experiments, found[0]);
   EXPECT_EQ(kept[0].validSamples(), 500);
@@ -212,7 +213,7 @@ TEST(SampleChecks, AMachineThatStandsStillIsNoSensorThatHolds) {
   EXPECT_TRUE(checkSamples(encoder(false)).empty());
   const auto found = checkSamples(encoder(true));
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].name, "sens_dropout");
+  EXPECT_EQ(found[0].trait, Trait::held_samples);
 }
 
 TEST(SampleChecks, OfARestBeforeTheTestThreeSamplesStay) {
@@ -244,7 +245,7 @@ TEST(SampleChecks, ALargestValueThatIsHeldIsNoLimit) {
   for (int t = 1; t < 6; ++t) experiments[0].y[largest + t] = experiments[0].y[largest];
   const auto found = checkSamples(experiments);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].name, "sens_dropout");
+  EXPECT_EQ(found[0].trait, Trait::held_samples);
 }
 
 TEST(SampleChecks, ThreeRepeatsAreChance) {
