@@ -193,6 +193,10 @@ Eigen::VectorXd Curve::closest(const Eigen::VectorXd& values) const {
   return (basis.transpose() * basis + ridge).ldlt().solve(basis.transpose() * values);
 }
 
-bool Curve::coversZero() const { return low_ < -zero_ && -zero_ < high_; }
+bool Curve::coversZero() const {
+  constexpr double kMargin = 0.05;  // of the range
+  const double low = samples_[0], high = samples_[kSamples - 1], margin = kMargin * (high - low);
+  return low - margin <= -zero_ && -zero_ <= high + margin;
+}
 
 }  // namespace uncertainty_identification

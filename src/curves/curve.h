@@ -51,7 +51,7 @@ class Curve {
   Curve shaped(const Shape* shape) const;
   /// Parameters of this free curve that come closest to `values` at the samples.
   Eigen::VectorXd closest(const Eigen::VectorXd& values) const;
-  /// Whether the physical zero lies within the samples, widened by half their range.
+  /// Whether the physical zero lies within the samples, widened by a twentieth of their range.
   bool coversZero() const;
   /// Constant, slope and scale by which a shape is made orthogonal to the linear plant:
   /// curve(z) = amplitude (value(z) - constant - slope z) / scale.

@@ -155,6 +155,22 @@ std::string knownShape(const std::string& shape, const Eigen::VectorXd& paramete
   return shape;
 }
 
+/// Of two limits, drops the one that the recorded signal never reached: it is only known to lie
+/// beyond. The words then speak of the other one.
+void dropUnreachedLimit(SimulationCause* cause) {
+  const auto is_unreached = [&](const ShapeValue& limit) {
+    return (limit.name == "lower_limit" && limit.value < cause->curve.signal.front()) ||
+           (limit.name == "upper_limit" && limit.value > cause->curve.signal.back());
+  };
+  std::vector<ShapeValue>& limits = cause->values;
+  if (limits.size() != 2 || is_unreached(limits[0]) == is_unreached(limits[1])) return;
+  limits.erase(std::remove_if(limits.begin(), limits.end(), is_unreached), limits.end());
+  const std::string both = shapeInWords(cause->what.shape);
+  const std::string one = limits[0].name == "lower_limit" ? "a lower limit" : "an upper limit";
+  const std::size_t at = cause->description.find(both);
+  if (at != std::string::npos) cause->description.replace(at, both.size(), one);
+}
+
 }  // namespace
 
 SimulationCause describeCurve(const FoundCurve& found, const WindowFit& fit,
@@ -187,6 +203,7 @@ SimulationCause describeCurve(const FoundCurve& found, const WindowFit& fit,
   } else {
     cause.curve = pictureOf(curve, parameters, covariance, found.place, signal, unit);
     if (curve.shape()) cause.values = valuesOf(curve, parameters, covariance, signal, unit);
+    dropUnreachedLimit(&cause);
   }
   if (shape == "curve" && found.nearest_share > 0.8)  // else the curve is all that is known
     cause.description += "; " + shapeInWords(found.nearest) + " has " +

@@ -89,12 +89,18 @@ Eigen::VectorXd errorsBeyondGain(const SimulationData& held, const CurveModel& m
   return errors;
 }
 
+bool showDifferences(const SimulationData& data, const SimulationData& held) {
+  constexpr std::size_t kFewWindows = 4;
+  const auto are_of_several = [](const SimulationData& of) {
+    return std::any_of(of.windows.begin(), of.windows.end(), [&](const SimulationWindow& window) {
+      return window.record != of.windows.front().record;
+    });
+  };
+  return are_of_several(held) || (held.windows.size() < kFewWindows && are_of_several(data));
+}
+
 Eigen::VectorXd unseenBeyondGain(const WindowFit& fit, const SimulationData& held) {
-  const bool is_one_experiment = std::all_of(
-      held.windows.begin(), held.windows.end(),
-      [&](const SimulationWindow& window) { return window.record == held.windows.front().record; });
-  const Eigen::VectorXd of_held =
-      is_one_experiment ? Eigen::VectorXd() : errorsBeyondGain(held, fit.model);
+  const Eigen::VectorXd of_held = errorsBeyondGain(held, fit.model);
   if (of_held.size() == 0) return {};
   Eigen::VectorXd all(fit.left_out_beyond_gain.size() + of_held.size());
   all << fit.left_out_beyond_gain, of_held;

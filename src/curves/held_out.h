@@ -23,8 +23,11 @@ Eigen::VectorXd unseenErrors(const WindowFit& fit, const SimulationData& held);
 /// nothing. Empty where every input is a single step, which shows nothing but gain and offset.
 Eigen::VectorXd errorsBeyondGain(const SimulationData& held, const CurveModel& model);
 
-/// unseenErrors() beyond what differs between experiments. Empty where that is so of
-/// errorsBeyondGain(), or where all windows are of one experiment.
+/// Whether the unseen windows show what differs between experiments: those held out are of several,
+/// or they are few and those fitted to are of several.
+bool showDifferences(const SimulationData& data, const SimulationData& held);
+
+/// unseenErrors() beyond what differs between experiments. Empty where errorsBeyondGain() is.
 Eigen::VectorXd unseenBeyondGain(const WindowFit& fit, const SimulationData& held);
 
 /// Number of first samples of each window that the initial state of its simulation is taken from.

@@ -32,6 +32,7 @@ class CurveSearch {
   void dropNeedless();
   void nameAgain();
   Eigen::VectorXd heldErrors(const WindowFit& fit) const;
+  Eigen::VectorXd unseenBeyond(const WindowFit& fit) const;
   void keepIfAsGood(WindowFit changed);
   void tell(const std::string& what) const {
     if (context_.tell) context_.tell(what);
@@ -49,6 +50,11 @@ class CurveSearch {
 
 Eigen::VectorXd CurveSearch::heldErrors(const WindowFit& fit) const {
   return heldOutErrors(held_, fit.model);
+}
+
+/// Unseen errors beyond what differs between experiments; empty where the windows do not show it.
+Eigen::VectorXd CurveSearch::unseenBeyond(const WindowFit& fit) const {
+  return showDifferences(data_, held_) ? unseenBeyondGain(fit, held_) : Eigen::VectorXd();
 }
 
 bool CurveSearch::isWorth(const CurveCandidate& candidate, const Eigen::VectorXd& now,
@@ -77,8 +83,8 @@ bool CurveSearch::convinces(const Eigen::VectorXd& before, const Eigen::VectorXd
 
 /// Whether held-out windows gain, also where each has a gain and an offset of its own. Whether the
 /// latter is significant, all unseen windows tell for the first cause, because two or three
-/// held-out experiments cannot; a further cause may only mend the first. `beyond`: the gain is
-/// looked for in the latter way only, and there is no loss otherwise.
+/// held-out experiments or windows cannot; a further cause may only mend the first. `beyond`: the
+/// gain is looked for in the latter way only, and there is no loss otherwise.
 bool CurveSearch::convincesHeld(const WindowFit& fit, const Eigen::VectorXd& errors,
                                 bool beyond) const {
   const double share = errors.sum() / held_errors_.sum();
@@ -86,11 +92,11 @@ bool CurveSearch::convincesHeld(const WindowFit& fit, const Eigen::VectorXd& err
   const bool as_it_is = beyond ? share < 1 : is_material && convinces(held_errors_, errors);
   const Eigen::VectorXd before = errorsBeyondGain(held_, result_.fit.model),
                         after = errorsBeyondGain(held_, fit.model);
-  const Eigen::VectorXd all = unseenBeyondGain(result_.fit, held_);
+  const Eigen::VectorXd all = unseenBeyond(result_.fit);
   if (!as_it_is || all.size() == 0 || !result_.causes.empty())
     return as_it_is && convinces(before, after);
   return after.sum() <= (1 - limits_.least_first_gain) * before.sum() &&
-         pairedT(all, unseenBeyondGain(fit, held_)) >= limits_.least_held_t;
+         pairedT(all, unseenBeyond(fit)) >= limits_.least_held_t;
 }
 
 /// Accepts the best of the curves if held-out windows gain; otherwise drops it.
@@ -123,8 +129,8 @@ std::vector<CurveCandidate> CurveSearch::beyondGain(std::vector<CurveCandidate> 
   std::vector<CurveCandidate> curves;
   for (CurveCandidate& each : all) {
     if (each.kind != CandidateKind::curve || each.unseen.sum() >= now.sum()) continue;
-    each.unseen = unseenBeyondGain(each.fit, held_);
-    each.named_unseen = unseenBeyondGain(each.naming.fit, held_);
+    each.unseen = unseenBeyond(each.fit);
+    each.named_unseen = unseenBeyond(each.naming.fit);
     if (each.unseen.size() > 0) curves.push_back(std::move(each));
   }
   std::stable_sort(curves.begin(), curves.end(),
@@ -162,7 +168,7 @@ CurveSearch::Round CurveSearch::round() {
   if (did != Round::nothing || !result_.causes.empty()) return did;
   std::vector<CurveCandidate> curves = beyondGain(std::move(all), now);
   if (curves.empty()) return Round::nothing;
-  return takeBest(std::move(curves), unseenBeyondGain(result_.fit, held_), true);
+  return takeBest(std::move(curves), unseenBeyond(result_.fit), true);
 }
 
 /// Curves that were found first may have stood for the play or limit found since, which has a
@@ -244,7 +250,7 @@ CurveSearchResult CurveSearch::run(const WindowFit& base) {
   result_ = {};
   result_.base = result_.fit = base;
   base_unseen_ = unseenErrors(base, held_).sum();
-  base_beyond_ = unseenBeyondGain(base, held_).sum();
+  base_beyond_ = unseenBeyond(base).sum();
   held_errors_ = heldErrors(base);
   for (int k = 0; k < limits_.max_causes + 3; ++k) {
     if (static_cast<int>(result_.causes.size()) >= limits_.max_causes) break;

@@ -38,7 +38,7 @@ double WindowSearch::fitOf(double squared_error) const {
 double WindowSearch::baseError() const { return heldOutErrors(kept, result.base.model).sum(); }
 
 bool WindowSearch::needsConfirmation() const {
-  constexpr double kWell = 90;  // [% of fit]
+  constexpr double kWell = 80;  // [% of fit]
   return !result.causes.empty() && fitOf(baseError()) > kWell;
 }
 

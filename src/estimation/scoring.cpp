@@ -60,8 +60,10 @@ class Scoring {
     const VectorXd gradient = gradientOf(scores(statistics_, point_, e).rowwise().sum());
     const MatrixXd information =
         likelihood_.information(point_, latentMoments(e)).observed.topLeftCorner(size(), size());
+    failures_ = 0;
     const auto step = damping_.step(information, gradient,
                                     [this](const VectorXd& along) { return improves(along); });
+    with_derivatives_ = failures_ == 0;
     if (step) fitMixture();
     return {
         0, likelihood_.passes(), reached_,
@@ -80,7 +82,8 @@ class Scoring {
     return gradient;
   }
 
-  /// Moves there if the log-likelihood is no lower.
+  /// Moves there if the log-likelihood is no lower. Derivatives cost several times the value: after
+  /// a trial that failed they are computed only where one succeeds.
   bool improves(const VectorXd& step) {
     ModelParameters trial = point_;
     trial.parameters += step.head(theta_);
@@ -88,9 +91,13 @@ class Scoring {
       if (shifts_) mean += step.tail(means_);
     }
     if (!likelihood_.model().admissible(trial.parameters)) return false;
-    Statistics there = likelihood_.statistics(trial.parameters, true);
-    const double value = likelihood_.expect(there, trial).total();
-    if (!(value >= reached_)) return false;
+    const bool with_derivatives = with_derivatives_ && failures_ == 0;
+    Statistics there = likelihood_.statistics(trial.parameters, with_derivatives);
+    if (!(likelihood_.expect(there, trial).total() >= reached_)) {
+      ++failures_;
+      return false;
+    }
+    if (!with_derivatives) there = likelihood_.statistics(trial.parameters, true);
     point_ = std::move(trial);
     statistics_ = std::move(there);
     return true;
@@ -111,6 +118,8 @@ class Scoring {
   Statistics statistics_;
   double reached_ = 0;
   Damping damping_;
+  int failures_ = 0;              ///< trials of this step
+  bool with_derivatives_ = true;  ///< the first trial of the step before succeeded
 };
 
 }  // namespace

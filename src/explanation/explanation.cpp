@@ -76,9 +76,8 @@ std::vector<SpoiltSamples> Explaining::maskSpoilt(Split* data) {
   data->train = withoutRest(std::move(data->train));
   data->held = withoutRest(std::move(data->held));
   std::vector<SpoiltSamples> spoilt;
-  for (SpoiltSamples& each : checkSamples(data->train)) {
+  for (SpoiltSamples& each : checkSamples(data->train))
     if (!isExcluded(each.trait) && !isExceeded(each, data->held)) spoilt.push_back(std::move(each));
-  }
   for (const SpoiltSamples& each : spoilt) {
     data->train = withoutSpoiled(std::move(data->train), each);
     data->held = withoutSpoiled(std::move(data->held), each);

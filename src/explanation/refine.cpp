@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "estimation/finalists.h"
 #include "estimation/initial_guess.h"
 #include "model/filter.h"
 #include "uncertainty_identification/errors.h"
@@ -68,11 +69,16 @@ std::vector<VectorXd> withPsi(const Fit& fit, std::vector<VectorXd> starts) {
 /// The best point with one component from new starts of Go, the noise model and the mixture.
 std::optional<ModelParameters> fromStartsOfAll(const Fit& fit, const Likelihood& likelihood,
                                                const FitData& data, const FitContext& context) {
+  constexpr std::size_t kFinalists = 3;
+  constexpr int kTurns = 2;
   const auto plain = fit.model->with({});
-  return bestSingleComponent(
-      likelihood,
-      withPsi(fit, nominalStarts(*plain, NominalModelOptions(), linearPartOf(fit, data))),
-      context.options);
+  const std::vector<VectorXd> starts =
+      withPsi(fit, nominalStarts(*plain, NominalModelOptions(), linearPartOf(fit, data)));
+  const std::vector<SingleComponent> optima = climbTogether(
+      likelihood, rankedSingleComponents(likelihood, starts, kFinalists, context.options),
+      context.options, kTurns);
+  if (optima.empty()) return {};
+  return optima.front().point;
 }
 
 /// The same from new starts of Go only, with the fit's noise model. None where all starts have a

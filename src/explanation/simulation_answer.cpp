@@ -9,23 +9,18 @@
 #include "curves/curve_words.h"
 #include "data/text.h"
 #include "explanation/acceptance.h"
+#include "explanation/named_causes.h"
+#include "explanation/poor_simulation.h"
 #include "explanation/residual_checks.h"
 #include "explanation/sample_checks.h"
 #include "explanation/verdict.h"
+#include "uncertainty_identification/effects/catalogue.h"
 
 namespace uncertainty_identification {
 namespace {
 
 const double kHalf = std::log(0.5);  ///< of the squared error
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-/// Found in the samples themselves or by a test of the input: no curve can imitate them.
-bool isOfSamples(const Cause& cause) {
-  const auto traits = {Trait::quantisation, Trait::held_samples, Trait::output_limit,
-                       Trait::feedback};
-  return std::any_of(traits.begin(), traits.end(),
-                     [&](Trait trait) { return hasTrait(cause.name, trait); });
-}
 
 /// Logarithm of the ratio of squared errors, by fits [%].
 double logRatio(double before, double after) {
@@ -39,12 +34,6 @@ double likelihoodRatio(const std::vector<Cause>& causes) {
     if (cause.gain && std::isfinite(cause.gain->nrmse_fit_percent.after))
       sum += logRatio(cause.gain->nrmse_fit_percent.before, cause.gain->nrmse_fit_percent.after);
   return sum;
-}
-
-std::string namesOf(const std::vector<Cause>& causes) {
-  std::string names;
-  for (const Cause& cause : causes) names += (names.empty() ? "" : ", ") + cause.name;
-  return names;
 }
 
 Cause ofSimulation(const SimulationCause& found) {
@@ -72,17 +61,6 @@ Cause ofSimulation(const SimulationCause& found) {
                     none, none, none, none, none};
   cause.simulation = found;
   return cause;
-}
-
-/// The model with causes is the one without.
-void forgetModelWithCauses(Explanation* explanation) {
-  explanation->after = explanation->before;
-  explanation->checks_after = explanation->checks_before;
-  explanation->residual_after = explanation->residual_before;
-  for (ExperimentPicture& picture : explanation->pictures) {
-    picture.simulated_after = picture.simulated_before;
-    picture.deviation_after = picture.deviation_before;
-  }
 }
 
 /// The curves are the causes. A cause of the likelihood of the same name lends its values and
@@ -145,28 +123,35 @@ void dropUnconfirmed(Explanation* explanation) {
   conclude(explanation, true);
 }
 
-/// Where the data are too few to search for what the simulation lacks, what makes the residuals
-/// white may stand for it: a cause in the plant or its sensor and actuator has to make the
-/// simulation of held-out experiments better.
-void dropUnsimulated(Explanation* explanation) {
-  constexpr double kBetter = 0.95;  // of the error
-  if (explanation->simulation.skipped.rfind("fewer than", 0) != 0) return;
+/// Whether a cause lies in the plant, its sensor or actuator, or a signal that was left out.
+bool isStructural(const Cause& cause) {
+  return cause.group != "noise" && !isOfSamples(cause) && !hasTrait(cause.name, Trait::outliers);
+}
+
+/// What makes the residuals white may stand for what the simulation lacks. Where the data are too
+/// few to search for that, a structural cause has to make the simulation of held-out experiments
+/// better; where none are held out, it has to halve the error of those fitted to.
+void dropUnverified(Explanation* explanation) {
+  constexpr double kBetter = 0.95, kHalved = 0.5;  // of the squared error
+  const bool too_few = explanation->simulation.skipped.rfind("fewer than", 0) == 0;
   const bool in_sample = explanation->held_out.empty();
-  const auto is_doubtful = [&](const Cause& cause) {
-    const bool changes = cause.group == "plant" || cause.group == "actuator" ||
-                         (cause.group == "sensor" && !isOfSamples(cause));
-    return changes && cause.gain && (in_sample || !(errorRatio(*cause.gain) < kBetter));
-  };
-  const auto first = std::stable_partition(explanation->causes.begin(), explanation->causes.end(),
-                                           [&](const Cause& each) { return !is_doubtful(each); });
+  if (!too_few && !in_sample) return;
+  const double least = !in_sample ? kBetter : too_few ? 0 : kHalved;
+  const auto first = std::stable_partition(
+      explanation->causes.begin(), explanation->causes.end(), [&](const Cause& cause) {
+        return !isStructural(cause) || !cause.gain || cause.simulation ||
+               errorRatio(*cause.gain) < least;
+      });
   if (first == explanation->causes.end()) return;
   const std::vector<Cause> dropped(first, explanation->causes.end());
   explanation->causes.erase(first, explanation->causes.end());
   explanation->warnings.push_back(
       namesOf(dropped) + ": makes the residuals white, but " +
       (in_sample ? "no experiment is held out that confirms it" : "the simulation no better") +
-      ", and " + explanation->simulation.skipped +
-      " do not show what the simulation lacks; not named");
+      ", and " +
+      (too_few ? explanation->simulation.skipped + " do not show what the simulation lacks"
+               : "the simulation of those fitted to gains little") +
+      "; not named: give another record by --validation");
   forgetModelWithCauses(explanation);
   conclude(explanation, true);
 }
@@ -176,70 +161,6 @@ void lendCurves(Explanation* explanation) {
   for (Cause& cause : explanation->causes)
     for (const SimulationCause& found : explanation->simulation.causes)
       if (found.what.name == cause.name) cause.simulation = found;
-}
-
-/// Whether another linear model simulates the data far better than by `fit` %.
-bool isBehind(const SimulationCauses& simulation, double fit) {
-  constexpr double kFar = 10;  // [%] fit
-  return fit < simulation.fit_before - kFar;
-}
-
-/// What the tests do not see of a simulation that fits by `fit` %, and whose 95 % intervals hold
-/// the share `coverage` of the samples: most of the output, or what another linear model simulates,
-/// or how uncertain it is. Empty where it is none of them.
-std::string shortcoming(const SimulationCauses& simulation, double fit, double coverage) {
-  constexpr double kPoor = 50;          // [%] fit
-  constexpr double kFewCovered = 0.75;  // of the samples
-  const bool is_behind = isBehind(simulation, fit);
-  if (coverage < kFewCovered)
-    return "the 95 % intervals of the simulation hold " + rounded(100 * coverage) +
-           " % of the samples only: the model does not know how far its simulation is off";
-  if (!(fit < kPoor) && !is_behind) return "";
-  std::ostringstream text;
-  text.precision(2);
-  text << "the simulation fits held-out data by " << fit << " % only: ";
-  if (is_behind)
-    text << "a linear model fitted to its simulation reaches " << simulation.fit_before
-         << " %, so the noise model describes what this one lacks";
-  else
-    text << "the input explains little of the output, the noise model describes the rest";
-  text << ", and the tests cannot see what the simulation lacks";
-  return text.str();
-}
-
-/// Tests of what cannot be predicted may pass though the simulation lacks much, even though a
-/// constant would simulate better. What the samples or the noise shows does not explain that.
-void warnOfPoorSimulation(Explanation* explanation) {
-  const std::vector<Cause>& causes = explanation->causes;
-  if (explanation->verdict != Verdict::none && explanation->verdict != Verdict::explained) return;
-  const SimulationCauses& simulation = explanation->simulation;
-  double fit = simulation.skipped.empty() ? simulation.fit_after : kNan;
-  double coverage = kNan;
-  for (const Cause& cause : causes) {
-    if (cause.gain && std::isfinite(cause.gain->nrmse_fit_percent.after)) {
-      fit = cause.gain->nrmse_fit_percent.after;
-      coverage = cause.gain->coverage_95.after;
-    }
-  }
-  const std::string lacks = shortcoming(simulation, fit, coverage);
-  if (!lacks.empty()) explanation->warnings.push_back(lacks);
-  if (causes.empty() && !lacks.empty()) {
-    if (fit < 0) explanation->verdict = Verdict::unknown;
-    explanation->message = "the checks of the residuals find nothing wrong, but " + lacks;
-  }
-  const bool is_aside = std::all_of(causes.begin(), causes.end(), [&](const Cause& cause) {
-    return isOfSamples(cause) || cause.group == "noise" || hasTrait(cause.name, Trait::outliers);
-  });
-  if (causes.empty() || !is_aside || (lacks.empty() && !std::isfinite(fit))) return;
-  if (lacks.empty()) {
-    explanation->message += ". The simulation is the same with it and fits " +
-                            std::string(explanation->held_out.empty() ? "" : "held-out ") +
-                            "data by " + rounded(fit) + " %";
-    return;
-  }
-  explanation->verdict = Verdict::partly_explained;
-  explanation->message = describedNames(causes) +
-                         ": with this in the model all checks of the residuals pass, but " + lacks;
 }
 
 void joinCurves(Explanation* explanation) {
@@ -292,10 +213,8 @@ void dropPlayOfSensorSteps(const std::vector<Experiment>& fitted, SimulationCaus
 void joinSimulation(Explanation* explanation) {
   if (!explanation->simulation.refused.empty())
     explanation->warnings.push_back(explanation->simulation.refused);
-  if (explanation->simulation.skipped.empty())
-    joinCurves(explanation);
-  else
-    dropUnsimulated(explanation);
+  if (explanation->simulation.skipped.empty()) joinCurves(explanation);
+  dropUnverified(explanation);
   warnOfPoorSimulation(explanation);
 }
 

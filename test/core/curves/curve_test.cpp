@@ -83,6 +83,17 @@ TEST(Curve, FreeCurveComesCloseToEachSmoothShape) {
   }
 }
 
+/// A dead zone about a zero that no sample comes near is only an offset.
+TEST(Curve, CoversZeroWhereSamplesComeNearIt) {
+  const auto covers = [](double low, double high) {
+    return Curve(Place::input, nullptr, Eigen::VectorXd::LinSpaced(100, low, high), 0).coversZero();
+  };
+  EXPECT_TRUE(covers(-1, 3));
+  EXPECT_TRUE(covers(0.1, 3));
+  EXPECT_FALSE(covers(1, 3));
+  EXPECT_FALSE(covers(-3, -1));
+}
+
 TEST(Curve, OfTwoLevelsIsNone) {
   Eigen::VectorXd levels(100);
   for (Eigen::Index k = 0; k < levels.size(); ++k) levels[k] = k % 2 == 0 ? 1 : -1;

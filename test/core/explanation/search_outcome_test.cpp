@@ -38,7 +38,7 @@ TEST(SearchOutcome, StepsThatAreASmallPartOfTheNoiseAreToldAndExplainNothing) {
 
 TEST(SearchOutcome, StepsThatAreMostOfTheNoiseAreACause) {
   const Explanation found = explainRounded(6);
-  ASSERT_EQ(found.causes.size(), 1u);
+  ASSERT_EQ(found.causes.size(), 1u) << found.message;
   EXPECT_EQ(found.causes[0].name, "sens_quant");
   EXPECT_FALSE(tellsOfSteps(found));
 }

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "uncertainty_identification/explanation/explanation.h"
+
+namespace uncertainty_identification {
+
+/// Whether a cause was found in the samples themselves or by a test of the input: no curve can
+/// imitate it.
+bool isOfSamples(const Cause& cause);
+
+/// "sens_hum, act_delay".
+std::string namesOf(const std::vector<Cause>& causes);
+
+/// Makes the model with causes the one without.
+void forgetModelWithCauses(Explanation* explanation);
+
+}  // namespace uncertainty_identification

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "uncertainty_identification/explanation/explanation.h"
+
+namespace uncertainty_identification {
+
+/// Tests of what cannot be predicted may pass though the simulation lacks much, even though a
+/// constant would simulate better. Says so then, and withdraws noise and wrong readings as causes:
+/// what the simulation lacks looks like them. Where the simulation lacks nothing, the message says
+/// that such causes do not change it.
+void warnOfPoorSimulation(Explanation* explanation);
+
+}  // namespace uncertainty_identification
