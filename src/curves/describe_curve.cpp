@@ -155,8 +155,8 @@ std::string knownShape(const std::string& shape, const Eigen::VectorXd& paramete
   return shape;
 }
 
-/// Of two limits, drops the one that the recorded signal never reached: it is only known to lie
-/// beyond. The words then speak of the other one.
+/// Of two limits, drops the one beyond all but 0.2 % of the recorded signal: it is only known to
+/// lie there. The words then speak of the other one.
 void dropUnreachedLimit(SimulationCause* cause) {
   const auto is_unreached = [&](const ShapeValue& limit) {
     return (limit.name == "lower_limit" && limit.value < cause->curve.signal.front()) ||

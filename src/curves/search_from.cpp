@@ -122,8 +122,8 @@ bool CurveSearch::takeCause(std::vector<CurveCandidate>* all, const Eigen::Vecto
 }
 
 /// The curves with their errors beyond what differs between experiments, the best first. Only those
-/// with which unseen windows are simulated better also as they are; nothing where all windows are
-/// of one experiment.
+/// with which unseen windows are simulated better also as they are; nothing where the windows do
+/// not show what experiments differ by.
 std::vector<CurveCandidate> CurveSearch::beyondGain(std::vector<CurveCandidate> all,
                                                     const Eigen::VectorXd& now) const {
   std::vector<CurveCandidate> curves;

@@ -161,7 +161,12 @@ std::shared_ptr<const Effect> findEffect(const Effects& catalogue, Trait trait) 
 }
 
 bool hasTrait(const std::string& name, Trait trait) {
-  static const Effects all = catalogue({});
+  static const MadeEffects all = [] {
+    MadeEffects made;
+    for (const BuiltIn& effect : kCatalogue)
+      for (auto& each : effect.make({})) made.push_back(std::move(each));
+    return made;
+  }();
   return std::any_of(all.begin(), all.end(), [&](const auto& effect) {
     return effect->name() == name && effect->has(trait);
   });

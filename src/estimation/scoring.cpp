@@ -118,8 +118,8 @@ class Scoring {
   Statistics statistics_;
   double reached_ = 0;
   Damping damping_;
-  int failures_ = 0;              ///< trials of this step
-  bool with_derivatives_ = true;  ///< the first trial of the step before succeeded
+  int failures_ = 0;              ///< trials of this step that were evaluated and did not gain
+  bool with_derivatives_ = true;  ///< the step before had no such trial
 };
 
 }  // namespace

@@ -7,7 +7,6 @@
 
 #include "data/text.h"
 #include "explanation/named_causes.h"
-#include "explanation/residual_checks.h"
 #include "explanation/verdict.h"
 #include "uncertainty_identification/effects/catalogue.h"
 
@@ -33,18 +32,19 @@ Simulated simulatedBy(const Explanation& explanation) {
   return simulated;
 }
 
-/// Whether a plant of its own for each of a few experiments is what simulates well. One for all
-/// does not, and so few experiments do not show that plants differ by chance.
-bool isOfFewPlants(const Explanation& explanation, double fit) {
-  constexpr int kFew = 8;  // experiments
+/// Whether one linear plant simulates windows of a few experiments far worse than the model does
+/// whole experiments, each from a state and an offset of its own: a curve of the input looks like
+/// that where each experiment has an input of another size.
+bool isOfFewExperiments(const Explanation& explanation, double fit) {
+  constexpr int kFew = 8;
   const SimulationCauses& simulation = explanation.simulation;
-  return simulation.skipped.empty() && explanation.before.experiment_count < kFew &&
-         explanation.before.error_model.mixture.components() > 0 && !explanation.causes.empty() &&
+  const bool was_simulated = !simulation.preparation.empty();
+  return was_simulated && explanation.before.experiment_count < kFew &&
          fit > simulation.fit_before + kFar;
 }
 
 /// What the tests do not see: most of the output, or what another linear model simulates, or how
-/// uncertain the simulation is, or why experiments differ. Empty where it is none of them.
+/// uncertain the simulation is. Empty where it is none of them.
 std::string shortcoming(const Explanation& explanation, const Simulated& simulated) {
   constexpr double kPoor = 50;          // [%] fit
   constexpr double kFewCovered = 0.75;  // of the samples
@@ -53,16 +53,11 @@ std::string shortcoming(const Explanation& explanation, const Simulated& simulat
   if (simulated.coverage < kFewCovered)
     return "the 95 % intervals of the simulation hold " + rounded(100 * simulated.coverage) +
            " % of the samples only: the model does not know how far its simulation is off";
-  std::ostringstream text;
-  text.precision(2);
-  if (isOfFewPlants(explanation, simulated.fit)) {
-    text << "one plant for all experiments simulates " << linear << " % only, and "
-         << explanation.before.experiment_count
-         << " experiments do not show whether plants differ by chance or with the input";
-    return text.str();
-  }
   if (!(simulated.fit < kPoor) && !is_behind) return "";
-  text << "the simulation fits held-out data by " << simulated.fit << " % only: ";
+  std::ostringstream text;
+  text.precision(3);
+  text << "the simulation fits " << (explanation.held_out.empty() ? "" : "held-out ") << "data by "
+       << simulated.fit << " % only: ";
   if (is_behind)
     text << "a linear model fitted to its simulation reaches " << linear
          << " %, so the noise model describes what this one lacks";
@@ -72,13 +67,23 @@ std::string shortcoming(const Explanation& explanation, const Simulated& simulat
   return text.str();
 }
 
+/// The same where the causes are in the samples or the noise, and change no simulation.
+std::string shortcomingBesideThem(const Explanation& explanation, const Simulated& simulated) {
+  const std::string lacks = shortcoming(explanation, simulated);
+  if (!lacks.empty() || !isOfFewExperiments(explanation, simulated.fit)) return lacks;
+  return "one linear plant simulates windows of the data by " +
+         rounded(explanation.simulation.fit_before) +
+         " % only, and so few experiments do not show whether they differ by chance or with the "
+         "input";
+}
+
 /// Whether what a simulation lacks looks like this cause.
 bool isOfResiduals(const Cause& cause) {
   return cause.group == "noise" || hasTrait(cause.name, Trait::outliers);
 }
 
 /// Withdraws what was found in the residuals of a simulation that lacks much. What the samples show
-/// stays, but explains no part of a simulation that is worse than a constant.
+/// stays, except for steps of the sensor where the simulation is worse than a constant.
 void withdraw(const std::string& lacks, bool is_worse_than_constant, Explanation* explanation) {
   std::vector<Cause>& causes = explanation->causes;
   const auto first = std::stable_partition(causes.begin(), causes.end(), [&](const Cause& cause) {
@@ -88,32 +93,35 @@ void withdraw(const std::string& lacks, bool is_worse_than_constant, Explanation
   const std::vector<Cause> withdrawn(first, causes.end());
   causes.erase(first, causes.end());
   if (!withdrawn.empty())
-    explanation->warnings.push_back(namesOf(withdrawn) + ": describes residuals, but " + lacks +
+    explanation->warnings.push_back(namesOf(withdrawn) + ": does not explain that " + lacks +
                                     "; not named");
   if (causes.empty()) forgetModelWithCauses(explanation);
   explanation->verdict = causes.empty() ? Verdict::unknown : Verdict::partly_explained;
   explanation->message = causes.empty()
                              ? "something is wrong that is not named: " + lacks
-                             : describedNames(causes) + ": seen in the samples, but " + lacks;
+                             : describedNames(causes) + ": does not explain that " + lacks;
 }
 
 }  // namespace
 
 void warnOfPoorSimulation(Explanation* explanation) {
-  std::vector<Cause>& causes = explanation->causes;
+  const std::vector<Cause>& causes = explanation->causes;
   const bool is_aside = std::all_of(causes.begin(), causes.end(), [](const Cause& cause) {
-    return isOfSamples(cause) || isOfResiduals(cause);
+    return !cause.simulation && (isOfSamples(cause) || isOfResiduals(cause));
   });
   if (explanation->verdict == Verdict::unknown) return;
   if (explanation->verdict == Verdict::partly_explained && !is_aside) return;
   const Simulated simulated = simulatedBy(*explanation);
-  const std::string lacks = shortcoming(*explanation, simulated);
-  if (!lacks.empty() && !is_aside) explanation->warnings.push_back(lacks);
-  if (causes.empty() && !lacks.empty()) {
+  if (causes.empty() || !is_aside) {
+    const std::string lacks = shortcoming(*explanation, simulated);
+    if (lacks.empty()) return;
+    explanation->warnings.push_back(lacks);
+    if (!causes.empty()) return;
     if (simulated.fit < 0) explanation->verdict = Verdict::unknown;
     explanation->message = "the checks of the residuals find nothing wrong, but " + lacks;
+    return;
   }
-  if (causes.empty() || !is_aside) return;
+  const std::string lacks = shortcomingBesideThem(*explanation, simulated);
   if (!lacks.empty())
     withdraw(lacks, simulated.fit < 0, explanation);
   else if (std::isfinite(simulated.fit) && explanation->verdict == Verdict::explained)

@@ -123,14 +123,15 @@ void dropUnconfirmed(Explanation* explanation) {
   conclude(explanation, true);
 }
 
-/// Whether a cause lies in the plant, its sensor or actuator, or a signal that was left out.
+/// Whether a cause is neither of the noise nor a defect of samples.
 bool isStructural(const Cause& cause) {
   return cause.group != "noise" && !isOfSamples(cause) && !hasTrait(cause.name, Trait::outliers);
 }
 
 /// What makes the residuals white may stand for what the simulation lacks. Where the data are too
 /// few to search for that, a structural cause has to make the simulation of held-out experiments
-/// better; where none are held out, it has to halve the error of those fitted to.
+/// better; where none are held out, it has to halve the error of those fitted to. Where both is so,
+/// none is named.
 void dropUnverified(Explanation* explanation) {
   constexpr double kBetter = 0.95, kHalved = 0.5;  // of the squared error
   const bool too_few = explanation->simulation.skipped.rfind("fewer than", 0) == 0;
@@ -151,8 +152,8 @@ void dropUnverified(Explanation* explanation) {
       ", and " +
       (too_few ? explanation->simulation.skipped + " do not show what the simulation lacks"
                : "the simulation of those fitted to gains little") +
-      "; not named: give another record by --validation");
-  forgetModelWithCauses(explanation);
+      "; not named" + (in_sample ? ": give another record by --validation" : ""));
+  if (explanation->causes.empty()) forgetModelWithCauses(explanation);
   conclude(explanation, true);
 }
 

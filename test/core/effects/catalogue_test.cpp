@@ -178,6 +178,10 @@ TEST(Traits, AreThoseThatTheEffectsDeclare) {
   EXPECT_TRUE(hasTrait("sens_clip", Trait::output_limit));
   EXPECT_FALSE(hasTrait("sens_clip", Trait::feedback));
   EXPECT_FALSE(hasTrait("no_such_effect", Trait::output_limit));
+  EXPECT_EQ(findEffect(all(), "act_offset", "")->description().excludes,
+            std::vector<std::string>{"sens_bias"});
+  EXPECT_EQ(findEffect(all(), "exp_mode", "")->description().least_score, 2.5);
+  EXPECT_EQ(findEffect(all(), "act_deadzone", "")->description().least_score, 0);
 }
 
 }  // namespace

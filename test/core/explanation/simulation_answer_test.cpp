@@ -29,6 +29,7 @@ Explanation withFriction(bool passes, std::vector<Cause> causes) {
   explanation.verdict = passes ? Verdict::explained : Verdict::partly_explained;
   explanation.causes = std::move(causes);
   explanation.held_out = {"12"};
+  explanation.simulation.preparation = "1 record";
   explanation.simulation.fit_before = 90;
   explanation.simulation.fit_after = 98;
   SimulationCause friction;
@@ -96,7 +97,7 @@ TEST(SimulationAnswer, IsNoExplanationWhereTheInputExplainsLittle) {
   EXPECT_EQ(answered(85).verdict, Verdict::explained);
   const Explanation poor = answered(22);
   EXPECT_EQ(poor.verdict, Verdict::partly_explained);
-  EXPECT_TRUE(test::mentions(poor.message, "samples, but the simulation")) << poor.message;
+  EXPECT_TRUE(test::mentions(poor.message, "does not explain that the simulation")) << poor.message;
 }
 
 TEST(SimulationAnswer, IsNoExplanationWhereIntervalsHoldFewSamples) {
@@ -182,7 +183,7 @@ TEST(SimulationAnswer, NoiseExplainsNoSimulationThatFitsByLessThanHalf) {
       return found;
     };
     EXPECT_EQ(answered(26).verdict, Verdict::unknown) << skipped;
-    EXPECT_TRUE(test::mentions(answered(26).warnings.at(0), "noise_step: describes residuals"));
+    EXPECT_TRUE(test::mentions(answered(26).warnings.at(0), "noise_step: does not explain that"));
     EXPECT_EQ(answered(60).verdict, Verdict::explained) << skipped;
   }
 }
@@ -245,8 +246,6 @@ TEST(SimulationAnswer, FewPlantsThatDifferAreNotExplainedByTheSensor) {
   const auto answered = [](int experiments, double with_one_plant) {
     Explanation found = withFriction(true, {ofLikelihood("sens_quant", 99, 99)});
     found.before.experiment_count = experiments;
-    found.before.error_model.mixture = {
-        {1.0}, {Eigen::VectorXd::Zero(1)}, {Eigen::MatrixXd::Identity(1, 1)}};
     found.simulation.causes.clear();
     found.simulation.fit_before = found.simulation.fit_after = with_one_plant;
     joinSimulation(&found);
@@ -254,9 +253,22 @@ TEST(SimulationAnswer, FewPlantsThatDifferAreNotExplainedByTheSensor) {
   };
   const Explanation few = answered(4, 65);
   EXPECT_EQ(few.verdict, Verdict::partly_explained);
-  EXPECT_TRUE(test::mentions(few.message, "4 experiments do not show whether")) << few.message;
+  EXPECT_TRUE(test::mentions(few.message, "so few experiments do not show whether")) << few.message;
   EXPECT_EQ(answered(20, 65).verdict, Verdict::explained);
   EXPECT_EQ(answered(4, 95).verdict, Verdict::explained);
+}
+
+/// A limit of the sensor that the simulation shows is no defect seen in the samples only, and the
+/// model with it does simulate better than the linear plant.
+TEST(SimulationAnswer, KeepsALimitOfTheSensorThatTheSimulationShows) {
+  Explanation found = withFriction(false, {});
+  found.before.experiment_count = 4;
+  found.simulation.causes[0].what.name = "sens_clip";
+  found.simulation.causes[0].fit_after = found.simulation.fit_after = 98;
+  found.simulation.causes[0].fit_before = found.simulation.fit_before = 60;
+  joinSimulation(&found);
+  ASSERT_EQ(found.causes.size(), 1u);
+  EXPECT_TRUE(test::mentions(found.message, "rises from 60 to 98 %")) << found.message;
 }
 
 /// Tests fail, and a constant would simulate better: the sensor's steps explain no part of that.

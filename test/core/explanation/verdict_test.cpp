@@ -41,6 +41,24 @@ TEST(ReasonNotToName, IsThatTheOrdersWereChosen) {
   EXPECT_TRUE(test::mentions(reasonNotToName(lag, with({lag}), true), "orders of the model"));
 }
 
+/// A bias of the sensor has nothing left to describe beside an offset of the actuator, nor the
+/// reverse.
+TEST(SearchState, ExcludesEffectsThatHaveNothingLeftToDescribe) {
+  const auto effect = [](const std::string& name, std::vector<std::string> excludes) {
+    EffectDescription description;
+    description.name = name;
+    description.excludes = std::move(excludes);
+    return std::make_shared<Effect>(description);
+  };
+  FoundCause offset, bias;
+  offset.effect = effect("act_offset", {"sens_bias"});
+  bias.effect = effect("sens_bias", {});
+  EXPECT_TRUE(with({offset}).excludes(*bias.effect));
+  EXPECT_TRUE(with({bias}).excludes(*offset.effect));
+  EXPECT_FALSE(with({offset}).excludes(*effect("sens_hum", {})));
+  EXPECT_FALSE(with({}).excludes(*bias.effect));
+}
+
 TEST(ReasonNotToName, IsThatTestsFailAndItMayBeASymptom) {
   const FoundCause first = found("act_deadzone", 100), second = found("sens_hum", 50);
   EXPECT_EQ(reasonNotToName(first, with({first, second}), false), "");
