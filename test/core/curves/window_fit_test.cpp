@@ -161,10 +161,20 @@ TEST(HeldOut, UnseenErrorsBeyondGainIgnoreGainAndOffset) {
   EXPECT_LT(beyond.head(20).sum(), 1.5 * of_alike.left_out);
 }
 
-TEST(HeldOut, OneExperimentHasNothingBeyondGain) {
-  SimulationData held = firstOrderWindows(6, 100, 0.05, 6);
-  for (SimulationWindow& window : held.windows) window.record = 0;
-  EXPECT_EQ(unseenBeyondGain(fitted(firstOrderWindows(20, 100, 0.05, 7)), held).size(), 0);
+/// The unseen windows of a few records show whether the records differ.
+TEST(HeldOut, SeveralRecordsOrFewWindowsBesideSeveralShowDifferences) {
+  const auto of = [](const std::vector<int>& records) {
+    SimulationData data;
+    for (const int record : records) {
+      data.windows.emplace_back();
+      data.windows.back().record = record;
+    }
+    return data;
+  };
+  EXPECT_TRUE(showDifferences(of({0, 0}), of({0, 1})));
+  EXPECT_TRUE(showDifferences(of({0, 1}), of({0, 0, 0})));
+  EXPECT_FALSE(showDifferences(of({0, 1}), of({0, 0, 0, 0}))) << "one record has enough windows";
+  EXPECT_FALSE(showDifferences(of({0, 0}), of({0, 0})));
 }
 
 TEST(HeldOut, SingleStepsShowNothingBeyondGain) {

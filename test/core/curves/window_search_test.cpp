@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "curves/held_out.h"
 #include "support/mentions.h"
 
 namespace uncertainty_identification {
@@ -64,22 +63,6 @@ TEST(WindowSearch, DropsWhatTheyDoNotShowAndWhatWasFoundAfterIt) {
   EXPECT_TRUE(test::mentions(left.said, "plant_coulomb, plant_root"));
   EXPECT_TRUE(test::mentions(left.said, "not found in windows of 90"));
   EXPECT_TRUE(confirmed({input}, {}).causes.empty());
-}
-
-/// The unseen windows of a few records show whether the records differ.
-TEST(ShowDifferences, SeveralHeldOutRecordsOrFewWindowsBesideSeveralFittedTo) {
-  const auto of = [](const std::vector<int>& records) {
-    SimulationData data;
-    for (const int record : records) {
-      data.windows.emplace_back();
-      data.windows.back().record = record;
-    }
-    return data;
-  };
-  EXPECT_TRUE(showDifferences(of({0, 0}), of({0, 1})));
-  EXPECT_TRUE(showDifferences(of({0, 1}), of({0, 0, 0})));
-  EXPECT_FALSE(showDifferences(of({0, 1}), of({0, 0, 0, 0}))) << "one record has enough windows";
-  EXPECT_FALSE(showDifferences(of({0, 0}), of({0, 0})));
 }
 
 TEST(WindowSearch, DropsNothingWhereTheOtherSearchHadNoTime) {
