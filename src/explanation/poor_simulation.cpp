@@ -73,8 +73,7 @@ std::string shortcomingBesideThem(const Explanation& explanation, const Simulate
   if (!lacks.empty() || !isOfFewExperiments(explanation, simulated.fit)) return lacks;
   return "one linear plant simulates windows of the data by " +
          rounded(explanation.simulation.fit_before) +
-         " % only, and so few experiments do not show whether they differ by chance or with the "
-         "input";
+         " % only; so few experiments do not show whether they differ by chance or with the input";
 }
 
 /// Whether what a simulation lacks looks like this cause.
@@ -93,13 +92,12 @@ void withdraw(const std::string& lacks, bool is_worse_than_constant, Explanation
   const std::vector<Cause> withdrawn(first, causes.end());
   causes.erase(first, causes.end());
   if (!withdrawn.empty())
-    explanation->warnings.push_back(namesOf(withdrawn) + ": does not explain that " + lacks +
-                                    "; not named");
+    explanation->warnings.push_back(namesOf(withdrawn) + ": not named, because " + lacks);
   if (causes.empty()) forgetModelWithCauses(explanation);
   explanation->verdict = causes.empty() ? Verdict::unknown : Verdict::partly_explained;
-  explanation->message = causes.empty()
-                             ? "something is wrong that is not named: " + lacks
-                             : describedNames(causes) + ": does not explain that " + lacks;
+  explanation->message =
+      causes.empty() ? "something is wrong that is not named: " + lacks
+                     : describedNames(causes) + " is there, but explains only a part: " + lacks;
 }
 
 }  // namespace

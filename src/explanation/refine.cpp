@@ -66,7 +66,8 @@ std::vector<VectorXd> withPsi(const Fit& fit, std::vector<VectorXd> starts) {
   return starts;
 }
 
-/// The best point with one component from new starts of Go, the noise model and the mixture.
+/// The best point with one component from new starts of Go, the noise model and the mixture. Few
+/// turns do: what is best is optimised with the effect afterwards.
 std::optional<ModelParameters> fromStartsOfAll(const Fit& fit, const Likelihood& likelihood,
                                                const FitData& data, const FitContext& context) {
   constexpr std::size_t kFinalists = 3;

@@ -45,8 +45,8 @@ std::shared_ptr<const Effect> findEffect(const Effects& catalogue, const std::st
 /// The first effect with this trait, which must be there.
 std::shared_ptr<const Effect> findEffect(const Effects& catalogue, Trait trait);
 
-/// Whether a built-in effect of this name has this trait. Effects that need covariates or time
-/// stamps are not considered.
+/// Whether a built-in effect of this name has this trait. Effects that are made only for certain
+/// data, with covariates, time stamps or several experiments, are not considered.
 bool hasTrait(const std::string& name, Trait trait);
 
 /// The effect whose name is nearest to this one. Effects that need covariates, time stamps or more
