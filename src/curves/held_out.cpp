@@ -10,6 +10,8 @@
 namespace uncertainty_identification {
 namespace {
 
+constexpr double kLargest = 1e6;  ///< error of a simulation that diverges
+
 /// How often a signal changes its value.
 int changesOf(const Eigen::VectorXd& signal) {
   int count = 0;
@@ -34,7 +36,6 @@ std::vector<Eigen::VectorXd> heldOutSimulations(const SimulationData& held,
 }
 
 Eigen::VectorXd heldOutErrors(const SimulationData& held, const CurveModel& model) {
-  constexpr double kLargest = 1e6;  // of a simulation that diverges
   constexpr int kManyWindows = 8, kShortestPart = 50;
   const std::vector<Eigen::VectorXd> outputs = heldOutSimulations(held, model);
   const int parts = static_cast<int>(outputs.size()) >= kManyWindows
@@ -68,23 +69,20 @@ Eigen::VectorXd errorsBeyondGain(const SimulationData& held, const CurveModel& m
     return {};
   const std::vector<CurveTable> tables = tablesOf(model);
   const std::vector<Eigen::VectorXd> initial = initialStates(held, model, held.longest);
-  const int n = model.order;
+  const Eigen::MatrixXd own = gainAndOffset(model);
+  const Eigen::VectorXd as_it_is = Eigen::VectorXd::Zero(model.parameters());
   Eigen::VectorXd errors(static_cast<Eigen::Index>(held.windows.size()));
-  for (std::size_t w = 0; w < held.windows.size(); ++w) {
-    const SimulationWindow& window = held.windows[w];
-    const FreeSimulation simulated = simulateFreely(model, tables, window, initial[w], true);
-    Eigen::MatrixXd nuisances(window.samples(), n + 2);
-    nuisances.leftCols(n) = simulated.derivatives.bottomRows(n).transpose();
-    nuisances.col(n) =
-        simulated.derivatives.middleRows(n, n).transpose() * model.theta.segment(n, n);
-    if (model.direct)
-      nuisances.col(n) += model.directGain() * simulated.derivatives.row(2 * n).transpose();
-    nuisances.col(n + 1).setOnes();
-    nuisances = window.measured.matrix().asDiagonal() * nuisances;
-    const Eigen::MatrixXd basis = orthonormal(nuisances);
-    const Eigen::VectorXd residual = (window.measured * (window.y - simulated.y).array()).matrix();
-    const double error = (residual - basis * (basis.transpose() * residual)).squaredNorm();
-    errors[static_cast<Eigen::Index>(w)] = std::isfinite(error) ? error : 1e6;
+  for (const std::vector<int>& windows : windowsByRecord(held)) {
+    std::vector<WindowProducts::Block> blocks;
+    for (const int w : windows) {
+      const auto k = static_cast<std::size_t>(w);
+      blocks.push_back(productsOf(model, tables, held.windows[k], initial[k], 1).total());
+    }
+    const Eigen::VectorXd beyond = errorsBeyond(blocks, as_it_is, own);
+    for (std::size_t k = 0; k < windows.size(); ++k) {
+      const double error = beyond[static_cast<Eigen::Index>(k)];
+      errors[windows[k]] = std::isfinite(error) ? error : kLargest;
+    }
   }
   return errors;
 }

@@ -18,9 +18,10 @@ Eigen::VectorXd heldOutErrors(const SimulationData& held, const CurveModel& mode
 /// of the held-out ones. What tells one place from another needs all the evidence there is.
 Eigen::VectorXd unseenErrors(const WindowFit& fit, const SimulationData& held);
 
-/// The same as heldOutErrors() where each window may have a gain and an offset of its own, besides
-/// its initial state: what is left of a cause that only imitates differences between experiments is
-/// nothing. Empty where every input is a single step, which shows nothing but gain and offset.
+/// Squared error of each held-out window where each record may have a gain and an offset of its
+/// own, and each window an initial state: nothing is left of a cause that only imitates differences
+/// between records, and a curve that shows within a record remains. Empty where every input is a
+/// single step, which shows nothing but gain and offset.
 Eigen::VectorXd errorsBeyondGain(const SimulationData& held, const CurveModel& model);
 
 /// Whether the unseen windows show what differs between experiments: those held out are of several,

@@ -81,7 +81,7 @@ bool CurveSearch::convinces(const Eigen::VectorXd& before, const Eigen::VectorXd
          pairedT(before, after) >= limits_.least_held_t;
 }
 
-/// Whether held-out windows gain, also where each has a gain and an offset of its own. Whether the
+/// Whether held-out windows gain, also where each record has its own gain and offset. Whether the
 /// latter is significant, all unseen windows tell for the first cause, because two or three
 /// held-out experiments or windows cannot; a further cause may only mend the first. `beyond`: the
 /// gain is looked for in the latter way only, and there is no loss otherwise.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace uncertainty_identification {
 
@@ -10,6 +11,15 @@ Scale scaleOf(double sum, double squares, double count, bool remove_mean) {
   const double deviation =
       std::sqrt(std::max(squares / std::max(count, 1.0) - mean * mean, 0.0)) + 1e-12;
   return {remove_mean || std::abs(mean) > 3 * deviation ? mean : 0.0, deviation};
+}
+
+std::vector<std::vector<int>> windowsByRecord(const SimulationData& data) {
+  std::map<int, std::vector<int>> by_record;
+  for (std::size_t w = 0; w < data.windows.size(); ++w)
+    by_record[data.windows[w].record].push_back(static_cast<int>(w));
+  std::vector<std::vector<int>> windows;
+  for (auto& [record, of_record] : by_record) windows.push_back(std::move(of_record));
+  return windows;
 }
 
 }  // namespace uncertainty_identification

@@ -60,4 +60,7 @@ struct SimulationData {
   std::vector<int> groups;
 };
 
+/// Indices of the windows of each record.
+std::vector<std::vector<int>> windowsByRecord(const SimulationData& data);
+
 }  // namespace uncertainty_identification

@@ -85,14 +85,32 @@ Eigen::MatrixXd ridged(const Eigen::MatrixXd& information, const Eigen::VectorXd
   return ridge;
 }
 
-/// Changes of theta that stand for a gain and an offset of a window's own.
-Eigen::MatrixXd gainAndOffset(const CurveModel& model) {
-  const int n = model.order;
-  Eigen::MatrixXd own = Eigen::MatrixXd::Zero(model.parameters(), 2);
-  own.col(0).segment(n, n) = model.theta.segment(n, n);
-  if (model.direct) own(2 * n, 0) = model.directGain();
-  own(model.biasIndex(), 1) = 1;
-  return own;
+/// What left_out_beyond_gain of a fit is; leaving out is exact as in leaveGroupsOut().
+std::vector<double> leftOutBeyondGain(const SimulationData& data, const Linearisation& at,
+                                      const CurveModel& model, const Eigen::VectorXd& step,
+                                      const Eigen::MatrixXd& ridge) {
+  std::vector<std::vector<int>> left_out_together = windowsByRecord(data);
+  if (left_out_together.size() == 1) {
+    left_out_together.clear();
+    for (std::size_t w = 0; w < data.windows.size(); ++w)
+      left_out_together.push_back({static_cast<int>(w)});
+  }
+  const Eigen::MatrixXd own = gainAndOffset(model);
+  std::vector<double> errors(data.windows.size());
+  for (const std::vector<int>& windows : left_out_together) {
+    Eigen::MatrixXd rest = at.sum.jj + ridge;
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(rest.rows());
+    std::vector<WindowProducts::Block> blocks;
+    for (const int w : windows) {
+      blocks.push_back(at.windows[static_cast<std::size_t>(w)].total());
+      rest -= blocks.back().jj;
+      gradient += blocks.back().jr - blocks.back().jj * step;
+    }
+    const Eigen::VectorXd beyond = errorsBeyond(blocks, step - solved(rest, gradient), own);
+    for (std::size_t k = 0; k < windows.size(); ++k)
+      errors[static_cast<std::size_t>(windows[k])] = beyond[static_cast<Eigen::Index>(k)];
+  }
+  return errors;
 }
 
 /// Exact leave-one-group-out of the linearised fit: theta without a group differs by
@@ -105,8 +123,8 @@ void leaveGroupsOut(const SimulationData& data, const Linearisation& at, WindowF
       fit->step.size() ? fit->step : Eigen::VectorXd::Zero(information.rows());
   Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(information.rows(), information.cols());
   const bool many = static_cast<int>(data.groups.size()) - 1 >= kManyGroups;
-  const Eigen::MatrixXd own_level = gainAndOffset(fit->model);
-  std::vector<double> parts, beyond;
+  std::vector<double> parts;
+  std::vector<double> beyond = leftOutBeyondGain(data, at, fit->model, step, ridge);
   fit->squared_error = fit->left_out = 0;
   for (std::size_t g = 0; g + 1 < data.groups.size(); ++g) {
     Eigen::MatrixXd rest = information + ridge;
@@ -120,10 +138,8 @@ void leaveGroupsOut(const SimulationData& data, const Linearisation& at, WindowF
     spread += gradient * gradient.transpose();
     const Eigen::VectorXd without = step - solved(rest, gradient);
     double of_group = 0;
-    beyond.push_back(0);
     for (int w = data.groups[g]; w < data.groups[g + 1]; ++w) {
       const WindowProducts& window = at.windows[static_cast<std::size_t>(w)];
-      beyond.back() += errorBeyond(window.total(), without, own_level);
       for (const WindowProducts::Block& block : window.blocks) {
         const double error = errorAfter(block, without);
         of_group += error;

@@ -16,7 +16,8 @@ struct WindowFit {
   double squared_error = 0;     ///< of all windows, their initial states fitted
   double left_out = 0;          ///< of all windows, each predicted from the others
   Eigen::VectorXd left_out_of;  ///< its parts: groups, or thirds of windows where groups are few
-  /// The same of groups, each window with a gain and an offset of its own.
+  /// Of each window, predicted from the other records with a gain and an offset of its record's
+  /// own; where all windows are of one record, from the other windows, with those of its own.
   Eigen::VectorXd left_out_beyond_gain;
   std::vector<Eigen::VectorXd> residuals;  ///< of each window, 0 where y is missing
   Eigen::VectorXd step;                    ///< of theta, of a linearised fit

@@ -148,6 +148,28 @@ TEST(HeldOut, ErrorsBeyondGainIgnoreGainAndOffset) {
   EXPECT_GT(heldOutFit(held, errorsBeyondGain(held, fit.model)), 85);
 }
 
+/// What windows of one record differ by is no difference between records.
+TEST(HeldOut, WindowsOfARecordShareTheirGainAndOffset) {
+  SimulationData held = firstOrderWindows(6, 100, 0.05, 6),
+                 fit_to = firstOrderWindows(20, 100, 0.05, 7);
+  for (std::size_t w = 0; w < 6; ++w) {
+    held.windows[w].y.array() += w % 2 == 0 ? 0.3 : -0.3;
+    held.windows[w].record = 0;
+  }
+  const WindowFit fit = fitted(fit_to);
+  const double of_one_record = errorsBeyondGain(held, fit.model).sum();
+  for (std::size_t w = 0; w < 6; ++w) held.windows[w].record = static_cast<int>(w);
+  EXPECT_GT(of_one_record, 5 * errorsBeyondGain(held, fit.model).sum());
+
+  for (std::size_t w = 0; w < 20; ++w) {
+    fit_to.windows[w].y.array() += w % 2 == 0 ? 0.3 : -0.3;
+    fit_to.windows[w].record = static_cast<int>(w) / 10;
+  }
+  const double of_two_records = fitted(fit_to).left_out_beyond_gain.sum();
+  for (std::size_t w = 0; w < 20; ++w) fit_to.windows[w].record = static_cast<int>(w);
+  EXPECT_GT(of_two_records, 2 * fitted(fit_to).left_out_beyond_gain.sum());
+}
+
 /// Windows that are left out may have a gain and an offset of their own as well.
 TEST(HeldOut, UnseenErrorsBeyondGainIgnoreGainAndOffset) {
   const SimulationData held = firstOrderWindows(6, 100, 0.05, 6);
