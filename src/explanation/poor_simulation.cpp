@@ -32,6 +32,18 @@ Simulated simulatedBy(const Explanation& explanation) {
   return simulated;
 }
 
+/// That one linear plant simulates held-out data with far more error than those it was fitted to;
+/// empty where it does not, or simulates them well all the same.
+std::string lossOnHeldOut(const SimulationCauses& simulation) {
+  constexpr double kWell = 90;        // [%] fit
+  constexpr double kManyTimes = 2.5;  // the error
+  if (simulation.fit_before >= kWell || !(simulation.held_out_error_ratio > kManyTimes)) return "";
+  return "one linear plant simulates held-out data by " + rounded(simulation.fit_before) +
+         " %, with " + rounded(simulation.held_out_error_ratio) +
+         " times the error of those fitted to: the plant is not linear, or it has changed, or "
+         "held-out data go where the others do not";
+}
+
 /// Whether one linear plant simulates windows of a few experiments far worse than the model does
 /// whole experiments, each from a state and an offset of its own: a curve of the input looks like
 /// that where each experiment has an input of another size.
@@ -67,10 +79,13 @@ std::string shortcoming(const Explanation& explanation, const Simulated& simulat
   return text.str();
 }
 
-/// The same where the causes are in the samples or the noise, and change no simulation.
-std::string shortcomingBesideThem(const Explanation& explanation, const Simulated& simulated) {
-  const std::string lacks = shortcoming(explanation, simulated);
-  if (!lacks.empty() || !isOfFewExperiments(explanation, simulated.fit)) return lacks;
+/// The same where no cause changes the simulation.
+std::string shortcomingWithoutStructure(const Explanation& explanation,
+                                        const Simulated& simulated) {
+  std::string lacks = shortcoming(explanation, simulated);
+  if (lacks.empty()) lacks = lossOnHeldOut(explanation.simulation);
+  if (!lacks.empty() || explanation.causes.empty()) return lacks;
+  if (!isOfFewExperiments(explanation, simulated.fit)) return "";
   return "one linear plant simulates windows of the data by " +
          rounded(explanation.simulation.fit_before) +
          " % only; so few experiments do not show whether they differ by chance or with the input";
@@ -110,16 +125,17 @@ void warnOfPoorSimulation(Explanation* explanation) {
   if (explanation->verdict == Verdict::unknown) return;
   if (explanation->verdict == Verdict::partly_explained && !is_aside) return;
   const Simulated simulated = simulatedBy(*explanation);
+  const std::string lacks = is_aside ? shortcomingWithoutStructure(*explanation, simulated)
+                                     : shortcoming(*explanation, simulated);
   if (causes.empty() || !is_aside) {
-    const std::string lacks = shortcoming(*explanation, simulated);
     if (lacks.empty()) return;
     explanation->warnings.push_back(lacks);
     if (!causes.empty()) return;
-    if (simulated.fit < 0) explanation->verdict = Verdict::unknown;
+    if (simulated.fit < 0 || !lossOnHeldOut(explanation->simulation).empty())
+      explanation->verdict = Verdict::unknown;
     explanation->message = "the checks of the residuals find nothing wrong, but " + lacks;
     return;
   }
-  const std::string lacks = shortcomingBesideThem(*explanation, simulated);
   if (!lacks.empty())
     withdraw(lacks, simulated.fit < 0, explanation);
   else if (std::isfinite(simulated.fit) && explanation->verdict == Verdict::explained)

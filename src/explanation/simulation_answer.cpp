@@ -130,18 +130,17 @@ bool isStructural(const Cause& cause) {
 
 /// What makes the residuals white may stand for what the simulation lacks. Where the data are too
 /// few to search for that, a structural cause has to make the simulation of held-out experiments
-/// better; where none are held out, it has to halve the error of those fitted to. Where both is so,
-/// none is named.
+/// better. Where none are held out, every parameter makes it better, and the free simulation must
+/// show the cause in windows that were left out.
 void dropUnverified(Explanation* explanation) {
-  constexpr double kBetter = 0.95, kHalved = 0.5;  // of the squared error
+  constexpr double kBetter = 0.95;  // of the squared error
   const bool too_few = explanation->simulation.skipped.rfind("fewer than", 0) == 0;
   const bool in_sample = explanation->held_out.empty();
   if (!too_few && !in_sample) return;
-  const double least = !in_sample ? kBetter : too_few ? 0 : kHalved;
   const auto first = std::stable_partition(
       explanation->causes.begin(), explanation->causes.end(), [&](const Cause& cause) {
         return !isStructural(cause) || !cause.gain || cause.simulation ||
-               errorRatio(*cause.gain) < least;
+               (!in_sample && errorRatio(*cause.gain) < kBetter);
       });
   if (first == explanation->causes.end()) return;
   const std::vector<Cause> dropped(first, explanation->causes.end());
@@ -151,8 +150,10 @@ void dropUnverified(Explanation* explanation) {
       (in_sample ? "no experiment is held out that confirms it" : "the simulation no better") +
       ", and " +
       (too_few ? explanation->simulation.skipped + " do not show what the simulation lacks"
-               : "the simulation of those fitted to gains little") +
+               : "the simulation of windows left out does not show it") +
       "; not named" + (in_sample ? ": give another record by --validation" : ""));
+  if (explanation->causes.empty() && !explanation->simulation.causes.empty())
+    return takeCurves(explanation);
   if (explanation->causes.empty()) forgetModelWithCauses(explanation);
   conclude(explanation, true);
 }

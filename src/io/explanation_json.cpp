@@ -99,6 +99,7 @@ void bind(Archive& archive, SimulationCauses& simulation) {
   archive("skipped", simulation.skipped);
   archive("order", simulation.order);
   archive("causes", simulation.causes);
+  archive("held_out_error_ratio", simulation.held_out_error_ratio);
   archive("fit_before", simulation.fit_before);
   archive("fit_after", simulation.fit_after);
   archive("pictures", simulation.pictures);

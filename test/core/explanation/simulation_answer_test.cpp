@@ -225,20 +225,39 @@ TEST(SimulationAnswer, IsNoExplanationWhereAnotherLinearModelSimulatesFarBetter)
 }
 
 /// In the data that the model was fitted to, every parameter gains.
-TEST(SimulationAnswer, WithoutHeldOutDataCausesHaveToHalveTheError) {
-  const auto answered = [](double after, const std::string& group = "sensor") {
-    Explanation found = withFriction(true, {ofLikelihood("sens_hum", 90, after)});
+TEST(SimulationAnswer, WithoutHeldOutDataTheSimulationOfLeftOutWindowsMustShowTheCause) {
+  const auto answered = [](const std::string& name, const std::string& group) {
+    Explanation found = withFriction(true, {ofLikelihood(name, 90, 98)});
     found.causes[0].group = group;
     found.held_out.clear();
-    found.simulation.causes.clear();
     joinSimulation(&found);
     return found;
   };
-  const Explanation little = answered(91);
-  EXPECT_TRUE(little.causes.empty());
-  EXPECT_TRUE(test::mentions(little.warnings.at(0), "give another record by --validation"));
-  EXPECT_EQ(answered(94).causes.size(), 1u);
-  EXPECT_EQ(answered(90, "noise").causes.size(), 1u) << "changes no simulation";
+  const Explanation unseen = answered("act_hammerstein", "actuator");
+  EXPECT_TRUE(test::mentions(unseen.warnings.at(0), "give another record by --validation"));
+  ASSERT_EQ(unseen.causes.size(), 1u) << "what it shows instead";
+  EXPECT_EQ(unseen.causes[0].name, "plant_coulomb");
+  EXPECT_EQ(unseen.verdict, Verdict::partly_explained);
+  EXPECT_EQ(answered("plant_coulomb", "plant").causes.size(), 1u) << "the simulation shows it";
+  EXPECT_EQ(answered("noise_step", "noise").causes.size(), 1u) << "changes no simulation";
+}
+
+/// A ramp is followed by a lag as well as by a curve; steps are not.
+TEST(SimulationAnswer, NothingIsNotSaidWhereHeldOutDataAreSimulatedFarWorse) {
+  const auto answered = [](double fit, double error_ratio) {
+    Explanation found = withFriction(true, {});
+    found.verdict = Verdict::none;
+    found.simulation.causes.clear();
+    found.simulation.fit_before = found.simulation.fit_after = fit;
+    found.simulation.held_out_error_ratio = error_ratio;
+    joinSimulation(&found);
+    return found;
+  };
+  const Explanation lost = answered(69, 4);
+  EXPECT_EQ(lost.verdict, Verdict::unknown);
+  EXPECT_TRUE(test::mentions(lost.message, "held-out data by 69 %, with 4 times the error"));
+  EXPECT_EQ(answered(69, 2).verdict, Verdict::none);
+  EXPECT_EQ(answered(95, 4).verdict, Verdict::none);
 }
 
 /// Where each record has an input of another size, a curve of the input looks like plants that
