@@ -170,7 +170,17 @@ struct SignalOptions {
   double scaled(double value) const { return scale * value + offset; }
 };
 
-enum class TimeUnit { automatic, seconds, milliseconds, microseconds, nanoseconds, index };
+enum class TimeUnit {
+  automatic,
+  seconds,
+  milliseconds,
+  microseconds,
+  nanoseconds,
+  minutes,
+  hours,
+  days,
+  index
+};
 
 /// The stamps of the rows of a CSV file.
 struct TimeOptions {

@@ -90,7 +90,8 @@ const EnumNames<OutputResampling>& enumNames(OutputResampling) {
 const EnumNames<TimeUnit>& enumNames(TimeUnit) {
   static const EnumNames<TimeUnit> kNames{
       {TimeUnit::automatic, "auto"},  {TimeUnit::seconds, "s"},      {TimeUnit::milliseconds, "ms"},
-      {TimeUnit::microseconds, "us"}, {TimeUnit::nanoseconds, "ns"}, {TimeUnit::index, "index"}};
+      {TimeUnit::microseconds, "us"}, {TimeUnit::nanoseconds, "ns"}, {TimeUnit::minutes, "min"},
+      {TimeUnit::hours, "h"},         {TimeUnit::days, "d"},         {TimeUnit::index, "index"}};
   return kNames;
 }
 

@@ -188,6 +188,7 @@ ResamplingReport makeReport(const Recording& recording, const CleanSignal& input
       recording.duplicate_stamps + input.duplicate_stamps + output.duplicate_stamps;
   report.zero_stamps = input.zero_stamps + output.zero_stamps;
   report.stray_stamps = recording.stray_stamps + input.stray_stamps + output.stray_stamps;
+  report.false_readings = sentenceOf(input.false_readings, output.false_readings);
   return report;
 }
 
@@ -238,6 +239,7 @@ std::vector<std::string> ResamplingReport::warnings() const {
          " samples are left out, whose stamps lie before or far ahead of those around them; stamp "
          "the samples of a signal in one place and by one clock");
   }
+  if (!false_readings.empty()) warn(false_readings);
   if (max_jitter > 0.1 * sample_time) {
     warn("output stamps deviate by up to " + rounded(max_jitter) + " s from a uniform grid of " +
          text(output_period) + " s; stamp the samples when they are taken");

@@ -49,7 +49,7 @@ struct Channel {
 /// Files of columns: how their time was read.
 struct SurveyedTime {
   std::string column;       ///< empty: the rows were counted
-  std::string unit;         ///< s, ms, us, ns, index or dates
+  std::string unit;         ///< s, ms, us, ns, min, h, d, index or dates
   bool assumed = false;     ///< nothing in the files says that it is this unit
   std::string experiments;  ///< the column that names the experiments; empty: none does
 };

@@ -130,12 +130,13 @@ class Chooser {
     if (stamps.size() == 1) return find(stamps.front());
     candidates.insert(candidates.end(), stamps.begin(), stamps.end());
     if (candidates.size() == 1) return find(candidates.front());
-    refuseFile(header_.path,
-               (candidates.empty() ? "no column is known to be the time t"
-                                   : "the time could be any of '" + list(candidates) + "'") +
-                   std::string(": ") + found() +
-                   "; write time: {column: NAME, unit: ms} (unit: s, ms, us or ns) into the "
-                   "configuration, without such a column time: {sample_time: 0.01}");
+    refuseFile(
+        header_.path,
+        (candidates.empty() ? "no column is known to be the time t"
+                            : "the time could be any of '" + list(candidates) + "'") +
+            std::string(": ") + found() +
+            "; write time: {column: NAME, unit: ms} (unit: s, ms, us, ns, min, h or d) into the "
+            "configuration, without such a column time: {sample_time: 0.01}");
   }
 
   double secondsOf(const TimeOptions& time) {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "data/covariates.h"
+#include "data/false_readings.h"
 #include "data/sample_grid.h"
 #include "data/text.h"
 #include "io/csv_division.h"
@@ -144,7 +145,7 @@ void tellMissing(const CsvTable& table, LoadedData& data) {
                           ") and count as missing");
 }
 
-void addTable(const CsvTable& table, CsvFile& file, const Configuration& configuration,
+void addTable(CsvTable& table, CsvFile& file, const Configuration& configuration,
               LoadedData& data) {
   const SampleGrid grid = fitSampleGrid(table.t);
   warnOfTime(file, table, grid.period, data);
@@ -153,6 +154,10 @@ void addTable(const CsvTable& table, CsvFile& file, const Configuration& configu
                             " of " + std::to_string(table.t.size()) +
                             " rows have no input, which is held between the others");
   tellMissing(table, data);
+  const ReplacedReadings of_input = replaceFalseReadings(table.t, true, &table.u),
+                         of_output = replaceFalseReadings(table.t, false, &table.y);
+  if (const std::string told = sentenceOf(of_input, of_output); !told.empty())
+    data.warnings.push_back(named(table.id) + ": " + told);
   if (const auto division = divisionOf(table, grid.period, configuration, data))
     addDivided(table, file, *division, configuration, data);
   else if (table.rows_without_input == 0 && fitsGrid(grid, configuration))

@@ -136,7 +136,7 @@ class CsvSurveyor {
     time.unit = "index";
     if (columns.has_dates) time.unit = kDates;
     if (!columns.has_dates && !probe_.time.counts())
-      for (const char* unit : {"s", "ms", "us", "ns"})
+      for (const char* unit : {"s", "ms", "us", "ns", "min", "h", "d"})
         if (*perSecond(unit) == columns.per_second) time.unit = unit;
     if (columns.experiment != CsvSignal::kAbsent)
       time.experiments = header_.names[columns.experiment];

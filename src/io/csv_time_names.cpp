@@ -49,11 +49,30 @@ CsvName splitUnit(const std::string& name) {
 
 std::optional<double> perSecond(const std::string& unit) {
   static const std::map<std::string, double> kUnits = {
-      {"s", 1},          {"sec", 1},    {"second", 1},        {"seconds", 1},
-      {"ms", 1e3},       {"msec", 1e3}, {"millis", 1e3},      {"milliseconds", 1e3},
-      {"us", 1e6},       {"usec", 1e6}, {"micros", 1e6},      {"microseconds", 1e6},
-      {"ns", 1e9},       {"nsec", 1e9}, {"nanoseconds", 1e9}, {"\xC2\xB5s", 1e6},
-      {"\xCE\xBCs", 1e6}};  // the micro sign and the Greek letter
+      {"s", 1},
+      {"sec", 1},
+      {"second", 1},
+      {"seconds", 1},
+      {"ms", 1e3},
+      {"msec", 1e3},
+      {"millis", 1e3},
+      {"milliseconds", 1e3},
+      {"us", 1e6},
+      {"usec", 1e6},
+      {"micros", 1e6},
+      {"microseconds", 1e6},
+      {"ns", 1e9},
+      {"nsec", 1e9},
+      {"nanoseconds", 1e9},
+      {"\xC2\xB5s", 1e6},
+      {"\xCE\xBCs", 1e6},
+      {"min", 1.0 / 60},
+      {"minutes", 1.0 / 60},
+      {"h", 1.0 / 3600},
+      {"hr", 1.0 / 3600},
+      {"hours", 1.0 / 3600},
+      {"d", 1.0 / 86400},
+      {"days", 1.0 / 86400}};  // the micro sign and the Greek letter
   const auto found = kUnits.find(lowered(unit));
   if (found == kUnits.end()) return std::nullopt;
   return found->second;

@@ -37,20 +37,21 @@ struct Recording {
 /// What resampling found about the stamps of one recording.
 struct ResamplingReport {
   std::string id;
-  double sample_time = 0;    ///< [s] used
-  double input_period = 0;   ///< [s] median spacing of the stamps, refined (sample_grid.h)
-  double output_period = 0;  ///< [s] the same of the output
-  double max_jitter = 0;     ///< [s] largest departure of output stamps from a uniform grid
-  double max_age = 0;        ///< [s] oldest sample that was held
-  int missing_outputs = 0;   ///< grid points without an output within max_age
-  int duplicate_stamps = 0;  ///< samples left out because another has the same stamp
-  int zero_stamps = 0;       ///< samples stamped 0
-  int stray_stamps = 0;      ///< samples left out because their stamps lay before or far ahead of
-                             ///< those around them
+  double sample_time = 0;      ///< [s] used
+  double input_period = 0;     ///< [s] median spacing of the stamps, refined (sample_grid.h)
+  double output_period = 0;    ///< [s] the same of the output
+  double max_jitter = 0;       ///< [s] largest departure of output stamps from a uniform grid
+  double max_age = 0;          ///< [s] oldest sample that was held
+  int missing_outputs = 0;     ///< grid points without an output within max_age
+  int duplicate_stamps = 0;    ///< samples left out because another has the same stamp
+  int zero_stamps = 0;         ///< samples stamped 0
+  int stray_stamps = 0;        ///< samples left out because their stamps lay before or far ahead of
+                               ///< those around them
+  std::string false_readings;  ///< a sentence about single values far from all others, or empty
 
-  /// What a user should know: duplicates, zero and stray stamps, jitter above a tenth of the sample
-  /// time, missing outputs, an input held for more than three sample times. One sentence each;
-  /// empty when all is well.
+  /// What a user should know: duplicates, zero and stray stamps, false readings, jitter above a
+  /// tenth of the sample time, missing outputs, an input held for more than three sample times. One
+  /// sentence each; empty when all is well.
   std::vector<std::string> warnings() const;
 };
 
@@ -72,7 +73,8 @@ struct ResamplingReport {
 /// - Covariates are held (before their first sample: that one); constant ones become scalars.
 ///
 /// Isolated samples, up to one in twenty, whose stamps go back or leap ahead are left out and
-/// counted.
+/// counted. Single values a thousand times as far off as all others spread are false readings: the
+/// input is held over them, and the output is missing.
 ///
 /// Throws DataError, naming the experiment and what to record instead, for stamps that go back and
 /// stay there or are not finite, an empty signal, no samples in common, an input too old in

@@ -59,6 +59,30 @@ TEST(CsvFiles, DurationCutsAsInBags) {
   EXPECT_EQ(data.experiments.at(1).sample_time, 0.5);
 }
 
+/// A reading that failed: the rows are used as they are otherwise.
+TEST(CsvFiles, FalseReadingsAreReplacedAndTold) {
+  const LoadedData data = readText("t,u,y\n" + sampleRows(0, 49, 0.5) +
+                                   "25,-9.9e37,500\n25.5,51,1e30\n" + sampleRows(52, 99, 0.5));
+  ASSERT_EQ(data.experiments.size(), 1u);
+  const Experiment& experiment = data.experiments.front();
+  EXPECT_EQ(experiment.u(50), 49);
+  EXPECT_EQ(experiment.y(50), 500);
+  EXPECT_EQ(experiment.u(51), 51);
+  EXPECT_FALSE(experiment.isValid(51));
+  EXPECT_TRUE(anyMentions(data.warnings, "experiment 'log': 2 single readings are more than"));
+  EXPECT_TRUE(anyMentions(data.warnings, "the input is -9.9e+37 at 25 s"));
+}
+
+TEST(CsvFiles, SlowLogsHaveTheirTimeInHours) {
+  Configuration configuration;
+  configuration.time.column = "t";
+  configuration.time.unit = TimeUnit::hours;
+  EXPECT_EQ(
+      readText("t,u,y\n" + sampleRows(0, 29, 0.25), configuration).experiments.at(0).sample_time,
+      900);
+  EXPECT_EQ(readText("t [min],u,y\n" + sampleRows(0, 29, 0.25)).experiments.at(0).sample_time, 15);
+}
+
 TEST(CsvFiles, GapCutsAsInBags) {
   const std::string content = "t,u,y\n" + sampleRows(0, 29, 0.5) + sampleRows(34, 69, 0.5);
   EXPECT_EQ(lengthsOf(readText(content, dividedBy(ExperimentMode::gap, 2))), (Lengths{30, 36}));

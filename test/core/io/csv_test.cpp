@@ -296,7 +296,7 @@ std::vector<Experiment> randomExperiments() {
     experiment.sample_time = sample_time;
     experiment.start_time = start;
     experiment.u = Eigen::VectorXd::NullaryExpr(300, [&] { return normal(engine); });
-    experiment.y = Eigen::VectorXd::NullaryExpr(300, [&] { return std::exp(40 * normal(engine)); });
+    experiment.y = Eigen::VectorXd::NullaryExpr(300, [&] { return std::exp(8 * normal(engine)); });
     experiments.push_back(experiment);
   }
   experiments[0].valid.assign(300, 1);

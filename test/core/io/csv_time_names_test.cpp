@@ -57,7 +57,10 @@ TEST(CsvTimeNames, UnitsOfTimeInAnyCase) {
   EXPECT_EQ(perSecond("us"), 1e6);
   EXPECT_EQ(perSecond("\xC2\xB5s"), 1e6);
   EXPECT_EQ(perSecond("nanoseconds"), 1e9);
-  for (const char* unit : {"", "V", "m", "min", "rad/s"}) EXPECT_FALSE(perSecond(unit)) << unit;
+  EXPECT_EQ(perSecond("min"), 1.0 / 60);
+  EXPECT_EQ(perSecond("h"), 1.0 / 3600);
+  EXPECT_EQ(perSecond("days"), 1.0 / 86400);
+  for (const char* unit : {"", "V", "m", "rad/s"}) EXPECT_FALSE(perSecond(unit)) << unit;
 }
 
 }  // namespace
