@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <limits>
-#include <tuple>
 
 #include "estimation/excerpt.h"
 #include "estimation/selection.h"
@@ -8,19 +7,11 @@
 #include "identification/steps.h"
 #include "identification/structure_fit.h"
 #include "model/sensitivity.h"
-#include "uncertainty_identification/errors.h"
 
 /// The automatic choices of the error model and of the noise model, and whether Go is fitted
 /// together with them.
 namespace uncertainty_identification {
 namespace {
-
-/// Structures whose half BIC is higher than the least by more than this are out of question [nats].
-constexpr double kNearlyAsGood = 10;
-
-/// Gains of the density of all held-out experiments together that are no reason for a larger
-/// structure [nats].
-constexpr double kImmaterial = 2;
 
 /// The part of the data that is enough to compare structures: of long records the beginnings.
 CheckedData enough(CheckedData part) {
@@ -80,70 +71,9 @@ std::vector<StructureFit> fitAll(const Problem& problem,
   return fits;
 }
 
-/// Of candidates with a density of held-out experiments, the one with the fewest parameters that
-/// loses nothing material against the highest. "None" must be the highest itself: bands of a model
-/// without differences would be too narrow where there are some after all.
-std::size_t simplestOfDensest(const std::vector<Candidate>& candidates,
-                              const std::vector<StructureFit>& fits, int experiments) {
-  const auto density = [&](std::size_t k) {
-    return candidates[k].held_out_density.value_or(-std::numeric_limits<double>::infinity());
-  };
-  std::size_t highest = 0;
-  for (std::size_t k = 1; k < fits.size(); ++k)
-    if (density(k) > density(highest)) highest = k;
-  const auto rank = [&](std::size_t k) {
-    const bool loses = density(k) < density(highest) - kImmaterial / experiments;
-    const bool is_none = fits[k].mixture == 0 && k != highest;
-    return std::make_tuple(loses, is_none, candidates[k].parameters, -density(k));
-  };
-  std::size_t best = highest;
-  for (std::size_t k = 0; k < fits.size(); ++k)
-    if (rank(k) < rank(best)) best = k;
-  return best;
-}
-
-/// The fit of least BIC or, among those whose half BIC is nearly as low, the simplest one that
-/// predicts held-out experiments as well as the best. Adds all to the journal's candidates.
-StructureFit bestOf(const Problem& problem, const std::vector<StructureFit>& fits,
-                    const std::string& choice, bool by_held_out, Journal* journal) {
-  if (fits.empty()) {
-    throw DataError(
-        "the likelihood is not finite at any start; check the units and the scale of the data, or "
-        "give a start: initial.theta");
-  }
-  std::vector<Candidate> candidates;
-  candidates.reserve(fits.size());
-  for (const StructureFit& fit : fits)
-    candidates.push_back({choice,
-                          fit.structure.description,
-                          fit.parameters + fit.mixture,
-                          fit.log_likelihood,
-                          -2 * scoreOf(problem, fit),
-                          {},
-                          false,
-                          {}});
-  const auto lower = [](const Candidate& left, const Candidate& right) {
-    return *left.bic < *right.bic;
-  };
-  auto best = std::min_element(candidates.begin(), candidates.end(), lower);
-  const double limit = *best->bic + 2 * kNearlyAsGood;
-  const auto near = std::count_if(candidates.begin(), candidates.end(),
-                                  [&](const Candidate& each) { return *each.bic < limit; });
-  if (by_held_out && near > 1 && problem.data.count() > 1) {
-    for (std::size_t k = 0; k < fits.size(); ++k)
-      if (*candidates[k].bic < limit)
-        candidates[k].held_out_density = heldOutDensity(problem, fits[k], journal);
-    best = candidates.begin() +
-           static_cast<long>(simplestOfDensest(candidates, fits, problem.data.count()));
-  }
-  best->chosen = true;
-  const auto chosen = static_cast<std::size_t>(best - candidates.begin());
-  journal->candidates.insert(journal->candidates.end(), candidates.begin(), candidates.end());
-  return fits[chosen];
-}
-
 /// The structure with C and D of the orders of least BIC, up to the first that gain nothing.
 StructureFit withNoiseOrders(const Problem& problem, const StructureFit& chosen, Journal* journal) {
+  constexpr double kImmaterial = 2;  // gain in log-likelihood [nats]
   std::vector<ErrorStructure> structures;
   for (int order = 0; order <= kLargestNoiseOrder; ++order) {
     const std::string count = std::to_string(order);
@@ -217,6 +147,14 @@ StructureFit withRaisedOrders(Problem problem, const StructureFit& chosen, Journ
   return bestOf(problem, fits, "error model", true, journal);
 }
 
+/// The fit with larger orders of Go where the residuals depend on the input now that the noise is
+/// modelled: hum or drift, while they were not, hid what Go lacks.
+StructureFit withWhatNoiseHid(const Problem& problem, StructureFit chosen, Journal* journal) {
+  const double before = chosen.log_likelihood;
+  StructureFit raised = withBetterOrders(problem, std::move(chosen), true, journal);
+  return raised.log_likelihood > before ? withNoiseOrders(problem, raised, journal) : raised;
+}
+
 StructureFit chooseStructure(Problem problem, bool free_orders, bool free_offsets,
                              std::vector<StartingPoint> points, Journal* journal) {
   const bool automatic = problem.configuration.error_model.basis == BasisKind::automatic;
@@ -246,6 +184,7 @@ StructureFit chooseStructure(Problem problem, bool free_orders, bool free_offset
                         journal);
   }
   chosen = withNoiseOrders(problem, chosen, journal);
+  if (!problem.plant) chosen = withWhatNoiseHid(problem, std::move(chosen), journal);
   return free_offsets ? withBetterOffsets(problem, std::move(chosen), journal) : chosen;
 }
 

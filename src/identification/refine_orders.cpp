@@ -48,18 +48,21 @@ std::vector<Neighbour> largerContinuous(const ErrorStructure& structure,
 
 std::vector<Neighbour> largerRational(const ErrorStructure& structure, const StartingPoint& start) {
   const Polynomials& p = start.polynomials;
-  std::vector<Neighbour> all(3, {structure, start});
-  for (Neighbour& each : all) ++each.structure.configuration.nominal_model.nb;
-  for (Neighbour& each : all) each.start.polynomials.b = withZero(p.b, false);
-  ++all[1].structure.configuration.nominal_model.na;
-  all[1].start.polynomials.a = withZero(p.a, false);
-  if (p.delay == 0) {
-    all.pop_back();
-    return all;
-  }
-  --all[2].structure.configuration.nominal_model.delay;
-  --all[2].start.polynomials.delay;
-  all[2].start.polynomials.b = withZero(p.b, true);
+  const auto larger = [&](bool zero, bool pole) {
+    Neighbour each{structure, start};
+    NominalModelOptions& nominal = each.structure.configuration.nominal_model;
+    nominal.nb += zero ? 1 : 0;
+    nominal.na += pole ? 1 : 0;
+    if (zero) each.start.polynomials.b = withZero(p.b, false);
+    if (pole) each.start.polynomials.a = withZero(p.a, false);
+    return each;
+  };
+  std::vector<Neighbour> all = {larger(true, false), larger(true, true), larger(false, true)};
+  if (p.delay == 0) return all;
+  all.push_back(larger(true, false));
+  --all.back().structure.configuration.nominal_model.delay;
+  --all.back().start.polynomials.delay;
+  all.back().start.polynomials.b = withZero(p.b, true);
   return all;
 }
 

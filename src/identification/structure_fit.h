@@ -35,6 +35,12 @@ std::optional<StructureFit> fitStructure(const Problem& problem, const ErrorStru
                                          const std::vector<StartingPoint>& points, bool from_data,
                                          Journal* journal);
 
+/// The fit of least BIC or, among those whose half BIC is nearly as low, the simplest one that
+/// predicts held-out experiments as well as the best. Adds all to the journal's candidates.
+/// Throws DataError where there is none.
+StructureFit bestOf(const Problem& problem, const std::vector<StructureFit>& fits,
+                    const std::string& choice, bool by_held_out, Journal* journal);
+
 /// The fit, or that of a larger Go (by a coefficient, a pole, or a shorter or fractional delay) as
 /// long as BIC improves and, with `only_if_dependent`, the residuals depend on the input.
 StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool only_if_dependent,

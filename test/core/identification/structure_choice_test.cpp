@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "identification/steps.h"
 #include "identification/structure_fit.h"
@@ -170,6 +171,25 @@ TEST(StructureChoiceAgain, FollowsRaisedOrders) {
   EXPECT_EQ(estimate.error_model.options.constraint, Constraint::zero_static_gain);
   EXPECT_GE(estimate.error_model.options.taps, 3);
   EXPECT_TRUE(estimate.trust.trusted) << estimate.trust.reasons.front();
+}
+
+/// While a hum is not modelled, it hides a fast pole, of which the residuals speak afterwards.
+TEST(StructureChoiceAgain, FindsWhatAHumHid) {
+  Experiment record;
+  record.id = "hum";
+  record.sample_time = 0.005;
+  record.u = record.y = Eigen::VectorXd::Zero(400);
+  std::mt19937_64 engine(5);
+  std::normal_distribution<double> normal;
+  double fast = 0, slow = 0;
+  for (int k = 0; k < 400; ++k) {
+    record.u[k] = k / 60 % 2 == 0 ? 1 : -1;
+    record.y[k] = slow + 0.1 * std::sin(0.9 * k) + 2e-3 * normal(engine);
+    slow = 0.85 * slow + 0.15 * fast;
+    fast = 0.4 * fast + 0.6 * record.u[k];
+  }
+  const Estimate estimate = Identifier(Configuration()).identify({record});
+  EXPECT_GT(estimate.residual_tests.independence_p_value, 1e-3);
 }
 
 // More of a plant's parameters that vary look like another pole, so that the model before the last
