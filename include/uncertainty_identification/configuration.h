@@ -9,6 +9,7 @@
 
 #include "uncertainty_identification/math/mixture.h"
 #include "uncertainty_identification/own_simulation_options.h"
+#include "uncertainty_identification/time_options.h"
 
 /// Options of an identification. Each YAML key has the name of a field here (config/reference.yaml
 /// documents them). The initialiser of a field is its default; defaults are stated nowhere else.
@@ -168,31 +169,6 @@ struct SignalOptions {
   double scale = 1, offset = 0;
 
   double scaled(double value) const { return scale * value + offset; }
-};
-
-enum class TimeUnit {
-  automatic,
-  seconds,
-  milliseconds,
-  microseconds,
-  nanoseconds,
-  minutes,
-  hours,
-  days,
-  index
-};
-
-/// The stamps of the rows of a CSV file.
-struct TimeOptions {
-  std::string column;  ///< empty: the one with a well-known name (docs/data_files.md)
-  /// automatic: as the name of the column or a row of units says, otherwise seconds; index: the
-  /// column, or without one the row, counts samples
-  TimeUnit unit = TimeUnit::automatic;
-  double sample_time = 0;  ///< [s] of one count; without column and unit, rows are counted
-
-  /// Whether stamps are counts of samples.
-  bool counts() const;
-  void validate() const;
 };
 
 enum class ExperimentMode { topic, service, duration, gap, message };

@@ -122,9 +122,9 @@ void describe(const WindowSearch& search, SimulationCauses* found) {
     found->causes.back().fit_after = search.fitOf(cause.held_after);
   }
   if (!result.refused.empty() && found->refused.empty()) found->refused = refusalOf(result.refused);
-  const double of_fitted = result.base.squared_error / search.data.samples;
-  found->held_out_error_ratio =
-      std::sqrt(search.baseError() / search.kept.samples / std::max(of_fitted, 1e-12));
+  const double of_fitted = heldOutErrors(search.data, result.base.model).sum();
+  found->held_out_error_ratio = std::sqrt(search.baseError() / std::max(search.kept.samples, 1) /
+                                          std::max(of_fitted / search.data.samples, 1e-12));
   found->fit_before = search.fitOf(search.baseError());
   found->fit_after = search.fitOf(result.held_error);
 }

@@ -107,8 +107,10 @@ std::vector<double> leftOutBeyondGain(const SimulationData& data, const Linearis
       gradient += blocks.back().jr - blocks.back().jj * step;
     }
     const Eigen::VectorXd beyond = errorsBeyond(blocks, step - solved(rest, gradient), own);
-    for (std::size_t k = 0; k < windows.size(); ++k)
-      errors[static_cast<std::size_t>(windows[k])] = beyond[static_cast<Eigen::Index>(k)];
+    for (std::size_t k = 0; k < windows.size(); ++k) {
+      const double error = beyond[static_cast<Eigen::Index>(k)];
+      errors[static_cast<std::size_t>(windows[k])] = std::isfinite(error) ? error : kHopeless;
+    }
   }
   return errors;
 }

@@ -92,8 +92,6 @@ CleanSignal cleanSignal(const StampedSignal& signal, const std::string& experime
         "has no samples between the start and the end of the experiment; check that its topic is "
         "recorded and that its stamps come from the same clock as the others");
   }
-  clean.false_readings =
-      replaceFalseReadings(clean.stamps, keep == Duplicates::keep_last, &clean.values);
   clean.grid = fitSampleGrid(clean.stamps);
   clean.instants = clean.stamps;
   return clean;

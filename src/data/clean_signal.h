@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "data/false_readings.h"
 #include "data/sample_grid.h"
 #include "uncertainty_identification/data/recording.h"
 
@@ -18,7 +17,6 @@ struct CleanSignal {
   std::vector<double> values;
   SampleGrid grid;
   int duplicate_stamps = 0, zero_stamps = 0, stray_stamps = 0;
-  ReplacedReadings false_readings;
   bool on_grid = false;  ///< set by removeJitter: the stamps belong to a grid whose period is about
                          ///< the sample time, or shorter
 
@@ -34,8 +32,7 @@ struct CleanSignal {
 std::vector<std::size_t> withoutStrays(const std::vector<double>& stamps);
 
 /// Leaves out stray stamps (StampGate), duplicates and stamps outside [start, end) (if end <=
-/// start, none is outside), replaces false readings (a signal is held where `keep` is the last) and
-/// fits the grid. `role` names the signal in messages. Throws DataError
+/// start, none is outside) and fits the grid. `role` names the signal in messages. Throws DataError
 /// for backward or non-finite stamps and for a signal without samples.
 CleanSignal cleanSignal(const StampedSignal& signal, const std::string& experiment,
                         const std::string& role, Duplicates keep, double start = 0, double end = 0);

@@ -4,25 +4,20 @@
 #include <string>
 #include <vector>
 
+#include "uncertainty_identification/data/recording.h"
+
 namespace uncertainty_identification {
 
 /// Places of single values that no working sensor gives, as of a reading that failed (-9999, 1e38):
-/// farther from the others than a thousand times the range that these spread over. None where they
-/// follow each other, are more than one in 200, or the others do not change.
-std::vector<std::size_t> falseReadings(const std::vector<double>& values);
+/// farther from the others than `far` times the range that these spread over, without the outermost
+/// 0.5 % at each end. Values that are not finite are passed over. None where there are fewer than
+/// 20, where such values follow each other or are more than one in 200 (one below 200), where one
+/// is the first or the last, which may be a step, or where the others do not change.
+std::vector<std::size_t> falseReadings(const std::vector<double>& values, double far);
 
-/// The false readings of a signal that have been replaced.
-struct ReplacedReadings {
-  int count = 0;
-  std::string first;  ///< the first of them: its value and its stamp
-};
-
-/// Replaces false readings by the value before (the one behind at the beginning) where the signal
-/// is held, as an input is, and by NaN where it is not. One of `stamps` [s] belongs to each value.
-ReplacedReadings replaceFalseReadings(const std::vector<double>& stamps, bool is_held,
-                                      std::vector<double>* values);
-
-/// What a user should know about them, in a sentence; empty where there are none.
-std::string sentenceOf(const ReplacedReadings& input, const ReplacedReadings& output);
+/// Replaces false readings: of the input, which may be an impulse, those 1e5 ranges away, by the
+/// value before; of the output those 1,000 ranges away, by NaN, which counts as missing. What a
+/// user should know, in a sentence; empty where there are none.
+std::string replaceFalseReadings(StampedSignal* input, StampedSignal* output);
 
 }  // namespace uncertainty_identification

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "data/false_readings.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
@@ -30,13 +31,15 @@ void moveInto(std::vector<T>& from, std::vector<T>& to) {
 
 }  // namespace
 
-void addResampled(const Recording& recording, double sample_time, const ResamplingOptions& options,
+void addResampled(Recording recording, double sample_time, const ResamplingOptions& options,
                   LoadedData& data, double first) {
   try {
     ResamplingReport report;
+    const std::string false_readings = replaceFalseReadings(&recording.input, &recording.output);
     if (first == 0 && !data.experiments.empty()) first = data.experiments.front().sample_time;
     data.experiments.push_back(sample_time > 0 ? resample(recording, sample_time, options, &report)
                                                : resampleAlike(recording, first, options, report));
+    report.false_readings = false_readings;
     for (std::string& warning : report.warnings()) data.warnings.push_back(std::move(warning));
     if (!recording.note.empty()) {
       data.warnings.push_back("experiment '" + recording.id + "': " + recording.note);

@@ -188,7 +188,6 @@ ResamplingReport makeReport(const Recording& recording, const CleanSignal& input
       recording.duplicate_stamps + input.duplicate_stamps + output.duplicate_stamps;
   report.zero_stamps = input.zero_stamps + output.zero_stamps;
   report.stray_stamps = recording.stray_stamps + input.stray_stamps + output.stray_stamps;
-  report.false_readings = sentenceOf(input.false_readings, output.false_readings);
   return report;
 }
 

@@ -33,15 +33,19 @@ Simulated simulatedBy(const Explanation& explanation) {
 }
 
 /// That one linear plant simulates held-out data with far more error than those it was fitted to;
-/// empty where it does not, or simulates them well all the same.
-std::string lossOnHeldOut(const SimulationCauses& simulation) {
+/// empty where it does not, simulates them well all the same, or none are held out.
+std::string lossOnHeldOut(const Explanation& explanation) {
   constexpr double kWell = 90;        // [%] fit
   constexpr double kManyTimes = 2.5;  // the error
-  if (simulation.fit_before >= kWell || !(simulation.held_out_error_ratio > kManyTimes)) return "";
-  return "one linear plant simulates held-out data by " + rounded(simulation.fit_before) +
-         " %, with " + rounded(simulation.held_out_error_ratio) +
-         " times the error of those fitted to: the plant is not linear, or it has changed, or "
-         "held-out data go where the others do not";
+  const SimulationCauses& simulation = explanation.simulation;
+  if (explanation.held_out.empty() || simulation.fit_before >= kWell ||
+      !(simulation.held_out_error_ratio > kManyTimes))
+    return "";
+  return "one linear plant fits held-out data by " + rounded(simulation.fit_before) +
+         " % only, with " + rounded(simulation.held_out_error_ratio) +
+         " times the error that it has on the data it was fitted to: the plant is not linear, or "
+         "it "
+         "has changed, or the held-out data cover a range that the others do not";
 }
 
 /// Whether one linear plant simulates windows of a few experiments far worse than the model does
@@ -79,11 +83,12 @@ std::string shortcoming(const Explanation& explanation, const Simulated& simulat
   return text.str();
 }
 
-/// The same where no cause changes the simulation.
+/// The same where no cause changes the simulation; also that held-out data are simulated far worse,
+/// or that few experiments do not show whether they differ by chance.
 std::string shortcomingWithoutStructure(const Explanation& explanation,
                                         const Simulated& simulated) {
-  std::string lacks = shortcoming(explanation, simulated);
-  if (lacks.empty()) lacks = lossOnHeldOut(explanation.simulation);
+  std::string lacks = lossOnHeldOut(explanation);
+  if (lacks.empty()) lacks = shortcoming(explanation, simulated);
   if (!lacks.empty() || explanation.causes.empty()) return lacks;
   if (!isOfFewExperiments(explanation, simulated.fit)) return "";
   return "one linear plant simulates windows of the data by " +
@@ -131,7 +136,7 @@ void warnOfPoorSimulation(Explanation* explanation) {
     if (lacks.empty()) return;
     explanation->warnings.push_back(lacks);
     if (!causes.empty()) return;
-    if (simulated.fit < 0 || !lossOnHeldOut(explanation->simulation).empty())
+    if (simulated.fit < 0 || lacks == lossOnHeldOut(*explanation))
       explanation->verdict = Verdict::unknown;
     explanation->message = "the checks of the residuals find nothing wrong, but " + lacks;
     return;

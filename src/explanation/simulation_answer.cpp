@@ -130,17 +130,23 @@ bool isStructural(const Cause& cause) {
 
 /// What makes the residuals white may stand for what the simulation lacks. Where the data are too
 /// few to search for that, a structural cause has to make the simulation of held-out experiments
-/// better. Where none are held out, every parameter makes it better, and the free simulation must
-/// show the cause in windows that were left out.
+/// better. Where none are held out, every parameter makes it better: the free simulation must show
+/// the cause in windows that were left out or, of a kind that it cannot show, the cause halve the
+/// error.
 void dropUnverified(Explanation* explanation) {
-  constexpr double kBetter = 0.95;  // of the squared error
   const bool too_few = explanation->simulation.skipped.rfind("fewer than", 0) == 0;
   const bool in_sample = explanation->held_out.empty();
   if (!too_few && !in_sample) return;
+  constexpr double kBetter = 0.95, kHalved = 0.5;  // of the squared error
+  const std::vector<std::string> curves = curveCauseNames();
+  const auto gains_enough = [&](const Cause& cause) {
+    const bool is_curve = std::find(curves.begin(), curves.end(), cause.name) != curves.end();
+    if (in_sample && (too_few || is_curve)) return false;
+    return errorRatio(*cause.gain) < (in_sample ? kHalved : kBetter);
+  };
   const auto first = std::stable_partition(
       explanation->causes.begin(), explanation->causes.end(), [&](const Cause& cause) {
-        return !isStructural(cause) || !cause.gain || cause.simulation ||
-               (!in_sample && errorRatio(*cause.gain) < kBetter);
+        return !isStructural(cause) || !cause.gain || cause.simulation || gains_enough(cause);
       });
   if (first == explanation->causes.end()) return;
   const std::vector<Cause> dropped(first, explanation->causes.end());
@@ -150,9 +156,10 @@ void dropUnverified(Explanation* explanation) {
       (in_sample ? "no experiment is held out that confirms it" : "the simulation no better") +
       ", and " +
       (too_few ? explanation->simulation.skipped + " do not show what the simulation lacks"
-               : "the simulation of windows left out does not show it") +
+               : "the simulation does not clearly show it") +
       "; not named" + (in_sample ? ": give another record by --validation" : ""));
-  if (explanation->causes.empty() && !explanation->simulation.causes.empty())
+  if (!explanation->simulation.causes.empty() &&
+      std::none_of(explanation->causes.begin(), explanation->causes.end(), isStructural))
     return takeCurves(explanation);
   if (explanation->causes.empty()) forgetModelWithCauses(explanation);
   conclude(explanation, true);

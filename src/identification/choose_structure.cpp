@@ -150,9 +150,11 @@ StructureFit withRaisedOrders(Problem problem, const StructureFit& chosen, Journ
 /// The fit with larger orders of Go where the residuals depend on the input now that the noise is
 /// modelled: hum or drift, while they were not, hid what Go lacks.
 StructureFit withWhatNoiseHid(const Problem& problem, StructureFit chosen, Journal* journal) {
-  const double before = chosen.log_likelihood;
+  const int before = chosen.parameters;
   StructureFit raised = withBetterOrders(problem, std::move(chosen), true, journal);
-  return raised.log_likelihood > before ? withNoiseOrders(problem, raised, journal) : raised;
+  if (raised.parameters == before) return raised;
+  raised = withWholeDelay(problem, std::move(raised), journal);
+  return withNoiseOrders(problem, raised, journal);
 }
 
 StructureFit chooseStructure(Problem problem, bool free_orders, bool free_offsets,

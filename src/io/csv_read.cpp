@@ -71,7 +71,8 @@ Eigen::VectorXd heldCovariate(const std::vector<double>& values, const SampleGri
   return held;
 }
 
-Experiment onGrid(const CsvTable& table, const SampleGrid& grid, const Configuration& options) {
+Experiment onGrid(const CsvTable& table, const std::vector<double>& u, const std::vector<double>& y,
+                  const SampleGrid& grid, const Configuration& options) {
   const auto samples = static_cast<Eigen::Index>(grid.slots.back()) + 1;
   Experiment experiment;
   experiment.id = table.id;
@@ -84,10 +85,10 @@ Experiment onGrid(const CsvTable& table, const SampleGrid& grid, const Configura
   for (std::size_t i = 0; i < table.t.size(); ++i) {
     const long slot = grid.slots[i];
     const long next = i + 1 < table.t.size() ? grid.slots[i + 1] : slot + 1;
-    for (long k = slot; k < next; ++k) experiment.u(k) = table.u[i];
+    for (long k = slot; k < next; ++k) experiment.u(k) = u[i];
     offsets(slot) = table.t[i] - grid.instant(i);
-    if (std::isnan(table.y[i])) continue;
-    experiment.y(slot) = table.y[i];
+    if (std::isnan(y[i])) continue;
+    experiment.y(slot) = y[i];
     valid[static_cast<std::size_t>(slot)] = 1;
   }
   if (std::count(valid.begin(), valid.end(), 0) > 0) experiment.valid = std::move(valid);
@@ -97,7 +98,10 @@ Experiment onGrid(const CsvTable& table, const SampleGrid& grid, const Configura
 
 void addOnGrid(const CsvTable& table, const CsvFile& file, const SampleGrid& grid,
                const Configuration& options, LoadedData& data) {
-  Experiment experiment = onGrid(table, grid, options);
+  StampedSignal input{table.t, table.u}, output{table.t, table.y};
+  const std::string false_readings = replaceFalseReadings(&input, &output);
+  if (!false_readings.empty()) data.warnings.push_back(named(table.id) + ": " + false_readings);
+  Experiment experiment = onGrid(table, input.values, output.values, grid, options);
   for (std::size_t c = 0; c < file.covariate_names.size(); ++c) {
     Eigen::VectorXd values = heldCovariate(table.covariates[c], grid);
     if (values.array().isFinite().all())
@@ -145,7 +149,7 @@ void tellMissing(const CsvTable& table, LoadedData& data) {
                           ") and count as missing");
 }
 
-void addTable(CsvTable& table, CsvFile& file, const Configuration& configuration,
+void addTable(const CsvTable& table, CsvFile& file, const Configuration& configuration,
               LoadedData& data) {
   const SampleGrid grid = fitSampleGrid(table.t);
   warnOfTime(file, table, grid.period, data);
@@ -154,10 +158,6 @@ void addTable(CsvTable& table, CsvFile& file, const Configuration& configuration
                             " of " + std::to_string(table.t.size()) +
                             " rows have no input, which is held between the others");
   tellMissing(table, data);
-  const ReplacedReadings of_input = replaceFalseReadings(table.t, true, &table.u),
-                         of_output = replaceFalseReadings(table.t, false, &table.y);
-  if (const std::string told = sentenceOf(of_input, of_output); !told.empty())
-    data.warnings.push_back(named(table.id) + ": " + told);
   if (const auto division = divisionOf(table, grid.period, configuration, data))
     addDivided(table, file, *division, configuration, data);
   else if (table.rows_without_input == 0 && fitsGrid(grid, configuration))

@@ -65,14 +65,19 @@ std::optional<double> perSecond(const std::string& unit) {
       {"nsec", 1e9},
       {"nanoseconds", 1e9},
       {"\xC2\xB5s", 1e6},
-      {"\xCE\xBCs", 1e6},
+      {"\xCE\xBCs", 1e6},  // the micro sign and the Greek letter
       {"min", 1.0 / 60},
+      {"mins", 1.0 / 60},
+      {"minute", 1.0 / 60},
       {"minutes", 1.0 / 60},
       {"h", 1.0 / 3600},
       {"hr", 1.0 / 3600},
+      {"hrs", 1.0 / 3600},
+      {"hour", 1.0 / 3600},
       {"hours", 1.0 / 3600},
       {"d", 1.0 / 86400},
-      {"days", 1.0 / 86400}};  // the micro sign and the Greek letter
+      {"day", 1.0 / 86400},
+      {"days", 1.0 / 86400}};
   const auto found = kUnits.find(lowered(unit));
   if (found == kUnits.end()) return std::nullopt;
   return found->second;
@@ -89,7 +94,9 @@ std::optional<CsvTimeName> timeName(const std::string& name) {
   if (underscore == std::string::npos || kNames.count(base.substr(0, underscore)) == 0)
     return std::nullopt;
   const std::string suffix = base.substr(underscore + 1);
-  if (!perSecond(suffix)) return std::nullopt;
+  const std::optional<double> per_second = perSecond(suffix);
+  // t_h and T_min are rather temperatures, of a heater and the least.
+  if (!per_second || (*per_second < 1 && underscore < 2)) return std::nullopt;
   return CsvTimeName{suffix};
 }
 

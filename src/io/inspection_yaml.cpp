@@ -57,7 +57,8 @@ std::string timeLine(const Survey& survey, const TimeOptions& time) {
   line += "unit: " + nameOf(time.unit);
   if (time.counts()) line += ", sample_time: " + numberOf(time.sample_time);
   line += "}";
-  if (survey.times.front().assumed) line += "   # taken for seconds; otherwise ms, us or ns";
+  if (survey.times.front().assumed)
+    line += "   # taken for seconds; otherwise ms, us, ns, min, h or d";
   if (time.counts()) line += "   # the rows are counted: write the real sample time [s] here";
   return line + "\n";
 }

@@ -58,7 +58,8 @@ struct SimulationCauses {
   std::vector<SimulationCause> causes;
   std::string refused;  ///< what simulates better but does not predict better, and why it is not
                         ///< named, in a sentence; empty: nothing
-  double held_out_error_ratio = 1;        ///< rms without causes, over that of windows fitted to
+  double held_out_error_ratio = 1;  ///< of simulating without causes: rms of held-out windows over
+                                    ///< that of the windows fitted to; 1: not searched
   double fit_before = 0, fit_after = 0;   ///< [%] of held-out windows, in free simulation
   std::vector<SimulatedWindow> pictures;  ///< the median and the worst window
   bool ended_early = false;               ///< the time limit ended the search

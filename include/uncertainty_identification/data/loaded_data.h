@@ -17,11 +17,12 @@ struct LoadedData {
   std::vector<std::string> warnings;
 };
 
-/// Resamples a recording and adds it to `data`: to the experiments, or to the rejected ones with
+/// Replaces false readings of a recording (data/false_readings.h), resamples it and adds it to
+/// `data`: to the experiments, or to the rejected ones with
 /// the reason. With sample_time 0, a recording whose sample time is that of the first experiment
 /// within two per cent, the accuracy under jitter, gets that one; any other keeps its own. `first`
 /// is the sample time [s] of the first experiment if that is not in `data`; 0: it is.
-void addResampled(const Recording& recording, double sample_time, const ResamplingOptions& options,
+void addResampled(Recording recording, double sample_time, const ResamplingOptions& options,
                   LoadedData& data, double first = 0);
 
 /// The sample time [s] to which experiments must be resampled so that at least four fifths of them

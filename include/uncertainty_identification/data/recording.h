@@ -47,7 +47,7 @@ struct ResamplingReport {
   int zero_stamps = 0;         ///< samples stamped 0
   int stray_stamps = 0;        ///< samples left out because their stamps lay before or far ahead of
                                ///< those around them
-  std::string false_readings;  ///< a sentence about single values far from all others, or empty
+  std::string false_readings;  ///< a sentence about those that addResampled() replaced; empty: none
 
   /// What a user should know: duplicates, zero and stray stamps, false readings, jitter above a
   /// tenth of the sample time, missing outputs, an input held for more than three sample times. One
@@ -73,8 +73,7 @@ struct ResamplingReport {
 /// - Covariates are held (before their first sample: that one); constant ones become scalars.
 ///
 /// Isolated samples, up to one in twenty, whose stamps go back or leap ahead are left out and
-/// counted. Single values a thousand times as far off as all others spread are false readings: the
-/// input is held over them, and the output is missing.
+/// counted.
 ///
 /// Throws DataError, naming the experiment and what to record instead, for stamps that go back and
 /// stay there or are not finite, an empty signal, no samples in common, an input too old in

@@ -240,6 +240,19 @@ TEST(SimulationAnswer, WithoutHeldOutDataTheSimulationOfLeftOutWindowsMustShowTh
   EXPECT_EQ(unseen.verdict, Verdict::partly_explained);
   EXPECT_EQ(answered("plant_coulomb", "plant").causes.size(), 1u) << "the simulation shows it";
   EXPECT_EQ(answered("noise_step", "noise").causes.size(), 1u) << "changes no simulation";
+  EXPECT_EQ(answered("sens_hum", "sensor").causes.at(0).name, "sens_hum")
+      << "no curve, and takes most of the error away";
+}
+
+TEST(SimulationAnswer, NoiseBesideWhatIsNotConfirmedHidesNoCurve) {
+  Explanation found = withFriction(
+      true, {ofLikelihood("act_hammerstein", 90, 98), ofLikelihood("noise_step", 90, 90)});
+  found.causes[0].group = "actuator";
+  found.causes[1].group = "noise";
+  found.held_out.clear();
+  joinSimulation(&found);
+  ASSERT_EQ(found.causes.size(), 1u);
+  EXPECT_EQ(found.causes[0].name, "plant_coulomb");
 }
 
 /// A ramp is followed by a lag as well as by a curve; steps are not.
@@ -255,9 +268,17 @@ TEST(SimulationAnswer, NothingIsNotSaidWhereHeldOutDataAreSimulatedFarWorse) {
   };
   const Explanation lost = answered(69, 4);
   EXPECT_EQ(lost.verdict, Verdict::unknown);
-  EXPECT_TRUE(test::mentions(lost.message, "held-out data by 69 %, with 4 times the error"));
+  EXPECT_TRUE(test::mentions(lost.message, "held-out data by 69 % only, with 4 times the error"));
   EXPECT_EQ(answered(69, 2).verdict, Verdict::none);
   EXPECT_EQ(answered(95, 4).verdict, Verdict::none);
+  Explanation of_one_record = withFriction(true, {});
+  of_one_record.verdict = Verdict::none;
+  of_one_record.held_out.clear();
+  of_one_record.simulation.causes.clear();
+  of_one_record.simulation.fit_before = of_one_record.simulation.fit_after = 69;
+  of_one_record.simulation.held_out_error_ratio = 4;
+  joinSimulation(&of_one_record);
+  EXPECT_EQ(of_one_record.verdict, Verdict::none) << "its last third is no other record";
 }
 
 /// Where each record has an input of another size, a curve of the input looks like plants that

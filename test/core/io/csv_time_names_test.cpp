@@ -21,6 +21,8 @@ TEST(CsvTimeNames, WellKnownNamesTellTheirUnitAtTheEnd) {
   EXPECT_EQ(unitOf("t_s"), "s");
   EXPECT_EQ(unitOf("elapsed_time_ns"), "ns");
   EXPECT_EQ(unitOf("Time [ms]"), "ms");
+  EXPECT_EQ(unitOf("time_h"), "h");
+  EXPECT_EQ(unitOf("t [min]"), "min");
   EXPECT_EQ(unitOf("time(s)"), "s");
   EXPECT_EQ(unitOf("%time"), "ns");
   EXPECT_EQ(unitOf("rosbagTimestamp"), "ns");
@@ -31,8 +33,9 @@ TEST(CsvTimeNames, WellKnownNamesTellTheirUnitAtTheEnd) {
 }
 
 TEST(CsvTimeNames, OtherNamesAreNotGuessed) {
-  for (const char* name : {"T", "T [K]", "u", "", "temp", "torque_ms", "time_of_day", "runtime",
-                           "/odom/header/stamp", "lifetime", "time_", "_ms", "ms", "times"})
+  for (const char* name :
+       {"T", "T [K]", "u", "", "temp", "torque_ms", "time_of_day", "runtime", "/odom/header/stamp",
+        "T_h", "t_min", "lifetime", "time_", "_ms", "ms", "times"})
     EXPECT_EQ(unitOf(name), "no") << name;
 }
 

@@ -154,7 +154,7 @@ TEST(InspectionYaml, IsAConfigurationThatSaysWhatWasFound) {
   const Configuration read = parseConfiguration(YAML::Load(text));
   EXPECT_EQ(toJson(read), toJson(data.configuration)) << text;
   EXPECT_TRUE(mentions(text, "# Input u: 'cmd' (its name says 'cmd')."));
-  EXPECT_TRUE(mentions(text, "taken for seconds; otherwise ms, us or ns"));
+  EXPECT_TRUE(mentions(text, "taken for seconds; otherwise ms, us, ns, min, h or d"));
   EXPECT_TRUE(mentions(text, "#   - {name: \"temp \\\"x\\\"\", column: \"temp \\\"x\\\"\"}"));
 }
 
