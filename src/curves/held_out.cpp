@@ -74,6 +74,7 @@ Eigen::VectorXd errorsBeyondGain(const SimulationData& held, const CurveModel& m
   Eigen::VectorXd errors(static_cast<Eigen::Index>(held.windows.size()));
   for (const std::vector<int>& windows : windowsByRecord(held)) {
     std::vector<WindowProducts::Block> blocks;
+    blocks.reserve(windows.size());
     for (const int w : windows) {
       const auto k = static_cast<std::size_t>(w);
       blocks.push_back(productsOf(model, tables, held.windows[k], initial[k], 1).total());

@@ -18,6 +18,7 @@ std::vector<std::vector<int>> windowsByRecord(const SimulationData& data) {
   for (std::size_t w = 0; w < data.windows.size(); ++w)
     by_record[data.windows[w].record].push_back(static_cast<int>(w));
   std::vector<std::vector<int>> windows;
+  windows.reserve(by_record.size());
   for (auto& [record, of_record] : by_record) windows.push_back(std::move(of_record));
   return windows;
 }

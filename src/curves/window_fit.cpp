@@ -101,6 +101,7 @@ std::vector<double> leftOutBeyondGain(const SimulationData& data, const Linearis
     Eigen::MatrixXd rest = at.sum.jj + ridge;
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(rest.rows());
     std::vector<WindowProducts::Block> blocks;
+    blocks.reserve(windows.size());
     for (const int w : windows) {
       blocks.push_back(at.windows[static_cast<std::size_t>(w)].total());
       rest -= blocks.back().jj;

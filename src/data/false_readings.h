@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "uncertainty_identification/data/recording.h"
-
 namespace uncertainty_identification {
 
 /// Places of single values that no working sensor gives, as of a reading that failed (-9999, 1e38):
@@ -15,9 +13,13 @@ namespace uncertainty_identification {
 /// is the first or the last, which may be a step, or where the others do not change.
 std::vector<std::size_t> falseReadings(const std::vector<double>& values, double far);
 
-/// Replaces false readings: of the input, which may be an impulse, those 1e5 ranges away, by the
-/// value before; of the output those 1,000 ranges away, by NaN, which counts as missing. What a
-/// user should know, in a sentence; empty where there are none.
-std::string replaceFalseReadings(StampedSignal* input, StampedSignal* output);
+/// Replaces false readings, the stamps [s] of which are told: of the input, which may be an
+/// impulse, those 1e5 ranges away, by the value before; of the output those 1,000 ranges away, by
+/// NaN, which counts as missing. What a user should know, in a sentence; empty where there are
+/// none.
+std::string replaceFalseReadings(const std::vector<double>& input_stamps,
+                                 std::vector<double>* input,
+                                 const std::vector<double>& output_stamps,
+                                 std::vector<double>* output);
 
 }  // namespace uncertainty_identification

@@ -35,7 +35,11 @@ void addResampled(Recording recording, double sample_time, const ResamplingOptio
                   LoadedData& data, double first) {
   try {
     ResamplingReport report;
-    const std::string false_readings = replaceFalseReadings(&recording.input, &recording.output);
+    StampedSignal &input = recording.input, &output = recording.output;
+    std::string false_readings;
+    if (input.stamps.size() == input.values.size() && output.stamps.size() == output.values.size())
+      false_readings =
+          replaceFalseReadings(input.stamps, &input.values, output.stamps, &output.values);
     if (first == 0 && !data.experiments.empty()) first = data.experiments.front().sample_time;
     data.experiments.push_back(sample_time > 0 ? resample(recording, sample_time, options, &report)
                                                : resampleAlike(recording, first, options, report));

@@ -44,8 +44,7 @@ std::string lossOnHeldOut(const Explanation& explanation) {
   return "one linear plant fits held-out data by " + rounded(simulation.fit_before) +
          " % only, with " + rounded(simulation.held_out_error_ratio) +
          " times the error that it has on the data it was fitted to: the plant is not linear, or "
-         "it "
-         "has changed, or the held-out data cover a range that the others do not";
+         "it has changed, or the held-out data cover a range that the others do not";
 }
 
 /// Whether one linear plant simulates windows of a few experiments far worse than the model does

@@ -71,8 +71,7 @@ Eigen::VectorXd heldCovariate(const std::vector<double>& values, const SampleGri
   return held;
 }
 
-Experiment onGrid(const CsvTable& table, const std::vector<double>& u, const std::vector<double>& y,
-                  const SampleGrid& grid, const Configuration& options) {
+Experiment onGrid(const CsvTable& table, const SampleGrid& grid, const Configuration& options) {
   const auto samples = static_cast<Eigen::Index>(grid.slots.back()) + 1;
   Experiment experiment;
   experiment.id = table.id;
@@ -85,10 +84,10 @@ Experiment onGrid(const CsvTable& table, const std::vector<double>& u, const std
   for (std::size_t i = 0; i < table.t.size(); ++i) {
     const long slot = grid.slots[i];
     const long next = i + 1 < table.t.size() ? grid.slots[i + 1] : slot + 1;
-    for (long k = slot; k < next; ++k) experiment.u(k) = u[i];
+    for (long k = slot; k < next; ++k) experiment.u(k) = table.u[i];
     offsets(slot) = table.t[i] - grid.instant(i);
-    if (std::isnan(y[i])) continue;
-    experiment.y(slot) = y[i];
+    if (std::isnan(table.y[i])) continue;
+    experiment.y(slot) = table.y[i];
     valid[static_cast<std::size_t>(slot)] = 1;
   }
   if (std::count(valid.begin(), valid.end(), 0) > 0) experiment.valid = std::move(valid);
@@ -96,12 +95,11 @@ Experiment onGrid(const CsvTable& table, const std::vector<double>& u, const std
   return experiment;
 }
 
-void addOnGrid(const CsvTable& table, const CsvFile& file, const SampleGrid& grid,
+void addOnGrid(CsvTable& table, const CsvFile& file, const SampleGrid& grid,
                const Configuration& options, LoadedData& data) {
-  StampedSignal input{table.t, table.u}, output{table.t, table.y};
-  const std::string false_readings = replaceFalseReadings(&input, &output);
+  const std::string false_readings = replaceFalseReadings(table.t, &table.u, table.t, &table.y);
   if (!false_readings.empty()) data.warnings.push_back(named(table.id) + ": " + false_readings);
-  Experiment experiment = onGrid(table, input.values, output.values, grid, options);
+  Experiment experiment = onGrid(table, grid, options);
   for (std::size_t c = 0; c < file.covariate_names.size(); ++c) {
     Eigen::VectorXd values = heldCovariate(table.covariates[c], grid);
     if (values.array().isFinite().all())
@@ -149,7 +147,7 @@ void tellMissing(const CsvTable& table, LoadedData& data) {
                           ") and count as missing");
 }
 
-void addTable(const CsvTable& table, CsvFile& file, const Configuration& configuration,
+void addTable(CsvTable& table, CsvFile& file, const Configuration& configuration,
               LoadedData& data) {
   const SampleGrid grid = fitSampleGrid(table.t);
   warnOfTime(file, table, grid.period, data);

@@ -61,7 +61,7 @@ TEST(FalseReadings, HoldTheInputAndAreMissingOutputs) {
 TEST(FalseReadings, ImpulsesOfTheInputAreNone) {
   StampedSignal input = random(0, 0.1, 400, 1), output = random(0, 0.1, 400, 2);
   input.values[40] = 3000;
-  EXPECT_EQ(replaceFalseReadings(&input, &output), "");
+  EXPECT_EQ(replaceFalseReadings(input.stamps, &input.values, output.stamps, &output.values), "");
   EXPECT_EQ(input.values[40], 3000);
 }
 
