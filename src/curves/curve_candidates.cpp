@@ -12,15 +12,21 @@
 namespace uncertainty_identification {
 namespace {
 
+/// A loop's error acts through a limit or not at all: other curves of it resemble friction and
+/// other forces.
+bool isLimit(const std::string& shape) { return shape.find("saturation") != std::string::npos; }
+
 /// Of places that the data cannot tell apart, the first is named.
 int rankOf(const CurveCandidate& candidate) {
-  constexpr Place kOrder[] = {
-      Place::input,          Place::position,      Place::rate,
-      Place::output_state,   Place::sensor,        Place::time_gain,
-      Place::covariate,      Place::position_gain, Place::input_times_position,
-      Place::hysteresis,     Place::rate_gain,     Place::time,
-      Place::covariate_gain, Place::play,          Place::rate_limit,
-      Place::output_play};
+  constexpr Place kOrder[] = {Place::input,         Place::position,
+                              Place::loop_error,    Place::rate,
+                              Place::output_state,  Place::sensor,
+                              Place::time_gain,     Place::covariate,
+                              Place::position_gain, Place::input_times_position,
+                              Place::hysteresis,    Place::rate_gain,
+                              Place::time,          Place::covariate_gain,
+                              Place::play,          Place::rate_limit,
+                              Place::output_play};
   return static_cast<int>(std::find(std::begin(kOrder), std::end(kOrder), candidate.place.place) -
                           std::begin(kOrder));
 }
@@ -32,15 +38,18 @@ CandidateKind kindOf(PlantChange::Kind kind) {
 }
 
 /// The best of the screened places, and those that machines most often have. Hysteresis, which is
-/// rare and resembles other products, has to be the best of all.
+/// rare and resembles other products, has to be the best of all. A loop's error, which resembles
+/// much, takes the place of no other.
 void keepMostPromising(int places, std::vector<ScreenedPlace>* screened) {
   std::vector<ScreenedPlace> kept;
+  int others = 0;  // than a loop's error
   for (ScreenedPlace& each : *screened) {
     const Place place = each.place.place;
     const bool is_usual = place == Place::input || place == Place::position || place == Place::rate;
-    const bool is_too_rare = place == Place::hysteresis && !kept.empty();
-    const bool is_promising = static_cast<int>(kept.size()) < places && !is_too_rare;
-    if (is_usual || is_promising) kept.push_back(std::move(each));
+    const bool is_too_rare = place == Place::hysteresis && others > 0;
+    if (!is_usual && (others >= places || is_too_rare)) continue;
+    others += place != Place::loop_error;
+    kept.push_back(std::move(each));
   }
   *screened = std::move(kept);
 }
@@ -55,9 +64,11 @@ bool sumsUp(const CurveModel& model) {
 }
 
 bool isPossible(const CurveCandidate& candidate) {
-  return candidate.fit.parameters() > 0 &&
-         (candidate.place.place != Place::hysteresis ||
-          (sumsUp(candidate.fit.model) && sumsUp(candidate.naming.fit.model)));
+  const Place place = candidate.place.place;
+  if (candidate.fit.parameters() == 0) return false;
+  if (place == Place::loop_error) return isLimit(candidate.naming.shape);
+  return place != Place::hysteresis ||
+         (sumsUp(candidate.fit.model) && sumsUp(candidate.naming.fit.model));
 }
 
 void addCurves(const SimulationData& data, const WindowFit& now, const CandidateLimits& limits,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 #include "curves/curve.h"
@@ -36,6 +37,14 @@ struct CurveModel {
   Eigen::VectorXd parametersOf(std::size_t curve) const {
     return theta.segment(firstOf(curve), curves[curve].parameters());
   }
+  /// Sum of b, kept away from zero.
+  double sumOfB() const {
+    constexpr double kLeast = 1e-9;
+    const double sum = theta.segment(order, order).sum();
+    return std::abs(sum) < kLeast ? kLeast : sum;
+  }
+  /// The input that holds one unit of the output; 0 of a plant that integrates.
+  double inverseGain() const { return (1 + theta.head(order).sum()) / sumOfB(); }
   bool has(Place place) const {
     for (const Curve& curve : curves)
       if (curve.place() == place) return true;

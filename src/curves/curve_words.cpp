@@ -65,6 +65,10 @@ std::string inWords(const PlaceOf& at, const std::string& shape) {
     case Place::position:
     case Place::output_state:
       return "the output acts back on the plant through " + what;
+    case Place::loop_error:
+      return "the plant is a control loop, whose error (how far the output is from where the input "
+             "sends it) acts through " +
+             what;
     case Place::rate:
       return "the speed of the output acts back on the plant through " + what;
     case Place::position_gain:
@@ -114,6 +118,8 @@ std::string adviceFor(Place place) {
       return "record reversals of different sizes: play loses the same width at each";
     case Place::rate_limit:
       return "record steps of different sizes: a limited rate makes large ones slower";
+    case Place::loop_error:
+      return "record steps of different sizes: a limit within the loop makes large ones slower";
     case Place::hysteresis:
       return "record slow and fast cycles of the same size: the loop of a hysteresis stays the "
              "same";
@@ -128,6 +134,7 @@ std::string adviceFor(Place place) {
 std::string causeNamed(Place place, const std::string& shape) {
   switch (place) {
     case Place::input:
+    case Place::loop_error:
       return actuatorNamed(shape);
     case Place::position:
     case Place::output_state:

@@ -19,6 +19,8 @@ Scale signalScale(const PlaceOf& at, const CurveModel& model, const SignalScales
     case Place::play:
     case Place::rate_limit:
       return scales.u;
+    case Place::loop_error:
+      return {0, scales.u.unit};
     case Place::rate:
     case Place::rate_gain:
       return {0, model.rate_scale * scales.y.unit};
@@ -38,6 +40,8 @@ std::string signalOf(const PlaceOf& at) {
     case Place::input:
     case Place::input_times_position:
       return "input";
+    case Place::loop_error:
+      return "input less the one that would hold the output";
     case Place::rate:
     case Place::rate_gain:
       return "change of the output per sample";
@@ -59,7 +63,9 @@ bool isFactor(Place place) {
 }
 
 /// Whether the whole characteristic is drawn, and not only what it adds.
-bool isCharacteristic(Place place) { return place == Place::input || place == Place::sensor; }
+bool isCharacteristic(Place place) {
+  return place == Place::input || place == Place::loop_error || place == Place::sensor;
+}
 
 double valueUnit(Place place, const SignalScales& scales) {
   return isFactor(place) ? 1 : place == Place::sensor ? scales.y.unit : scales.u.unit;

@@ -17,7 +17,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr int kFewestSamples = 200, kFewestWindows = 4;
+constexpr int kFewestSamples = 200;
 constexpr int kFewestSteps = 4;
 constexpr const char* kFewSteps = "the input makes fewer than four steps";
 
@@ -170,14 +170,14 @@ SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
   const WindowSearcher search = [&](const WindowPlan& windows, const CurveSearchLimits& within) {
     return searchWindows(fitted, held, windows, scales, within, context);
   };
-  WindowSearch searched = search(plan, limits);
-  if (searched.kept.windows.empty()) return found;
-  found.preparation = sentenceOf(plan, searched, fitted.size());
-  if (!plan.one_of_each && searched.needsConfirmation())
-    found.refused = confirm(plan, withOtherWindows(plan, fitted), limits, search, &searched);
-  describe(searched, &found);
-  found.pictures = picturesOf(held.empty() ? fitted : held, searched.kept, searched.result);
-  found.ended_early = searched.result.ended_early;
+  const PlannedSearch searched = searchInWindows(plan, fitted, limits, search);
+  if (searched.found.kept.windows.empty()) return found;
+  found.preparation = sentenceOf(searched.plan, searched.found, fitted.size());
+  found.refused = searched.refused;
+  describe(searched.found, &found);
+  found.pictures =
+      picturesOf(held.empty() ? fitted : held, searched.found.kept, searched.found.result);
+  found.ended_early = searched.found.result.ended_early;
   found.seconds = seconds();
   return found;
 }

@@ -5,11 +5,11 @@
 namespace uncertainty_identification {
 
 std::string nameOf(Place place) {
-  static const std::array<const char*, 16> kNames{
+  static const std::array<const char*, 17> kNames{
       "input",       "position",  "rate",           "position_gain", "input_times_position",
       "sensor",      "play",      "rate_limit",     "time_gain",     "time",
       "output_play", "covariate", "covariate_gain", "rate_gain",     "output_state",
-      "hysteresis"};
+      "loop_error",  "hysteresis"};
   return kNames.at(static_cast<std::size_t>(place));
 }
 
@@ -24,6 +24,7 @@ int linearPart(Place place) {
     case Place::rate:
     case Place::sensor:
     case Place::output_state:
+    case Place::loop_error:
       return 2;
     default:
       return 1;
@@ -32,12 +33,12 @@ int linearPart(Place place) {
 
 bool hasPhysicalZero(Place place) {
   return place == Place::input || place == Place::position || place == Place::rate ||
-         place == Place::rate_gain || place == Place::output_state;
+         place == Place::rate_gain || place == Place::output_state || place == Place::loop_error;
 }
 
 bool isFedBack(Place place) {
   return place == Place::position || place == Place::rate || place == Place::output_state ||
-         place == Place::hysteresis;
+         place == Place::loop_error || place == Place::hysteresis;
 }
 
 }  // namespace uncertainty_identification

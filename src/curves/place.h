@@ -28,6 +28,8 @@ enum class Place {
   covariate_gain,        ///< the input acts by 1 + f(covariate)
   rate_gain,             ///< the input acts by 1 + f(rate)
   output_state,          ///< f(x), added to the change of x itself; plants of the second order on
+  loop_error,  ///< f(e), added to the plant's input, where e is the input less the one that would
+               ///< hold x: a limit within a plant that is a control loop, as a servo is
   hysteresis  ///< |u| f(x), added to the plant's input: a loop that does not depend on speed, as of
               ///< Dahl and of Bouc and Wen, where u is the velocity
 };

@@ -132,6 +132,7 @@ WindowFit smallerPlant(const SimulationData& data, WindowFit fit,
     smaller.theta = std::move(theta);
     smaller.curves = fit.model.curves;
     smaller.rate_scale = fit.model.rate_scale;
+    smaller.input_zero = fit.model.input_zero;
     smaller.initial.clear();
     WindowFit refitted = fitFreely(data, std::move(smaller), context.limits(15));
     if (!(refitted.left_out < 1.03 * fit.left_out)) break;

@@ -12,7 +12,7 @@ namespace uncertainty_identification {
 namespace {
 
 constexpr double kPerPeriod = 24;  // samples
-constexpr int kShortest = 60, kLongest = 400, kFewestWindows = 10;
+constexpr int kShortest = 60, kLongest = 400, kWantedWindows = 10;
 constexpr std::size_t kManyExperiments = 8;
 
 Eigen::VectorXd scaled(const Eigen::VectorXd& signal, const Scale& scale) {
@@ -89,35 +89,60 @@ void group(std::size_t experiments, SimulationData* data) {
   data->groups.push_back(static_cast<int>(data->windows.size()));
 }
 
+struct Lengths {
+  int total = 0, longest = 0;  // samples after thinning
+};
+
+Lengths lengthsOf(const std::vector<Experiment>& experiments, int thinning) {
+  Lengths found;
+  for (const Experiment& experiment : experiments) {
+    const int samples = experiment.samples() / thinning;
+    found.total += samples;
+    found.longest = std::max(found.longest, samples);
+  }
+  return found;
+}
+
+int piecesOf(int samples, const WindowPlan& plan) {
+  return plan.one_of_each ? 1 : std::max(1, (samples + plan.length / 2) / std::max(plan.length, 1));
+}
+
+int countWindows(const std::vector<Experiment>& experiments, const WindowPlan& plan) {
+  int count = 0;
+  for (const Experiment& experiment : experiments)
+    count += piecesOf(experiment.samples() / plan.thinning, plan);
+  return count;
+}
+
 }  // namespace
 
 WindowPlan planWindows(const std::vector<Experiment>& experiments) {
   WindowPlan plan{1, 0, false, RestBefore(experiments)};
   plan.thinning = thinningByBandwidth(experiments, kPerPeriod);
-  int total = 0, longest = 0;
-  for (const Experiment& experiment : experiments) {
-    const int samples = experiment.samples() / plan.thinning;
-    total += samples;
-    longest = std::max(longest, samples);
-  }
-  plan.one_of_each = experiments.size() >= kManyExperiments && longest <= kLongest;
-  plan.length =
-      plan.one_of_each
-          ? longest
-          : std::min(longest, std::min(kLongest, std::max(kShortest, total / kFewestWindows)));
+  const Lengths samples = lengthsOf(experiments, plan.thinning);
+  plan.one_of_each = experiments.size() >= kManyExperiments && samples.longest <= kLongest;
+  const int wanted = std::max(kShortest, samples.total / kWantedWindows);
+  plan.length = plan.one_of_each ? samples.longest : std::min({samples.longest, kLongest, wanted});
   return plan;
 }
 
 WindowPlan withOtherWindows(const WindowPlan& plan, const std::vector<Experiment>& experiments) {
-  constexpr int kFewest = 4;
   WindowPlan other = plan;
   other.length = plan.length * 3 / 2;
-  int windows = 0;
-  for (const Experiment& experiment : experiments)
-    windows += std::max(
-        1, (experiment.samples() / plan.thinning + other.length / 2) / std::max(other.length, 1));
-  if (windows < kFewest) other.length = plan.length * 2 / 3;
+  if (countWindows(experiments, other) < kFewestWindows) other.length = plan.length * 2 / 3;
   return other;
+}
+
+std::optional<WindowPlan> withLongWindows(const WindowPlan& plan,
+                                          const std::vector<Experiment>& experiments) {
+  if (plan.one_of_each) return {};
+  const Lengths samples = lengthsOf(experiments, plan.thinning);
+  WindowPlan longer = plan;
+  longer.length =
+      std::min({samples.longest, kLongest, 2 * plan.length, samples.total / kFewestWindows});
+  const bool is_longer = longer.length >= 3 * plan.length / 2;
+  if (!is_longer || countWindows(experiments, longer) < kFewestWindows) return {};
+  return longer;
 }
 
 SignalScales scalesOf(const std::vector<Experiment>& experiments,
@@ -152,10 +177,7 @@ SimulationData windowsOf(const std::vector<Experiment>& experiments, const Windo
     data.sample_time = experiment.sample_time;
     SimulationWindow whole = wholeWindow(experiment, scales);
     whole.record = static_cast<int>(r);
-    const int pieces =
-        plan.one_of_each
-            ? 1
-            : std::max(1, (whole.samples() + plan.length / 2) / std::max(plan.length, 1));
+    const int pieces = piecesOf(whole.samples(), plan);
     const int length = whole.samples() / pieces;
     for (int piece = 0; piece < pieces && length > 0; ++piece)
       data.windows.push_back(cut(whole, piece * length, length, data.sample_time));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,8 @@
 #include "uncertainty_identification/data/experiment.h"
 
 namespace uncertainty_identification {
+
+constexpr int kFewestWindows = 4;  ///< fewer do not tell causes apart
 
 /// How records become windows. One setting for all data.
 struct WindowPlan {
@@ -25,6 +28,12 @@ WindowPlan planWindows(const std::vector<Experiment>& experiments);
 /// The plan with windows half as long again or, where records make too few of them, shorter by a
 /// third.
 WindowPlan withOtherWindows(const WindowPlan& plan, const std::vector<Experiment>& experiments);
+
+/// The plan with windows up to twice as long, as far as these are not too few; none where they are
+/// hardly longer. In windows much shorter than a plant's time constants, their initial states stand
+/// for what a curve would do.
+std::optional<WindowPlan> withLongWindows(const WindowPlan& plan,
+                                          const std::vector<Experiment>& experiments);
 
 /// Scales of the signals of `experiments`. Covariates are those that move in some experiment and
 /// are known in all, those of `held` as well: a second heater may be off for a whole record. Each

@@ -8,6 +8,7 @@
 
 #include "curves/free_simulation.h"
 #include "curves/starts.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -49,6 +50,28 @@ Eigen::VectorXd simulatedSignal(const SimulationData& data, const CurveModel& mo
   return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
 }
 
+/// The loop's error in the simulation, without the first sample of each window.
+Eigen::VectorXd loopError(const SimulationData& data, const CurveModel& model) {
+  Eigen::VectorXd error = -model.inverseGain() * simulatedSignal(data, model, &FreeSimulation::y);
+  error.array() += model.theta[model.biasIndex()];
+  Eigen::Index at = 0;
+  for (const SimulationWindow& window : data.windows)
+    for (int k = 1; k < window.samples(); ++k)
+      error[at++] += window.u[std::max(k - model.delay, 0)];
+  return error;
+}
+
+/// Whether the plant may be a loop that follows the input: it comes to rest within a window, at a
+/// value that depends on the input.
+bool mayBeLoop(const SimulationData& data, const CurveModel& model) {
+  constexpr double kLeast = 0.2, kMost = 5;  // standard deviations of y for one of u
+  constexpr double kTimeConstants = 2;       // within a window, at least
+  const double gain = 1 / std::abs(model.inverseGain());
+  if (model.direct || gain < kLeast || gain > kMost) return false;
+  const Eigen::VectorXcd poles = roots(model.theta.head(model.order));
+  return poles.cwiseAbs().maxCoeff() < std::exp(-kTimeConstants / data.longest);
+}
+
 Curve curveAt(const SimulationData& data, const PlaceOf& at, CurveModel* model) {
   const SignalScales& scales = data.scales;
   switch (at.place) {
@@ -65,6 +88,8 @@ Curve curveAt(const SimulationData& data, const PlaceOf& at, CurveModel* model) 
       }
       return {at.place, nullptr, rates, 0};
     }
+    case Place::loop_error:
+      return {at.place, nullptr, loopError(data, *model), 0};
     case Place::time:
     case Place::time_gain:
       return {at.place, nullptr, joined(data, &SimulationWindow::time), 0};
@@ -115,6 +140,7 @@ bool changesSign(const SimulationData& data) {
 std::vector<PlaceOf> placesFor(const SimulationData& data, const CurveModel& model) {
   std::vector<PlaceOf> all{{Place::input, ""}, {Place::position, ""}};
   if (model.order > 1) all.push_back({Place::output_state, ""});
+  if (mayBeLoop(data, model)) all.push_back({Place::loop_error, ""});
   if (changesSign(data)) all.push_back({Place::hysteresis, ""});
   for (const Place place : {Place::rate, Place::position_gain, Place::input_times_position,
                             Place::rate_gain, Place::sensor, Place::time_gain, Place::time})

@@ -171,6 +171,7 @@ const std::map<Place, std::vector<std::string>>& namesAtPlaces() {
       {Place::rate,
        {"coulomb", "stribeck", "asymmetric_coulomb", "signed_square", "cubic", "square",
         "asymmetric_slope"}},
+      {Place::loop_error, {"saturation", "asymmetric_saturation"}},
       {Place::position_gain, {"linear", "square", "tanh", "magnitude", "exponential", "hinge"}},
       {Place::input_times_position, {"linear", "square", "tanh", "magnitude", "exponential"}},
       {Place::hysteresis, {"linear", "signed_square", "cubic"}},

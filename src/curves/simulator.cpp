@@ -115,6 +115,33 @@ void Simulator::actOnInput() {
   }
 }
 
+/// added_ += curve(error) - curve(0), where the error is the input less the one that holds x: the
+/// loop rests where it is zero.
+void Simulator::actOnLoop(std::size_t curve) {
+  const int n = model_.order, bias = model_.biasIndex();
+  const double inverse = model_.inverseGain(), gains = model_.sumOfB();
+  error_.value = input_.value + model_.theta[bias] - inverse * x_.value;
+  if (derive_) {
+    error_.by = input_.by - inverse * x_.by;
+    error_.by[bias] += 1;
+    error_.by.head(n) -= x_.value / gains;
+    error_.by.segment(n, n) += inverse * x_.value / gains;
+  }
+  add(curve, error_, &added_);
+  curveAt(curve, 0);
+  const auto& columns = tables_[curve].columns;
+  added_.value -= (1 - share_) * columns(0, left_) + share_ * columns(0, left_ + 1);
+  addDerivatives(curve, 0, nullptr, -1, &added_.by);
+}
+
+/// added_ += |u| curve(x)
+void Simulator::addBySizeOfInput(std::size_t curve) {
+  const double input = input_.value + model_.input_zero;
+  size_.value = std::abs(input);
+  if (derive_) size_.by = input < 0 ? -input_.by : input_.by;
+  addProduct(curve, x_, size_);
+}
+
 void Simulator::feedBack(int k) {
   for (std::size_t c = 0; c < model_.curves.size(); ++c) {
     switch (model_.curves[c].place()) {
@@ -126,6 +153,9 @@ void Simulator::feedBack(int k) {
         break;
       case Place::rate:
         add(c, rate_, &added_);
+        break;
+      case Place::loop_error:
+        actOnLoop(c);
         break;
       case Place::position_gain:
         multiply(c, x_.value, &x_.by);
@@ -142,13 +172,9 @@ void Simulator::feedBack(int k) {
       case Place::input_times_position:
         addProduct(c, input_, x_);
         break;
-      case Place::hysteresis: {
-        const double input = input_.value + model_.input_zero;
-        size_.value = std::abs(input);
-        if (derive_) size_.by = input < 0 ? -input_.by : input_.by;
-        addProduct(c, x_, size_);
+      case Place::hysteresis:
+        addBySizeOfInput(c);
         break;
-      }
       case Place::time:
       case Place::covariate: {
         const double z =

@@ -41,6 +41,8 @@ class Simulator {
   void play(std::size_t curve, Dual* signal);
   void limitRate(std::size_t curve, Dual* signal);
   double widthOf(std::size_t curve, double* sign) const;
+  void actOnLoop(std::size_t curve);
+  void addBySizeOfInput(std::size_t curve);
   void actOnInput();
   void feedBack(int k);
   void actOnOutput();
@@ -60,7 +62,7 @@ class Simulator {
   Eigen::ArrayXXd by_state_;  ///< columns_ x order
   double previous_ = 0;
   Eigen::ArrayXd previous_by_;
-  Dual x_, input_, gain_, added_, to_state_, rate_, total_, plant_output_, output_, size_;
+  Dual x_, input_, gain_, added_, to_state_, rate_, total_, plant_output_, output_, size_, error_;
   int left_ = 0;
   double share_ = 0;
 };

@@ -29,6 +29,29 @@ std::string unconfirmed(const std::vector<FoundCurve>& causes, int length, int o
          ", so that it may stand for something else. Not named";
 }
 
+/// Drops the causes that are not found again in windows of the length of `other`. What is said of
+/// these; empty where there are none.
+std::string confirm(const WindowPlan& plan, const WindowPlan& other, CurveSearchLimits limits,
+                    const WindowSearcher& search, WindowSearch* searched) {
+  const std::vector<FoundCurve> causes = searched->result.causes;
+  const CurveSearchResult again = search(other, limits).result;
+  const std::size_t confirmed = countConfirmed(causes, again.causes);
+  if (confirmed == causes.size() || again.ended_early) return "";
+  limits.max_causes = static_cast<int>(confirmed);
+  *searched = search(plan, limits);
+  return unconfirmed({causes.begin() + static_cast<std::ptrdiff_t>(confirmed), causes.end()},
+                     plan.length, other.length);
+}
+
+PlannedSearch confirmed(const WindowPlan& plan, const std::vector<Experiment>& experiments,
+                        const CurveSearchLimits& limits, const WindowSearcher& search) {
+  PlannedSearch searched{plan, search(plan, limits), ""};
+  if (!plan.one_of_each && searched.found.needsConfirmation())
+    searched.refused =
+        confirm(plan, withOtherWindows(plan, experiments), limits, search, &searched.found);
+  return searched;
+}
+
 }  // namespace
 
 double WindowSearch::fitOf(double squared_error) const {
@@ -54,16 +77,16 @@ WindowSearch searchWindows(const std::vector<Experiment>& fitted,
   return search;
 }
 
-std::string confirm(const WindowPlan& plan, const WindowPlan& other, CurveSearchLimits limits,
-                    const WindowSearcher& search, WindowSearch* searched) {
-  const std::vector<FoundCurve> causes = searched->result.causes;
-  const CurveSearchResult again = search(other, limits).result;
-  const std::size_t confirmed = countConfirmed(causes, again.causes);
-  if (confirmed == causes.size() || again.ended_early) return "";
-  limits.max_causes = static_cast<int>(confirmed);
-  *searched = search(plan, limits);
-  return unconfirmed({causes.begin() + static_cast<std::ptrdiff_t>(confirmed), causes.end()},
-                     plan.length, other.length);
+PlannedSearch searchInWindows(const WindowPlan& plan, const std::vector<Experiment>& experiments,
+                              CurveSearchLimits limits, const WindowSearcher& search) {
+  constexpr double kFarBetter = 0.7;  // of the squared error: who looks twice finds more by chance
+  PlannedSearch searched = confirmed(plan, experiments, limits, search);
+  const auto longer = withLongWindows(plan, experiments);
+  if (!longer || !searched.found.result.causes.empty() || searched.found.result.ended_early)
+    return searched;
+  limits.least_first_gain = kFarBetter;
+  PlannedSearch in_longer = confirmed(*longer, experiments, limits, search);
+  return in_longer.found.result.causes.empty() ? searched : in_longer;
 }
 
 std::string namesOf(const std::vector<FoundCurve>& causes) {

@@ -35,10 +35,16 @@ WindowSearch searchWindows(const std::vector<Experiment>& fitted,
 
 using WindowSearcher = std::function<WindowSearch(const WindowPlan&, const CurveSearchLimits&)>;
 
-/// Drops the causes that are not found again in windows of the length of `other`. What is said of
-/// these; empty where there are none.
-std::string confirm(const WindowPlan& plan, const WindowPlan& other, CurveSearchLimits limits,
-                    const WindowSearcher& search, WindowSearch* searched);
+struct PlannedSearch {
+  WindowPlan plan;
+  WindowSearch found;
+  std::string refused;  ///< what is said of causes that are not confirmed; may be empty
+};
+
+/// The search in windows of the plan or, where these show no cause, in longer ones. Where causes
+/// need confirmation, those that are not found again in windows of another length are dropped.
+PlannedSearch searchInWindows(const WindowPlan& plan, const std::vector<Experiment>& experiments,
+                              CurveSearchLimits limits, const WindowSearcher& search);
 
 /// The names of causes, separated by commas.
 std::string namesOf(const std::vector<FoundCurve>& causes);

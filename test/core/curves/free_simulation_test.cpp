@@ -80,7 +80,7 @@ TEST_P(FreeSimulations, DerivativesAreThoseOfTheOutput) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEachPlace, FreeSimulations, testing::Range(0, 16));
+INSTANTIATE_TEST_SUITE_P(OfEachPlace, FreeSimulations, testing::Range(0, 17));
 
 TEST(FreeSimulation, OfALinearPlantIsItsDifferenceEquation) {
   const SimulationWindow window = slowWaves();

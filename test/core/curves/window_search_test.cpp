@@ -28,21 +28,31 @@ struct Confirmed {
   std::vector<FoundCurve> causes;
 };
 
+/// Records that windows of 60 samples divide, and those of 120, too.
+std::vector<Experiment> records(int samples) {
+  Experiment record;
+  record.u = record.y = Eigen::VectorXd::Zero(samples);
+  return {record};
+}
+
+WindowPlan ofSixty() {
+  WindowPlan plan;
+  plan.length = 60;
+  return plan;
+}
+
 /// What is left of the causes found in windows of 60 samples, if those of 90 show `others`.
 Confirmed confirmed(const std::vector<FoundCurve>& causes, const std::vector<FoundCurve>& others,
                     bool ended_early = false) {
-  WindowPlan plan, other;
-  plan.length = 60;
-  other.length = 90;
   const WindowSearcher search = [&](const WindowPlan& windows, const CurveSearchLimits& limits) {
+    if (windows.length > 90) return WindowSearch();
     const auto most = static_cast<std::size_t>(limits.max_causes);
     WindowSearch searched = with(windows.length == 60 ? causes : others, most);
     searched.result.ended_early = windows.length == 90 && ended_early;
     return searched;
   };
-  WindowSearch searched = search(plan, {});
-  std::string said = confirm(plan, other, {}, search, &searched);
-  return {std::move(said), searched.result.causes};
+  const PlannedSearch searched = searchInWindows(ofSixty(), records(600), {}, search);
+  return {searched.refused, searched.found.result.causes};
 }
 
 TEST(WindowSearch, KeepsWhatOtherWindowsShowAtTheSamePlace) {
@@ -79,13 +89,36 @@ TEST(WindowSearch, CovariatesAreAlikeWhateverTheirLag) {
 }
 
 TEST(WindowSearch, OtherWindowsAreLongerUnlessTheyWouldBeTooFew) {
-  WindowPlan plan;
-  plan.length = 60;
-  Experiment record;
-  record.u = record.y = Eigen::VectorXd::Zero(600);
-  EXPECT_EQ(withOtherWindows(plan, {record}).length, 90);
-  record.u = record.y = Eigen::VectorXd::Zero(250);
-  EXPECT_EQ(withOtherWindows(plan, {record}).length, 40);
+  EXPECT_EQ(withOtherWindows(ofSixty(), records(600)).length, 90);
+  EXPECT_EQ(withOtherWindows(ofSixty(), records(250)).length, 40);
+}
+
+TEST(WindowSearch, LongWindowsAreTwiceAsLongButNotTooFew) {
+  EXPECT_EQ(withLongWindows(ofSixty(), records(600))->length, 120);
+  EXPECT_EQ(withLongWindows(ofSixty(), records(400))->length, 100);
+  EXPECT_FALSE(withLongWindows(ofSixty(), records(300)));
+  WindowPlan whole = ofSixty();
+  whole.one_of_each = true;
+  EXPECT_FALSE(withLongWindows(whole, records(600)));
+}
+
+TEST(WindowSearch, LooksInLongWindowsForWhatShortOnesDoNotShow) {
+  const std::vector<FoundCurve> curve = {found(Place::input, "dead_zone")};
+  double share = 0;
+  const auto by = [&](bool in_short, bool in_long) {
+    return searchInWindows(ofSixty(), records(600), {},
+                           [&](const WindowPlan& windows, const CurveSearchLimits& limits) {
+                             const bool is_long = windows.length == 120;
+                             if (is_long) share = limits.least_first_gain;
+                             return with(curve, (is_long ? in_long : in_short) ? 1 : 0);
+                           });
+  };
+  const PlannedSearch from_long = by(false, true);
+  EXPECT_EQ(from_long.found.result.causes.size(), 1u);
+  EXPECT_EQ(from_long.plan.length, 120);
+  EXPECT_GT(share, 0.5) << "who looks twice must find more";
+  EXPECT_EQ(by(false, false).plan.length, 60);
+  EXPECT_EQ(by(true, true).plan.length, 60);
 }
 
 }  // namespace

@@ -87,6 +87,15 @@ TEST(SimulationAnswer, WarnsWhereTestsPassThoughTheSimulationIsPoor) {
   EXPECT_TRUE(warnings(85).empty());
 }
 
+TEST(SimulationAnswer, DropsCurvesWithWhichTheModelSimulatesWorseThanALinearPlant) {
+  for (const double fit : {80, 88}) {  // a linear plant: 90
+    Explanation found = withFriction(true, {ofLikelihood("plant_coulomb", 0, fit)});
+    found.simulation.causes.clear();
+    joinSimulation(&found);
+    EXPECT_EQ(found.verdict, fit < 85 ? Verdict::unknown : Verdict::explained) << fit;
+  }
+}
+
 TEST(SimulationAnswer, IsNoExplanationWhereTheInputExplainsLittle) {
   const auto answered = [](double fit) {
     Explanation found = withFriction(true, {ofLikelihood("sens_quant", fit, fit)});
