@@ -12,10 +12,6 @@
 namespace uncertainty_identification {
 namespace {
 
-/// A loop's error acts through a limit or not at all: other curves of it resemble friction and
-/// other forces.
-bool isLimit(const std::string& shape) { return shape.find("saturation") != std::string::npos; }
-
 /// Of places that the data cannot tell apart, the first is named.
 int rankOf(const CurveCandidate& candidate) {
   constexpr Place kOrder[] = {Place::input,         Place::position,
@@ -63,10 +59,18 @@ bool sumsUp(const CurveModel& model) {
                      [](const std::complex<double>& pole) { return std::abs(pole - 1.0) < kNear; });
 }
 
+/// Whether the error of a loop acts through a limit: other curves of it resemble friction and other
+/// forces. The loop's own plant comes to rest, and the limits lie on both sides of that.
+bool isLimitOfLoop(const Naming& naming) {
+  if (naming.shape == "curve" || !comesToRest(naming.fit.model)) return false;
+  const Eigen::VectorXd limits = naming.fit.model.parametersOf(0);
+  return limits.size() == 1 || limits[0] * limits[1] < 0;
+}
+
 bool isPossible(const CurveCandidate& candidate) {
   const Place place = candidate.place.place;
   if (candidate.fit.parameters() == 0) return false;
-  if (place == Place::loop_error) return isLimit(candidate.naming.shape);
+  if (place == Place::loop_error) return isLimitOfLoop(candidate.naming);
   return place != Place::hysteresis ||
          (sumsUp(candidate.fit.model) && sumsUp(candidate.naming.fit.model));
 }

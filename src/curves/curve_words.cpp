@@ -66,8 +66,8 @@ std::string inWords(const PlaceOf& at, const std::string& shape) {
     case Place::output_state:
       return "the output acts back on the plant through " + what;
     case Place::loop_error:
-      return "the plant is a control loop, whose error (how far the output is from where the input "
-             "sends it) acts through " +
+      return "the plant is a control loop, whose error (the input less the one that would hold the "
+             "output) acts through " +
              what;
     case Place::rate:
       return "the speed of the output acts back on the plant through " + what;

@@ -133,8 +133,13 @@ CurvePicture pictureOf(const Curve& curve, const Eigen::VectorXd& parameters,
   const Eigen::VectorXd& samples = curve.samples();
   const Eigen::VectorXd z =
       Eigen::VectorXd::LinSpaced(kPoints, samples[0], samples[samples.size() - 1]);
-  const Eigen::VectorXd value = curve.at(z, parameters);
-  const Eigen::MatrixXd slopes = curve.derivatives(z, parameters);
+  Eigen::VectorXd value = curve.at(z, parameters);
+  Eigen::MatrixXd slopes = curve.derivatives(z, parameters);
+  if (at.place == Place::loop_error) {  // which rests at zero
+    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(1);
+    value.array() -= curve.at(zero, parameters)[0];
+    slopes.rowwise() -= curve.derivatives(zero, parameters).row(0);
+  }
   const double offset = isCharacteristic(at.place) ? signal.offset : 0;
   for (int k = 0; k < kPoints; ++k) {
     const double whole = value[k] + (isCharacteristic(at.place) ? z[k] : 0);

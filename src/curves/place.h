@@ -10,8 +10,9 @@ namespace uncertainty_identification {
 ///     output_play] -> y
 ///                                                   ^- position, rate, products, time, covariates
 ///
-/// Curves of x and of its rate are fed back to the plant's input. For a plant of the first order, x
-/// may itself be a speed, so that "position" is a place in the model and not a unit.
+/// Curves of x, of its rate and of a loop's error are fed back to the plant's input. For a plant of
+/// the first order, x may itself be a speed, so that "position" is a place in the model and not a
+/// unit.
 enum class Place {
   input,          ///< u + f(u)
   position,       ///< f(x), added to the plant's input: a restoring force, a loss

@@ -97,7 +97,8 @@ std::vector<PlantChange> largerPlants(const SimulationData& data, const WindowFi
   std::vector<PlantChange> changes;
   if (fit.model.order < max_order)
     for (int k = 0; k < 2; ++k) changes.push_back({PlantChange::Kind::order, {}});
-  if (!fit.model.direct) changes.push_back({PlantChange::Kind::direct, {}});
+  const bool is_loop = fit.model.has(Place::loop_error);  // which has no direct term
+  if (!fit.model.direct && !is_loop) changes.push_back({PlantChange::Kind::direct, {}});
   const std::size_t delays = changes.size();
   // Without a higher order to compete with, dead time would stand for any lag.
   for (int k = 0; k < (fit.model.order < max_order ? 4 : 0); ++k)

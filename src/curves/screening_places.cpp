@@ -61,17 +61,6 @@ Eigen::VectorXd loopError(const SimulationData& data, const CurveModel& model) {
   return error;
 }
 
-/// Whether the plant may be a loop that follows the input: it comes to rest within a window, at a
-/// value that depends on the input.
-bool mayBeLoop(const SimulationData& data, const CurveModel& model) {
-  constexpr double kLeast = 0.2, kMost = 5;  // standard deviations of y for one of u
-  constexpr double kTimeConstants = 2;       // within a window, at least
-  const double gain = 1 / std::abs(model.inverseGain());
-  if (model.direct || gain < kLeast || gain > kMost) return false;
-  const Eigen::VectorXcd poles = roots(model.theta.head(model.order));
-  return poles.cwiseAbs().maxCoeff() < std::exp(-kTimeConstants / data.longest);
-}
-
 Curve curveAt(const SimulationData& data, const PlaceOf& at, CurveModel* model) {
   const SignalScales& scales = data.scales;
   switch (at.place) {
@@ -140,7 +129,8 @@ bool changesSign(const SimulationData& data) {
 std::vector<PlaceOf> placesFor(const SimulationData& data, const CurveModel& model) {
   std::vector<PlaceOf> all{{Place::input, ""}, {Place::position, ""}};
   if (model.order > 1) all.push_back({Place::output_state, ""});
-  if (mayBeLoop(data, model)) all.push_back({Place::loop_error, ""});
+  if (model.curves.empty() && comesToRest(model, data.longest))
+    all.push_back({Place::loop_error, ""});
   if (changesSign(data)) all.push_back({Place::hysteresis, ""});
   for (const Place place : {Place::rate, Place::position_gain, Place::input_times_position,
                             Place::rate_gain, Place::sensor, Place::time_gain, Place::time})
@@ -222,6 +212,14 @@ CurveModel startBehind(const SimulationData& data, const CurveModel& linear, Pla
 }
 
 }  // namespace
+
+bool comesToRest(const CurveModel& model, double within) {
+  constexpr double kLeast = 0.2, kMost = 5;  // standard deviations of y for one of u
+  constexpr double kTimeConstants = 2;
+  const double gain = 1 / std::abs(model.inverseGain());
+  return !model.direct && gain > kLeast && gain < kMost &&
+         isStable(model.theta.head(model.order), std::exp(-kTimeConstants / within));
+}
 
 CurveModel extended(const SimulationData& data, const WindowFit& fit, const PlaceOf& place,
                     double width) {

@@ -78,15 +78,20 @@ WindowSearch searchWindows(const std::vector<Experiment>& fitted,
 }
 
 PlannedSearch searchInWindows(const WindowPlan& plan, const std::vector<Experiment>& experiments,
-                              CurveSearchLimits limits, const WindowSearcher& search) {
+                              const CurveSearchLimits& limits, const WindowSearcher& search) {
   constexpr double kFarBetter = 0.7;  // of the squared error: who looks twice finds more by chance
   PlannedSearch searched = confirmed(plan, experiments, limits, search);
+  const CurveSearchResult& result = searched.found.result;
+  const bool showed =
+      !result.causes.empty() || !result.refused.empty() || !searched.refused.empty();
   const auto longer = withLongWindows(plan, experiments);
-  if (!longer || !searched.found.result.causes.empty() || searched.found.result.ended_early)
-    return searched;
-  limits.least_first_gain = kFarBetter;
+  if (showed || result.ended_early || searched.found.held_out_of_data || !longer) return searched;
   PlannedSearch in_longer = confirmed(*longer, experiments, limits, search);
-  return in_longer.found.result.causes.empty() ? searched : in_longer;
+  const CurveSearchResult& again = in_longer.found.result;
+  const bool is_far_better = again.held_error <= (1 - kFarBetter) * in_longer.found.baseError();
+  if (!again.causes.empty() && is_far_better && !again.ended_early) return in_longer;
+  searched.found.result.ended_early = again.ended_early;
+  return searched;
 }
 
 std::string namesOf(const std::vector<FoundCurve>& causes) {

@@ -41,10 +41,11 @@ struct PlannedSearch {
   std::string refused;  ///< what is said of causes that are not confirmed; may be empty
 };
 
-/// The search in windows of the plan or, where these show no cause, in longer ones. Where causes
-/// need confirmation, those that are not found again in windows of another length are dropped.
+/// The search in windows of the plan or, where these show nothing and experiments are held out, in
+/// longer ones, whose causes have to take away most of the held-out error. Where causes need
+/// confirmation, those that are not found again in windows of another length are dropped.
 PlannedSearch searchInWindows(const WindowPlan& plan, const std::vector<Experiment>& experiments,
-                              CurveSearchLimits limits, const WindowSearcher& search);
+                              const CurveSearchLimits& limits, const WindowSearcher& search);
 
 /// The names of causes, separated by commas.
 std::string namesOf(const std::vector<FoundCurve>& causes);

@@ -133,42 +133,53 @@ void dropUnconfirmed(Explanation* explanation) {
 }
 
 /// The likelihood's model may simulate far worse than a linear plant that is fitted to nothing but
-/// its simulation. A cause then mends that model, and not what the plant lacks. It is dropped with
-/// what was found on top of it.
+/// its simulation, even with all causes. A cause then mends that model, and not what the plant
+/// lacks. It is dropped with what was found on top of it.
 void dropWorseThanLinear(Explanation* explanation) {
-  constexpr double kFarWorse = 1.5;  // of the error; windows start anew more often
+  constexpr double kFarWorse = 1.5, kPoints = 10;  // of the error; [% of fit]
   const SimulationCauses& simulation = explanation->simulation;
-  if (explanation->held_out.empty() || !simulation.causes.empty()) return;
   std::vector<Cause>& causes = explanation->causes;
+  const auto is_worse = [&](const Cause& cause) {
+    const double with = 100 - cause.gain->nrmse_fit_percent.after,
+                 linear = 100 - simulation.fit_before;
+    return with > kFarWorse * linear && with > linear + kPoints;
+  };
+  const auto counts = [](const Cause& cause) { return isStructural(cause) && cause.gain; };
+  const auto last = std::find_if(causes.rbegin(), causes.rend(), counts);
+  if (explanation->held_out.empty() || simulation.preparation.empty() || simulation.ended_early ||
+      last == causes.rend() || !is_worse(*last))
+    return;
+  const double with = last->gain->nrmse_fit_percent.after;
   const auto first = std::find_if(causes.begin(), causes.end(), [&](const Cause& cause) {
-    return isStructural(cause) && isCurve(cause) && cause.gain &&
-           100 - cause.gain->nrmse_fit_percent.after > kFarWorse * (100 - simulation.fit_before);
+    return counts(cause) && isCurve(cause) && is_worse(cause);
   });
-  if (first == causes.end()) return;
+  const auto rest = std::stable_partition(first, causes.end(), isOfSamples);
+  if (rest == causes.end()) return;
+  const std::vector<Cause> dropped(rest, causes.end());
+  causes.erase(rest, causes.end());
   explanation->warnings.push_back(
-      first->name + ": with it the model simulates held-out experiments by " +
-      rounded(first->gain->nrmse_fit_percent.after) + " %, and a linear plant alone by " +
-      rounded(simulation.fit_before) + " %; not named, nor what was found on top of it");
-  causes.erase(
-      std::remove_if(first, causes.end(), [](const Cause& cause) { return !isOfSamples(cause); }),
-      causes.end());
+      namesOf(dropped) + ": with this the model simulates held-out experiments by " +
+      rounded(with) + " % only, and a linear plant windows of them by " +
+      rounded(simulation.fit_before) + " %; not named");
   if (causes.empty()) forgetModelWithCauses(explanation);
   conclude(explanation, true);
 }
 
-/// What makes the residuals white may stand for what the simulation lacks. Where the data are too
-/// few to search for that, a structural cause has to make the simulation of held-out experiments
-/// better. Where none are held out, every parameter makes it better: the free simulation must show
-/// the cause in windows that were left out or, of a kind that it cannot show, the cause halve the
-/// error.
+/// What makes the residuals white may stand for what the simulation lacks. Where the data or
+/// the steps of the input are too few to search for that, a structural cause has to make the
+/// simulation of held-out experiments better, and a curve to halve its error. Where none are held
+/// out, every parameter makes it better: the free simulation must show the cause in windows that
+/// were left out or, of a kind that it cannot show, the cause halve the error.
 void dropUnverified(Explanation* explanation) {
-  const bool too_few = explanation->simulation.skipped.rfind("fewer than", 0) == 0;
+  const std::string& skipped = explanation->simulation.skipped;
+  const bool few_data = skipped.rfind("fewer than", 0) == 0;
+  const bool too_few = skipped.find("fewer than") != std::string::npos;  // data, or steps
   const bool in_sample = explanation->held_out.empty();
   if (!too_few && !in_sample) return;
   constexpr double kBetter = 0.95, kHalved = 0.5;  // of the squared error
   const auto gains_enough = [&](const Cause& cause) {
-    if (in_sample && (too_few || isCurve(cause))) return false;
-    return errorRatio(*cause.gain) < (in_sample ? kHalved : kBetter);
+    if (in_sample && (few_data || isCurve(cause))) return false;
+    return errorRatio(*cause.gain) < (in_sample || isCurve(cause) ? kHalved : kBetter);
   };
   const auto first = std::stable_partition(
       explanation->causes.begin(), explanation->causes.end(), [&](const Cause& cause) {
@@ -179,9 +190,10 @@ void dropUnverified(Explanation* explanation) {
   explanation->causes.erase(first, explanation->causes.end());
   explanation->warnings.push_back(
       namesOf(dropped) + ": makes the residuals white, but " +
-      (in_sample ? "no experiment is held out that confirms it" : "the simulation no better") +
+      (in_sample ? "no experiment is held out that confirms it"
+                 : "the simulation not clearly better") +
       ", and " +
-      (too_few ? explanation->simulation.skipped + " do not show what the simulation lacks"
+      (too_few ? "curves are not looked for in the simulation (" + skipped + ")"
                : "the simulation does not clearly show it") +
       "; not named" + (in_sample ? ": give another record by --validation" : ""));
   if (!explanation->simulation.causes.empty() &&

@@ -10,7 +10,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr int kPlaces = static_cast<int>(Place::output_state) + 1;
+constexpr int kPlaces = static_cast<int>(Place::hysteresis) + 1;
 
 TEST(CurveWords, EveryPlaceAndShapeHasANameAndWords) {
   const std::vector<std::string> names = curveCauseNames();
