@@ -43,6 +43,7 @@ std::string confirm(const WindowPlan& plan, const WindowPlan& other, CurveSearch
                      plan.length, other.length);
 }
 
+/// The search in windows of one length, with its causes confirmed where they need to be.
 PlannedSearch confirmed(const WindowPlan& plan, const std::vector<Experiment>& experiments,
                         const CurveSearchLimits& limits, const WindowSearcher& search) {
   PlannedSearch searched{plan, search(plan, limits), ""};

@@ -102,14 +102,29 @@ TEST(WindowSearch, LongWindowsAreTwiceAsLongButNotTooFew) {
   EXPECT_FALSE(withLongWindows(whole, records(600)));
 }
 
-/// The search for a dead zone that windows of a length show, where the linear plant's error is 1.
-PlannedSearch shownIn(int length, double error, const std::string& refused = "") {
+/// One held-out window, of which a plant that answers nothing simulates nothing.
+SimulationData unexplained() {
+  constexpr int kSamples = 60;
+  SimulationData held;
+  SimulationWindow window;
+  window.u = window.time = Eigen::VectorXd::Zero(kSamples);
+  window.y.resize(kSamples);
+  for (int k = 0; k < kSamples; ++k) window.y[k] = k % 2 == 0 ? 1 : -1;
+  window.measured = Eigen::ArrayXd::Ones(kSamples);
+  held.windows = {window};
+  held.longest = held.samples = kSamples;
+  return held;
+}
+
+/// The search for a dead zone that windows of a length show, and that leaves `share` of the squared
+/// error of held-out windows.
+PlannedSearch shownIn(int length, double share, const std::string& refused = "") {
   return searchInWindows(
       ofSixty(), records(600), {}, [&](const WindowPlan& windows, const CurveSearchLimits&) {
         WindowSearch searched = with({found(Place::input, "dead_zone")}, windows.length == length);
-        searched.kept = SimulationData();
-        searched.result.held_error = error;
-        searched.result.base.model.order = 0;
+        searched.kept = unexplained();
+        searched.result.base.model.theta = Eigen::Vector3d::Zero();
+        searched.result.held_error = share * searched.baseError();
         if (windows.length == 60 && !refused.empty())
           searched.result.refused = {found(Place::input, refused)};
         return searched;
@@ -117,13 +132,14 @@ PlannedSearch shownIn(int length, double error, const std::string& refused = "")
 }
 
 TEST(WindowSearch, LooksInLongWindowsForWhatShortOnesDoNotShow) {
-  const PlannedSearch in_long = shownIn(120, 0);
+  const PlannedSearch in_long = shownIn(120, 0.25);
+  EXPECT_GT(in_long.found.baseError(), 50);
   EXPECT_EQ(in_long.found.result.causes.size(), 1u);
   EXPECT_EQ(in_long.plan.length, 120);
-  EXPECT_TRUE(shownIn(120, 1).found.result.causes.empty()) << "it must gain much";
-  EXPECT_TRUE(shownIn(120, 0, "saturation").found.result.causes.empty())
+  EXPECT_TRUE(shownIn(120, 0.35).found.result.causes.empty()) << "it must gain 70 %";
+  EXPECT_TRUE(shownIn(120, 0.25, "saturation").found.result.causes.empty())
       << "what was refused stays so";
-  EXPECT_EQ(shownIn(60, 0).plan.length, 60);
+  EXPECT_EQ(shownIn(60, 0.25).plan.length, 60);
 }
 
 }  // namespace
