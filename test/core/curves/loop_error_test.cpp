@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kLoopGain = 0.25;  // [1/sample]
 
-/// Runs of a servo that goes to where the input sends it, by at most `limit` a sample. The input
-/// makes steps of different sizes.
-std::vector<Experiment> ofAServo(double limit, int count) {
+/// Runs of a servo that goes to offset + gain u, by at most `limit` a sample. The input makes steps
+/// of different sizes.
+std::vector<Experiment> ofAServo(double limit, int count, double gain = 1, double offset = 0) {
   constexpr int kSamples = 300;
   std::vector<Experiment> all(static_cast<std::size_t>(count));
   for (std::size_t r = 0; r < all.size(); ++r) {
@@ -25,12 +25,12 @@ std::vector<Experiment> ofAServo(double limit, int count) {
     run.sample_time = 0.02;
     run.u.resize(kSamples);
     run.y.resize(kSamples);
-    double x = 0, level = 0;
+    double x = offset, level = 0;
     for (int k = 0; k < kSamples; ++k) {
       if (k % 37 == 5) level = static_cast<double>(engine() % 401) / 100 - 2;
       run.u[k] = level;
       run.y[k] = x + 0.01 * normal(engine);
-      x += std::clamp(kLoopGain * (level - x), -limit, limit);
+      x += std::clamp(kLoopGain * (offset + gain * level - x), -limit, limit);
     }
   }
   return all;
@@ -54,6 +54,19 @@ TEST(LoopError, NamesTheLimitOfAServo) {
   EXPECT_EQ(limit.name, "limit");
   EXPECT_NEAR(limit.value, kLimit / kLoopGain, std::max(3 * limit.standard_error, 0.02));
   EXPECT_GT(found.fit_after, 98);
+}
+
+/// A limit is told in units of the input.
+TEST(LoopError, NamesTheLimitWhereTheOutputHasAnotherUnitSignAndZero) {
+  constexpr double kLimit = 0.2, kGain = -2;
+  const SimulationCauses found = explained(ofAServo(kLimit, 5, kGain, 13));
+  ASSERT_FALSE(found.causes.empty());
+  const SimulationCause& cause = found.causes.front();
+  EXPECT_EQ(cause.what.place, "loop_error");
+  ASSERT_FALSE(cause.values.empty());
+  for (const ShapeValue& limit : cause.values)
+    EXPECT_NEAR(std::abs(limit.value), kLimit / kLoopGain / std::abs(kGain),
+                std::max(3 * limit.standard_error, 0.02));
 }
 
 TEST(LoopError, NamesNothingInAServoThatDoesNotReachItsLimit) {
