@@ -149,6 +149,12 @@ Eigen::VectorXd Curve::at(const Eigen::VectorXd& z, const Eigen::VectorXd& param
   return (amplitude / of.scale * (raw - of.slope * z.array())).matrix();
 }
 
+Eigen::VectorXd Curve::characteristic(const Eigen::VectorXd& z,
+                                      const Eigen::VectorXd& parameters) const {
+  if (!shape_ || !shape_->is_whole || place_ == Place::sensor) return z + at(z, parameters);
+  return (values(z, parameters.data()).array() - zero_).matrix();
+}
+
 Eigen::VectorXd Curve::atSamples(const Eigen::VectorXd& parameters) const {
   return at(samples_, parameters);
 }

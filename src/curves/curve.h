@@ -45,6 +45,10 @@ class Curve {
   /// d at(z) / d parameters.
   Eigen::MatrixXd derivatives(const Eigen::VectorXd& z, const Eigen::VectorXd& parameters) const;
   CurveTable table(const Eigen::VectorXd& parameters) const;
+  /// What comes out at any z, both counted from the signal's offset: z and the curve. A whole shape
+  /// that the input or a loop's error passes comes out as it is, with a slope of 1 between its
+  /// limits or beyond its dead zone: the linear plant's gain belongs to that slope.
+  Eigen::VectorXd characteristic(const Eigen::VectorXd& z, const Eigen::VectorXd& parameters) const;
   /// The curve without a shape, at the same place.
   Curve freed() const;
   /// The curve with a shape, at the same place.

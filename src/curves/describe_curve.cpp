@@ -82,35 +82,55 @@ double degreeOf(const Shape& shape, const Eigen::VectorXd& parameters) {
   return degree == kDegrees.end() ? 0 : degree->second;
 }
 
+/// What one unit of the curve's argument is in the data's units, in units of the signal. What
+/// enters a sensor is known only as what the linear plant simulates, which a whole shape shrinks to
+/// its slope.
+double stretchOf(const Curve& curve, const Eigen::VectorXd& parameters) {
+  const bool is_shrunk = curve.place() == Place::sensor && curve.shape() && curve.shape()->is_whole;
+  return is_shrunk ? 1 / curve.normalisation(parameters).scale : 1;
+}
+
 /// The parameters of a shape in the units of the data.
 Eigen::VectorXd inUnits(const Curve& curve, const Eigen::VectorXd& parameters, const Scale& signal,
                         double value_unit) {
   const Shape& shape = *curve.shape();
   Eigen::VectorXd found = parameters;
   const Eigen::Index first = shape.is_whole ? 0 : 1;
+  const double unit = signal.unit * stretchOf(curve, parameters);
   if (first == 1)
     found[0] = parameters[0] / curve.normalisation(parameters).scale * value_unit /
                std::pow(signal.unit, degreeOf(shape, parameters));
   for (std::size_t k = 0; k < shape.parameters.size(); ++k) {
     double& each = found[first + static_cast<Eigen::Index>(k)];
-    if (shape.parameters[k].unit == ShapeUnit::of_signal) each *= signal.unit;
-    if (shape.parameters[k].unit == ShapeUnit::per_signal) each /= signal.unit;
+    if (shape.parameters[k].unit == ShapeUnit::of_signal) each *= unit;
+    if (shape.parameters[k].unit == ShapeUnit::per_signal) each /= unit;
     if (shape.parameters[k].is_size) each = std::abs(each);
   }
   return found;
 }
 
+/// d of(parameters) / d parameters, by differences.
+template <class Function>
+Eigen::MatrixXd slopesOf(const Function& of, const Eigen::VectorXd& parameters) {
+  constexpr double kStep = 1e-4;
+  Eigen::MatrixXd slopes(of(parameters).size(), parameters.size());
+  for (Eigen::Index k = 0; k < parameters.size(); ++k) {
+    Eigen::VectorXd above = parameters, below = parameters;
+    above[k] += kStep;
+    below[k] -= kStep;
+    slopes.col(k) = (of(above) - of(below)) / (2 * kStep);
+  }
+  return slopes;
+}
+
 std::vector<ShapeValue> valuesOf(const Curve& curve, const Eigen::VectorXd& parameters,
                                  const Eigen::MatrixXd& covariance, const Scale& signal,
                                  double value_unit) {
-  constexpr double kStep = 1e-4;
-  const Eigen::VectorXd values = inUnits(curve, parameters, signal, value_unit);
-  Eigen::MatrixXd slopes(values.size(), parameters.size());
-  for (Eigen::Index k = 0; k < parameters.size(); ++k) {
-    Eigen::VectorXd moved = parameters;
-    moved[k] += kStep;
-    slopes.col(k) = (inUnits(curve, moved, signal, value_unit) - values) / kStep;
-  }
+  const auto drawn = [&](const Eigen::VectorXd& of) {
+    return inUnits(curve, of, signal, value_unit);
+  };
+  const Eigen::VectorXd values = drawn(parameters);
+  const Eigen::MatrixXd slopes = slopesOf(drawn, parameters);
   const Eigen::MatrixXd spread = slopes * covariance * slopes.transpose();
   std::vector<ShapeValue> all;
   const Shape& shape = *curve.shape();
@@ -133,22 +153,20 @@ CurvePicture pictureOf(const Curve& curve, const Eigen::VectorXd& parameters,
   const Eigen::VectorXd& samples = curve.samples();
   const Eigen::VectorXd z =
       Eigen::VectorXd::LinSpaced(kPoints, samples[0], samples[samples.size() - 1]);
-  Eigen::VectorXd value = curve.at(z, parameters);
-  Eigen::MatrixXd slopes = curve.derivatives(z, parameters);
-  if (at.place == Place::loop_error) {  // which rests at zero
-    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(1);
-    value.array() -= curve.at(zero, parameters)[0];
-    slopes.rowwise() -= curve.derivatives(zero, parameters).row(0);
-  }
-  const double offset = isCharacteristic(at.place) ? signal.offset : 0;
+  const bool is_whole = isCharacteristic(at.place);
+  const auto drawn = [&](const Eigen::VectorXd& of) {
+    return is_whole ? curve.characteristic(z, of) : curve.at(z, of);
+  };
+  const Eigen::VectorXd value = drawn(parameters);
+  const Eigen::MatrixXd slopes = slopesOf(drawn, parameters);
+  const double offset = is_whole ? signal.offset : 0, stretch = stretchOf(curve, parameters);
   for (int k = 0; k < kPoints; ++k) {
-    const double whole = value[k] + (isCharacteristic(at.place) ? z[k] : 0);
     const double deviation =
         std::sqrt(std::max(slopes.row(k).dot(covariance * slopes.row(k).transpose()), 0.0));
-    picture.signal.push_back(signal.offset + signal.unit * z[k]);
-    picture.value.push_back(offset + value_unit * whole);
-    picture.lower_90.push_back(offset + value_unit * (whole - kNormal90 * deviation));
-    picture.upper_90.push_back(offset + value_unit * (whole + kNormal90 * deviation));
+    picture.signal.push_back(signal.unit * (stretch * (z[k] + signal.zero())));
+    picture.value.push_back(offset + value_unit * value[k]);
+    picture.lower_90.push_back(offset + value_unit * (value[k] - kNormal90 * deviation));
+    picture.upper_90.push_back(offset + value_unit * (value[k] + kNormal90 * deviation));
   }
   return picture;
 }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "curves/shape.h"
 
 namespace uncertainty_identification {
@@ -49,6 +51,47 @@ SimulationCause limitsOfInput(double lower, double upper) {
   found.place.place = Place::input;
   found.shape = "asymmetric_saturation";
   return describeCurve(found, fit, SimulationData());
+}
+
+/// A limit of 2 standard deviations, in the middle of a signal of 4 to both sides, in units of 5.
+SimulationCause limitAt(Place place) {
+  SimulationData data;
+  data.scales.u.unit = data.scales.y.unit = 5;
+  WindowFit fit;
+  for (const Shape* shape : shapesAt(place))
+    if (shape->name == "saturation")
+      fit.model.curves = {Curve(place, shape, Eigen::VectorXd::LinSpaced(100, -4, 4), /*zero=*/0)};
+  fit.model.theta.resize(4);
+  fit.model.theta << -0.8, 0.2, 0, 2;
+  fit.covariance = 1e-4 * Eigen::MatrixXd::Identity(4, 4);
+  FoundCurve found;
+  found.place.place = place;
+  found.shape = "saturation";
+  return describeCurve(found, fit, data);
+}
+
+class DescribeLimit : public testing::TestWithParam<Place> {};
+
+TEST_P(DescribeLimit, DrawsItWhereItIsTold) {
+  constexpr double kRounding = 1e-9;
+  const SimulationCause cause = limitAt(GetParam());
+  ASSERT_EQ(cause.values.size(), 1u);
+  const double limit = cause.values[0].value;
+  EXPECT_NEAR(cause.curve.value.back(), limit, kRounding);
+  EXPECT_NEAR(cause.curve.value.front(), -limit, kRounding);
+  for (std::size_t k = 0; k < cause.curve.signal.size(); ++k)
+    EXPECT_NEAR(cause.curve.value[k], std::min(std::max(cause.curve.signal[k], -limit), limit),
+                kRounding);
+}
+
+INSTANTIATE_TEST_SUITE_P(AtPlaces, DescribeLimit,
+                         testing::Values(Place::input, Place::loop_error, Place::sensor));
+
+TEST(DescribeCurve, TellsAnActuatorsLimitInUnitsOfItsInput) {
+  EXPECT_NEAR(limitAt(Place::input).values[0].value, 10, 1e-9);
+  // What enters a sensor is simulated by a plant whose gain belongs to the mean slope, 0.6875 here
+  // (integrals over -4 ... 4 of z min(|z|, 2) sign(z) and of z^2), and read back by 1 / 0.6875.
+  EXPECT_NEAR(limitAt(Place::sensor).values[0].value, 10 / 0.6875, 0.1);  // 100 points: 1 %
 }
 
 TEST(DescribeCurve, TellsNoLimitThatTheSignalNeverReached) {
