@@ -12,6 +12,7 @@
 #include "curves/describe_curve.h"
 #include "curves/held_out.h"
 #include "curves/preparation.h"
+#include "curves/record_difference.h"
 #include "curves/window_search.h"
 
 namespace uncertainty_identification {
@@ -129,6 +130,17 @@ void describe(const WindowSearch& search, SimulationCauses* found) {
   found->fit_after = search.fitOf(result.held_error);
 }
 
+/// How the held-out record that the linear plant simulates worst differs; empty where it simulates
+/// them hardly worse than those that it was fitted to.
+std::string differenceInWords(const std::vector<Experiment>& held, const WindowSearch& search,
+                              double error_ratio) {
+  constexpr double kManyTimes = 2;
+  if (held.empty() || !(error_ratio > kManyTimes)) return "";
+  const auto difference = differenceOf(search.kept, search.result.base.model);
+  return difference ? inWords(*difference, held[static_cast<std::size_t>(difference->record)].id)
+                    : "";
+}
+
 }  // namespace
 
 SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
@@ -175,6 +187,7 @@ SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
   found.preparation = sentenceOf(searched.plan, searched.found, fitted.size());
   found.refused = searched.refused;
   describe(searched.found, &found);
+  found.difference = differenceInWords(held, searched.found, found.held_out_error_ratio);
   found.pictures =
       picturesOf(held.empty() ? fitted : held, searched.found.kept, searched.found.result);
   found.ended_early = searched.found.result.ended_early;

@@ -10,10 +10,12 @@
 #include "curves/explain_simulation.h"
 #include "data/text.h"
 #include "explanation/base_model.h"
+#include "explanation/doubtful_curves.h"
 #include "explanation/estimate_fit.h"
 #include "explanation/intervals.h"
 #include "explanation/limits_of_time.h"
 #include "explanation/order_candidates.h"
+#include "explanation/prediction_checks.h"
 #include "explanation/residual_checks.h"
 #include "explanation/residual_picture.h"
 #include "explanation/search_outcome.h"
@@ -97,7 +99,7 @@ void Explaining::searchSimulation(const Split& data) {
   };
   const std::vector<Experiment> held = data.fitted_to ? std::vector<Experiment>() : data.held;
   explanation_.simulation = explainSimulation(data.train, held, options, &pool_);
-  dropPlayOfSensorSteps(data.train, &explanation_.simulation);
+  dropDoubtfulCurves(data.train, &explanation_.simulation);
   if (explanation_.simulation.ended_early && !progress_.cancelled()) progress_.endSearch();
 }
 
@@ -266,14 +268,12 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
   const bool none_named = withheld && explanation_.causes.empty();
   const SearchState& named = none_named ? base : found;
   if (none_named) explanation_.checks_after = explanation_.checks_before;
-  if (const Check check = parsimony(named); !check.passed) {
-    explanation_.checks_before.push_back(parsimony(base));
-    explanation_.checks_after.push_back(check);
-  }
+  addFailedParsimony(base, named, &explanation_);
   explanation_.termination =
       progress_.outOfTime() ? Termination::iteration_limit : Termination::converged;
-  conclude(&explanation_, withheld);
   describeModels(base, named);
+  addFailedPredictions(&explanation_);
+  conclude(&explanation_, withheld);
   joinSimulation(&explanation_);
   if (progress_.cancelled()) throw CancelledError("cancelled");
   explanation_.seconds = progress_.seconds();

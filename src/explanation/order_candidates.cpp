@@ -109,7 +109,9 @@ class OrderSearch {
     try {
       Estimate found = Identifier(other).identify(experiments_, {}, progress_);
       found.candidates = chosen_.candidates;
-      if (found.usable()) return Model{found, likelihoodOf(found, experiments_, context_)};
+      const double likelihood =
+          found.usable() ? likelihoodOf(found, experiments_, context_) : std::nan("");
+      if (std::isfinite(likelihood)) return Model{found, likelihood};
     } catch (const DataError&) {
     }
     return std::nullopt;

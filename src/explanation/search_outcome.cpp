@@ -10,6 +10,7 @@
 #include "explanation/warnings.h"
 #include "math/information_criterion.h"
 #include "model/sensitivity.h"
+#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -19,11 +20,17 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 }
 
 /// The model of the estimate, optimised by the search's own fit, as the state before any cause.
+/// Throws DataError where it cannot be evaluated.
 SearchState baseOf(const Estimate& estimate, const Split& data, const FitContext& context) {
   SearchState base{{}, FitData(usedBy(estimate, data.train)), FitData(data.held), {}, {}};
   base.fitted_to = data.fitted_to;
   const Fit fit = fitOf(estimate, base.train, summarise(base.train.experiments()));
   base.fit = optimise(fit, base.train, context);
+  if (!std::isfinite(base.fit.log_likelihood))
+    throw DataError(
+        "the identified model cannot be evaluated on the experiments that it was identified from, "
+        "as where a pole is at the edge of stability; state smaller orders (nominal_model), or "
+        "record longer");
   return base;
 }
 

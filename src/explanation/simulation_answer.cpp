@@ -12,7 +12,6 @@
 #include "explanation/named_causes.h"
 #include "explanation/poor_simulation.h"
 #include "explanation/residual_checks.h"
-#include "explanation/sample_checks.h"
 #include "explanation/verdict.h"
 #include "uncertainty_identification/effects/catalogue.h"
 
@@ -240,27 +239,11 @@ std::vector<std::string> leadingCurves(const SimulationCauses& simulation) {
   return names;
 }
 
-void dropPlayOfSensorSteps(const std::vector<Experiment>& fitted, SimulationCauses* simulation) {
-  constexpr double kHardlyWider = 1.5;  // half widths, in steps
-  if (simulation->causes.size() != 1 || simulation->causes[0].what.shape != "output_play") return;
-  const double half_width = simulation->causes[0].values.at(0).value;
-  for (const SpoiltSamples& spoilt : checkSamples(withoutRest(fitted))) {
-    if (spoilt.trait != Trait::quantisation) continue;
-    const double step = spoilt.parameters.front().value;
-    if (half_width >= kHardlyWider * step) continue;
-    simulation->refused = simulation->causes[0].what.name + ": a play of half width " +
-                          rounded(half_width) + " is hardly wider than the steps of " +
-                          rounded(step) + " in which the sensor reads, and simulates as these do";
-    simulation->causes.clear();
-    simulation->fit_after = simulation->fit_before;
-    for (SimulatedWindow& window : simulation->pictures) window.after = window.before;
-    return;
-  }
-}
-
 void joinSimulation(Explanation* explanation) {
   if (!explanation->simulation.refused.empty())
     explanation->warnings.push_back(explanation->simulation.refused);
+  if (!explanation->simulation.difference.empty())
+    explanation->warnings.push_back(explanation->simulation.difference);
   if (explanation->simulation.skipped.empty()) joinCurves(explanation);
   dropUnverified(explanation);
   warnOfPoorSimulation(explanation);

@@ -11,10 +11,6 @@ namespace uncertainty_identification {
 /// away at least half of the squared error of simulating held-out data; otherwise nothing.
 std::vector<std::string> leadingCurves(const SimulationCauses& simulation);
 
-/// Drops a play of the output, if it is the only cause, that is hardly wider than the steps in
-/// which the sensor of these experiments reads: the two simulate alike.
-void dropPlayOfSensorSteps(const std::vector<Experiment>& fitted, SimulationCauses* simulation);
-
 /// Joins what the likelihood found with what explanation->simulation shows. The likelihood's causes
 /// stand where all tests of the residuals pass with them and the simulation gains about as much by
 /// them, or little by the curves. Otherwise the curves are the causes: effects of noise, samples

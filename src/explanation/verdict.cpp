@@ -100,6 +100,14 @@ Check parsimony(const SearchState& state) {
           passed ? "" : "so many causes at once are unlikely; the catalogue may lack the true one"};
 }
 
+void addFailedParsimony(const SearchState& base, const SearchState& named,
+                        Explanation* explanation) {
+  const Check check = parsimony(named);
+  if (check.passed) return;
+  explanation->checks_before.push_back(parsimony(base));
+  explanation->checks_after.push_back(check);
+}
+
 std::string describedNames(const std::vector<Cause>& causes) {
   std::string names;
   for (const Cause& cause : causes)

@@ -20,6 +20,10 @@ bool isSymptom(const FoundCause& found, const SearchState& state);
 /// lacks.
 Check parsimony(const SearchState& state);
 
+/// Adds that check to those without and with the causes, where the model with them fails it.
+void addFailedParsimony(const SearchState& base, const SearchState& named,
+                        Explanation* explanation);
+
 /// The causes in words with their names in parentheses, as messages list them.
 std::string describedNames(const std::vector<Cause>& causes);
 

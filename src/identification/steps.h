@@ -129,6 +129,17 @@ void describeParameters(const Problem& problem, const FittedModel& fitted, Journ
 /// How the plants differ from experiment to experiment, as a sentence; empty for one experiment.
 std::string variationText(const Estimate& estimate, const LinearModel& model);
 
+/// A test of the residuals that fails, by so much that it matters.
+struct FailedTest {
+  std::string name;  ///< "dependence on the input", "whiteness" or "linearity"
+  double p_value = 0;
+  std::string finding;  ///< what it found, with its p-value
+  std::string advice;   ///< what this means, and what to try
+};
+
+/// The tests of the residuals of one-step predictions that fail.
+std::vector<FailedTest> failedTests(const ResidualTests& tests);
+
 /// Whether the data contradict the model: residual tests, standard errors that disagree with the
 /// scatter of the experiments, a poor simulation, too few experiments.
 Trust trustOf(const FittedModel& fitted, const Estimate& estimate);

@@ -30,25 +30,6 @@ double largest(const std::vector<double>& values) {
   return most;
 }
 
-void addResidualTests(const ResidualTests& tests, std::vector<std::string>* reasons) {
-  if (tests.samples == 0) return;
-  if (tests.independence_p_value < kImprobable && largest(tests.cross_correlation) > kNoticeable) {
-    reasons->push_back(
-        "the residuals still depend on the input (p = " + number(tests.independence_p_value) +
-        "): the plant has dynamics or a nonlinearity that the model lacks; try higher orders, or "
-        "explain");
-  }
-  if (tests.whiteness_p_value < kImprobable && largest(tests.autocorrelation) > kNoticeable) {
-    reasons->push_back("the residuals are not white (p = " + number(tests.whiteness_p_value) +
-                       "): the noise model, or the plant, lacks dynamics; try explain");
-  }
-  if (tests.linearity_p_value < kImprobable && tests.nonlinear_share > kNonlinear) {
-    reasons->push_back(
-        "the residuals depend on the input as those of a plant that is not linear (p = " +
-        number(tests.linearity_p_value) + "): try explain, which looks for the cause");
-  }
-}
-
 void addErrorRatio(const std::vector<ParameterEstimate>& parameters, int experiments,
                    std::vector<std::string>* reasons) {
   const ParameterEstimate* worst = nullptr;
@@ -87,6 +68,28 @@ void addFit(double fit, std::vector<std::string>* reasons) {
 
 }  // namespace
 
+std::vector<FailedTest> failedTests(const ResidualTests& tests) {
+  std::vector<FailedTest> failed;
+  if (tests.samples == 0) return failed;
+  const auto add = [&](const std::string& name, double p_value, const std::string& finding,
+                       const std::string& advice) {
+    failed.push_back({name, p_value, finding + " (p = " + number(p_value) + ")", advice});
+  };
+  if (tests.independence_p_value < kImprobable && largest(tests.cross_correlation) > kNoticeable)
+    add("dependence on the input", tests.independence_p_value,
+        "the residuals still depend on the input",
+        "the plant has dynamics or a nonlinearity that the model lacks; try higher orders, or "
+        "explain");
+  if (tests.whiteness_p_value < kImprobable && largest(tests.autocorrelation) > kNoticeable)
+    add("whiteness", tests.whiteness_p_value, "the residuals are not white",
+        "the noise model, or the plant, lacks dynamics; try explain");
+  if (tests.linearity_p_value < kImprobable && tests.nonlinear_share > kNonlinear)
+    add("linearity", tests.linearity_p_value,
+        "the residuals depend on the input as those of a plant that is not linear",
+        "try explain, which looks for the cause");
+  return failed;
+}
+
 Trust trustOf(const FittedModel& fitted, const Estimate& estimate) {
   std::vector<std::string> reasons;
   if (estimate.termination == Termination::stalled ||
@@ -99,7 +102,8 @@ Trust trustOf(const FittedModel& fitted, const Estimate& estimate) {
                       " experiments are too few to show how the plants are distributed; record at "
                       "least 8, better 20");
   }
-  addResidualTests(estimate.residual_tests, &reasons);
+  for (const FailedTest& test : failedTests(estimate.residual_tests))
+    reasons.push_back(test.finding + ": " + test.advice);
   addErrorRatio(estimate.nominal_model.parameters, count, &reasons);
   addUndetermined(estimate.nominal_model.parameters, &reasons);
   // An error model may explain more of the output than the nominal model alone.

@@ -100,6 +100,7 @@ void bind(Archive& archive, SimulationCauses& simulation) {
   archive("order", simulation.order);
   archive("causes", simulation.causes);
   archive("held_out_error_ratio", simulation.held_out_error_ratio);
+  archive.ifThere("difference", simulation.difference);
   archive("fit_before", simulation.fit_before);
   archive("fit_after", simulation.fit_after);
   archive("pictures", simulation.pictures);

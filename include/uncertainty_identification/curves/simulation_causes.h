@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -58,9 +59,14 @@ struct SimulationCauses {
   std::vector<SimulationCause> causes;
   std::string refused;  ///< what simulates better but does not predict better, and why it is not
                         ///< named, in a sentence; empty: nothing
-  double held_out_error_ratio = 1;  ///< of simulating without causes: rms of held-out windows over
-                                    ///< that of the windows fitted to; 1: not searched
-  double fit_before = 0, fit_after = 0;   ///< [%] of held-out windows, in free simulation
+  /// Of simulating without causes: rms of held-out windows over that of the windows fitted to; NaN:
+  /// not searched.
+  double held_out_error_ratio = std::numeric_limits<double>::quiet_NaN();
+  /// [%] of held-out windows, in free simulation, without causes and with all; NaN: not searched.
+  double fit_before = std::numeric_limits<double>::quiet_NaN();
+  double fit_after = std::numeric_limits<double>::quiet_NaN();
+  std::string difference;  ///< how a held-out record that is simulated badly differs from those
+                           ///< fitted to, in a sentence; empty: it does not, or not by one number
   std::vector<SimulatedWindow> pictures;  ///< the median and the worst window
   bool ended_early = false;               ///< the time limit ended the search
   double seconds = 0;

@@ -6,8 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "explanation/estimate_fit.h"
+#include "explanation/split.h"
 #include "support/core_setup.h"
+#include "support/error_message.h"
 #include "support/mentions.h"
+#include "uncertainty_identification/errors.h"
+#include "uncertainty_identification/identifier.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -41,6 +46,19 @@ TEST(SearchOutcome, StepsThatAreMostOfTheNoiseAreACause) {
   ASSERT_EQ(found.causes.size(), 1u) << found.message;
   EXPECT_EQ(found.causes[0].name, "sens_quant");
   EXPECT_FALSE(tellsOfSteps(found));
+}
+
+TEST(SearchOutcome, AModelThatCannotBeEvaluatedIsAnError) {
+  const test::RandomSystem system = test::example1(2, 4);
+  const Configuration configuration = test::example1Configuration();
+  Estimate estimate = Identifier(configuration).identify(system.experiments);
+  estimate.nominal_model.a[0] = -2;  // a pole far outside the unit circle
+  estimate.nominal_model.parameters.clear();
+  const Split data{system.experiments, system.experiments, true};
+  const auto search = [&] {
+    searchOnTopOf(configuration.explanation, contextOf(estimate, 1), estimate, data, {}, {});
+  };
+  EXPECT_TRUE(test::mentions(messageOf<DataError>(search), "cannot be evaluated"));
 }
 
 }  // namespace

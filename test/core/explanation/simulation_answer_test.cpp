@@ -124,28 +124,6 @@ TEST(SimulationAnswer, IsNoExplanationWhereIntervalsHoldFewSamples) {
   EXPECT_TRUE(test::mentions(narrow.message, "hold 4 % of the samples only")) << narrow.message;
 }
 
-TEST(SimulationAnswer, PlayAsWideAsTheSensorsStepsIsNotNamed) {
-  constexpr double kStep = 0.5;
-  std::vector<Experiment> rounded(1);
-  rounded[0].u = Eigen::VectorXd::LinSpaced(200, 0, 1);
-  rounded[0].y = Eigen::VectorXd(200);
-  for (int t = 0; t < 200; ++t) rounded[0].y[t] = kStep * std::round(10 * std::sin(0.3 * t));
-  const auto remaining = [&](double half_width) {
-    SimulationCauses simulation = withFriction(false, {}).simulation;
-    simulation.causes[0].what = {"sens_backlash", "output_play", "output_play", ""};
-    simulation.causes[0].values = {{"half_width", half_width, 0.01}};
-    simulation.pictures = {{"1", 0, 1, {}, Eigen::Vector2d(1, 2), Eigen::Vector2d(3, 4)}};
-    dropPlayOfSensorSteps(rounded, &simulation);
-    return simulation;
-  };
-  EXPECT_EQ(remaining(2 * kStep).causes.size(), 1u);
-  const SimulationCauses none = remaining(kStep);
-  EXPECT_TRUE(none.causes.empty());
-  EXPECT_EQ(none.fit_after, none.fit_before);
-  EXPECT_EQ(none.pictures.at(0).after, none.pictures.at(0).before);
-  EXPECT_TRUE(test::mentions(none.refused, "hardly wider than the steps of 0.5")) << none.refused;
-}
-
 TEST(SimulationAnswer, IsUnknownWhereAConstantSimulatesBetter) {
   const auto answered = [](double fit) {
     Explanation found = withFriction(true, {});

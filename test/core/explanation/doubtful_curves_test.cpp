@@ -1,0 +1,65 @@
+// Curves that were found and do not tell the cause.
+#include "explanation/doubtful_curves.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/mentions.h"
+
+namespace uncertainty_identification {
+namespace {
+
+/// A sine of amplitude 5 that a sensor reads in these steps.
+std::vector<Experiment> readInSteps(double step) {
+  std::vector<Experiment> experiments(1);
+  experiments[0].u = Eigen::VectorXd::LinSpaced(200, 0, 1);
+  experiments[0].y = Eigen::VectorXd(200);
+  for (int t = 0; t < 200; ++t)
+    experiments[0].y[t] = step * std::round(5 / step * std::sin(0.3 * t));
+  return experiments;
+}
+
+/// One cause with which the fit rises from `before` to `after`, and a picture of it.
+SimulationCauses found(const PlaceAndShape& what, double before, double after) {
+  SimulationCauses simulation;
+  simulation.causes.resize(1);
+  simulation.causes[0].what = what;
+  simulation.fit_before = before;
+  simulation.fit_after = after;
+  simulation.pictures = {{"1", 0, 1, {}, Eigen::Vector2d(1, 2), Eigen::Vector2d(3, 4)}};
+  return simulation;
+}
+
+void expectNone(const SimulationCauses& simulation, const std::string& why) {
+  EXPECT_TRUE(simulation.causes.empty());
+  EXPECT_EQ(simulation.fit_after, simulation.fit_before);
+  EXPECT_EQ(simulation.pictures.at(0).after, simulation.pictures.at(0).before);
+  EXPECT_TRUE(test::mentions(simulation.refused, why)) << simulation.refused;
+}
+
+TEST(DoubtfulCurves, PlayAsWideAsTheSensorsStepsIsNotNamed) {
+  constexpr double kStep = 0.5;
+  const auto remaining = [&](double half_width) {
+    SimulationCauses simulation =
+        found({"sens_backlash", "output_play", "output_play", ""}, 90, 95);
+    simulation.causes[0].values = {{"half_width", half_width, 0.01}};
+    dropDoubtfulCurves(readInSteps(kStep), &simulation);
+    return simulation;
+  };
+  EXPECT_EQ(remaining(2 * kStep).causes.size(), 1u);
+  expectNone(remaining(kStep), "hardly wider than the steps of 0.5");
+}
+
+TEST(DoubtfulCurves, NoCauseIsNamedWhereTheSimulationStaysPoor) {
+  const auto remaining = [](double after) {
+    SimulationCauses simulation = found({"plant_sine", "position", "sine", ""}, -88, after);
+    dropDoubtfulCurves(readInSteps(0.01), &simulation);
+    return simulation;
+  };
+  EXPECT_EQ(remaining(61).causes.size(), 1u);
+  expectNone(remaining(50.5), "from -88 to 50.5 %, which leaves too much unexplained");
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
