@@ -33,11 +33,13 @@ function windowFigure(parent, {experiment, start, sample_time: step, measured, b
 }
 
 function showSimulationSearch(parent, {simulation}) {
+  const fit = value => `${number(value, 3)}\u00a0%`, {causes} = simulation;
   if (simulation.skipped) {
-    parent.append(paragraph(`The free simulation was not searched: ${simulation.skipped}.`));
+    const compared = simulation.preparation ? ` One linear plant fits ${fit(simulation.fit_before)} of what was held out.` : '';
+    parent.append(paragraph(`The free simulation was not searched for curves: ${simulation.skipped}.${compared}`));
+    for (const picture of simulation.pictures) windowFigure(parent, picture, false);
     return;
   }
-  const fit = value => `${number(value, 3)}\u00a0%`, {causes} = simulation;
   parent.append(paragraph(`${asSentence(simulation.preparation)} ${causes.length === 0 ?
     `No curve makes the simulation of a linear plant better; it fits ${fit(simulation.fit_before)} of what was held out.` :
     `The fit of what was held out rises from ${fit(simulation.fit_before)} to ${fit(simulation.fit_after)}.`}`));

@@ -52,15 +52,17 @@ bool areFewSteps(const std::vector<Experiment>& fitted, const std::vector<Experi
   return steps < kFewestSteps;
 }
 
+bool isConstant(const Scale& signal) {
+  return !(signal.unit > 1e-9 * (1 + std::abs(signal.offset)));
+}
+
 std::string reasonToSkip(const SimulationData& data) {
   if (data.samples < kFewestSamples)
     return "fewer than " + std::to_string(kFewestSamples) + " samples";
   if (static_cast<int>(data.windows.size()) < kFewestWindows)
     return "fewer than " + std::to_string(kFewestWindows) + " windows";
-  if (!(data.scales.u.unit > 1e-9 * (1 + std::abs(data.scales.u.offset))))
-    return "the input is constant";
-  if (!(data.scales.y.unit > 1e-9 * (1 + std::abs(data.scales.y.offset))))
-    return "the output is constant";
+  if (isConstant(data.scales.u)) return "the input is constant";
+  if (isConstant(data.scales.y)) return "the output is constant";
   return "";
 }
 
@@ -154,13 +156,14 @@ SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
   const WindowPlan plan = planWindows(fitted);
   const double lag_unit = plan.thinning * fitted.front().sample_time;
   const SignalScales scales = scalesOf(fitted, held, lag_unit);
-  found.skipped = areFewSteps(fitted, held)
-                      ? kFewSteps
-                      : reasonToSkip(windowsOf(fitted, plan, scales, kMostSamplesOfSearch));
-  if (!found.skipped.empty()) return found;
+  const std::string too_few = reasonToSkip(windowsOf(fitted, plan, scales, kMostSamplesOfSearch));
+  found.skipped = areFewSteps(fitted, held) ? kFewSteps : too_few;
+  // Few steps still show how well one linear plant simulates records that it was not fitted to.
+  const bool compares = found.skipped == kFewSteps && too_few.empty() && !held.empty();
+  if (!found.skipped.empty() && !compares) return found;
 
   CurveSearchLimits limits;
-  limits.max_causes = std::min(limits.max_causes, options.max_causes);
+  limits.max_causes = found.skipped.empty() ? std::min(limits.max_causes, options.max_causes) : 0;
   limits.candidates.excluded = exclusionOf(options.excluded);
   CurveSearchContext context;
   context.pool = pool;

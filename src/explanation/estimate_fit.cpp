@@ -1,6 +1,7 @@
 #include "explanation/estimate_fit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "model/fixed_plant.h"
@@ -25,6 +26,16 @@ namespace {
 
 bool isPlantHeld(const Estimate& estimate) {
   return estimate.configuration.nominal_model.fit == PlantFit::simulation;
+}
+
+/// The model with all poles, and the zeros of its noise, a millionth nearer to the origin.
+Polynomials withRootsPulledIn(Polynomials p) {
+  constexpr double kInwards = 1 - 1e-6;
+  for (VectorXd* polynomial : {&p.a, &p.c, &p.d}) {
+    double factor = 1;
+    for (double& coefficient : *polynomial) coefficient *= factor *= kInwards;
+  }
+  return p;
 }
 
 /// Sets the value of the parameter of that name, which is added where there is none.
@@ -66,6 +77,10 @@ Fit fitOf(const Estimate& estimate, const FitData& data, const DataSummary& summ
     at.parameters[own] = options.structure == Structure::continuous || estimate.offset_u == 0
                              ? estimate.offset_y
                              : estimate.offset_u;
+  const Fit fit = evaluated(model, at, data);
+  if (std::isfinite(fit.log_likelihood) || options.structure == Structure::continuous) return fit;
+  // Roots at the very edge of stability may lie beyond it by the rounding of the coefficients.
+  at.parameters.head(own) = nominal->fromPolynomials(withRootsPulledIn(p));
   return evaluated(model, at, data);
 }
 

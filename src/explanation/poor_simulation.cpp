@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 #include "data/text.h"
@@ -23,7 +24,7 @@ struct Simulated {
 
 Simulated simulatedBy(const Explanation& explanation) {
   Simulated simulated;
-  if (explanation.simulation.skipped.empty()) simulated.fit = explanation.simulation.fit_after;
+  simulated.fit = explanation.simulation.fit_after;
   for (const Cause& cause : explanation.causes) {
     if (!cause.gain || !std::isfinite(cause.gain->nrmse_fit_percent.after)) continue;
     simulated.fit = cause.gain->nrmse_fit_percent.after;
@@ -119,6 +120,17 @@ void withdraw(const std::string& lacks, bool is_worse_than_constant, Explanation
                      : describedNames(causes) + " is there, but explains only a part: " + lacks;
 }
 
+/// Says how well the model simulates with which nothing is wrong: what the noise hides is not seen.
+void tellFit(const Simulated& simulated, Explanation* explanation) {
+  const bool is_of_windows = std::isfinite(simulated.fit);
+  const std::optional<double> own = explanation->before.simulation_fit_percent;
+  if (!is_of_windows && !own) return;
+  const bool was_held_out = is_of_windows && !explanation->held_out.empty();
+  explanation->message += ". Its simulation fits " +
+                          std::string(was_held_out ? "held-out data" : "the data") + " by " +
+                          rounded(is_of_windows ? simulated.fit : *own) + " %";
+}
+
 }  // namespace
 
 void warnOfPoorSimulation(Explanation* explanation) {
@@ -132,6 +144,7 @@ void warnOfPoorSimulation(Explanation* explanation) {
   const std::string lacks = is_aside ? shortcomingWithoutStructure(*explanation, simulated)
                                      : shortcoming(*explanation, simulated);
   if (causes.empty() || !is_aside) {
+    if (lacks.empty() && causes.empty()) tellFit(simulated, explanation);
     if (lacks.empty()) return;
     explanation->warnings.push_back(lacks);
     if (!causes.empty()) return;

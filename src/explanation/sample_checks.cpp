@@ -4,10 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "explanation/held_samples.h"
+
 namespace uncertainty_identification {
 namespace {
 
-constexpr int kFewest = 4;      // exact repeats; fewer may happen by chance
 constexpr double kCrowded = 3;  // times as many samples at a limit as at the values next to it
 
 std::vector<double> measured(const std::vector<Experiment>& experiments) {
@@ -74,21 +75,6 @@ double latticeStep(const std::vector<double>& values) {
 
 CauseParameter exact(const std::string& name, const std::string& unit, double value) {
   return {name, unit, value, 0, value, value};
-}
-
-/// Whether sample t lies strictly between the extremes and repeats the sample before.
-bool isHeld(const Experiment& experiment, int t, double low, double high) {
-  return t > 0 && experiment.isValid(t) && experiment.isValid(t - 1) &&
-         experiment.y[t] == experiment.y[t - 1] && experiment.y[t] > low && experiment.y[t] < high;
-}
-
-/// How often values strictly between the extremes occur again. A sensor of fine resolution repeats
-/// values only while it holds them.
-long repeats(const std::vector<double>& sorted) {
-  long count = 0;
-  for (std::size_t k = 1; k < sorted.size(); ++k)
-    count += sorted[k] == sorted[k - 1] && sorted[k] > sorted.front() && sorted[k] < sorted.back();
-  return count;
 }
 
 /// Number of samples at a value that was reached and left again: a record that begins or ends there
@@ -170,53 +156,6 @@ double visitsNextTo(Iterator first, Iterator end) {
   return counts[1 + (counts.size() - 1) / 2];
 }
 
-/// Whether readings after a value that was repeated make up for what was not read meanwhile, as
-/// those of a sensor do that holds its last value. A machine that stands still, as friction or a
-/// dead zone makes it, goes on from where it stood. Where a reading says little about the next one,
-/// most of it is noise; that would be seen of a machine that stands still, too, so that readings
-/// that repeat exactly are the sensor's.
-bool catchesUp(const std::vector<Experiment>& experiments, double low, double high) {
-  constexpr double kSmooth = 0.3;  // correlation of two steps of a reading that has little noise
-  constexpr double kShare = 0.5;   // of what a steady motion would have made meanwhile
-  double products = 0, squares = 0, made = 0, expected = 0;
-  for (const Experiment& experiment : experiments) {
-    const Eigen::VectorXd& y = experiment.y;
-    for (int t = 2; t + 1 < experiment.samples(); ++t) {
-      const bool known = experiment.isValid(t - 2) && experiment.isValid(t - 1) &&
-                         experiment.isValid(t) && experiment.isValid(t + 1);
-      if (!known || isHeld(experiment, t, low, high)) continue;
-      if (!isHeld(experiment, t - 1, low, high)) {
-        products += (y[t] - y[t - 1]) * (y[t + 1] - y[t]);
-        squares += (y[t] - y[t - 1]) * (y[t] - y[t - 1]);
-        continue;
-      }
-      int first = t - 1;  // the reading that was repeated
-      while (isHeld(experiment, first, low, high)) --first;
-      const double before = first > 0 ? std::abs(y[first] - y[first - 1]) : 0;
-      made += std::abs(y[t] - y[t - 1]);
-      expected += (t - first) * 0.5 * (before + std::abs(y[t + 1] - y[t]));
-    }
-  }
-  return products < kSmooth * squares || made >= kShare * expected;
-}
-
-/// Share of the samples that the sensor holds. 0 where so few samples repeat the one before that
-/// this may be chance, where values are repeated apart in time, which is coarse resolution, or
-/// where the machine stands still.
-double heldShare(const std::vector<Experiment>& experiments, const std::vector<double>& sorted) {
-  constexpr double kInARow = 0.9;  // share of the repeats that follow the sample they repeat
-  long held = 0;
-  for (const Experiment& experiment : experiments) {
-    for (int t = 1; t < experiment.samples(); ++t)
-      held += isHeld(experiment, t, sorted.front(), sorted.back());
-  }
-  if (held < kFewest ||
-      static_cast<double>(held) < kInARow * static_cast<double>(repeats(sorted)) ||
-      !catchesUp(experiments, sorted.front(), sorted.back()))
-    return 0;
-  return static_cast<double>(held) / static_cast<double>(sorted.size());
-}
-
 /// The experiment without its first samples.
 Experiment startedAt(Experiment experiment, int first) {
   const Eigen::Index count = experiment.samples() - first;
@@ -232,7 +171,7 @@ Experiment startedAt(Experiment experiment, int first) {
 }  // namespace
 
 std::vector<Experiment> withoutRest(std::vector<Experiment> experiments) {
-  constexpr int kKept = kFewest - 1;  // samples that show where the system rested
+  constexpr int kKept = kFewestRepeats - 1;  // samples that show where the system rested
   for (Experiment& experiment : experiments) {
     const Eigen::VectorXd &u = experiment.u, &y = experiment.y;
     int moves = 1;
@@ -253,7 +192,7 @@ std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experimen
   const double held = heldShare(experiments, values), resolution = smallestDifference(values);
   const auto isLimit = [&](double value, double next_to_it) {
     const auto count = static_cast<double>(visits(experiments, value, held > 0));
-    return count >= kFewest && count >= kCrowded * next_to_it &&
+    return count >= kFewestRepeats && count >= kCrowded * next_to_it &&
            isReachedByDifferentInputs(experiments, value) &&
            isReachedAtSpeed(experiments, value, resolution);
   };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -131,35 +132,43 @@ void dropUnconfirmed(Explanation* explanation) {
   conclude(explanation, true);
 }
 
-/// The likelihood's model may simulate far worse than a linear plant that is fitted to nothing but
-/// its simulation, even with all causes. A cause then mends that model, and not what the plant
-/// lacks. It is dropped with what was found on top of it.
+/// [%] of fit that a linear plant reaches that was fitted to its simulation: of windows of what is
+/// held out or, where nothing is, of the experiments that it was identified from.
+std::optional<double> linearFit(const Explanation& explanation) {
+  const SimulationCauses& simulation = explanation.simulation;
+  if (explanation.held_out.empty()) return explanation.before.simulation_fit_percent;
+  if (simulation.preparation.empty() || simulation.ended_early) return std::nullopt;
+  return simulation.fit_before;
+}
+
+/// The likelihood's model may simulate far worse than a linear plant, even with all causes. A cause
+/// then mends that model, and not what the plant lacks. It is dropped with what was found on top of
+/// it. Where data are held out, they show of other causes than curves whether they gain.
 void dropWorseThanLinear(Explanation* explanation) {
   constexpr double kFarWorse = 1.5, kPoints = 10;  // of the error; [% of fit]
-  const SimulationCauses& simulation = explanation->simulation;
+  const std::optional<double> linear = linearFit(*explanation);
   std::vector<Cause>& causes = explanation->causes;
   const auto is_worse = [&](const Cause& cause) {
-    const double with = 100 - cause.gain->nrmse_fit_percent.after,
-                 linear = 100 - simulation.fit_before;
-    return with > kFarWorse * linear && with > linear + kPoints;
+    const double with = 100 - cause.gain->nrmse_fit_percent.after, without = 100 - *linear;
+    return with > kFarWorse * without && with > without + kPoints;
   };
   const auto counts = [](const Cause& cause) { return isStructural(cause) && cause.gain; };
   const auto last = std::find_if(causes.rbegin(), causes.rend(), counts);
-  if (explanation->held_out.empty() || simulation.preparation.empty() || simulation.ended_early ||
-      last == causes.rend() || !is_worse(*last))
-    return;
+  if (!linear || last == causes.rend() || !is_worse(*last)) return;
   const double with = last->gain->nrmse_fit_percent.after;
+  const bool in_sample = explanation->held_out.empty();
   const auto first = std::find_if(causes.begin(), causes.end(), [&](const Cause& cause) {
-    return counts(cause) && isCurve(cause) && is_worse(cause);
+    return counts(cause) && (in_sample || isCurve(cause)) && is_worse(cause);
   });
   const auto rest = std::stable_partition(first, causes.end(), isOfSamples);
   if (rest == causes.end()) return;
   const std::vector<Cause> dropped(rest, causes.end());
   causes.erase(rest, causes.end());
-  explanation->warnings.push_back(
-      namesOf(dropped) + ": with this the model simulates held-out experiments by " +
-      rounded(with) + " % only, and a linear plant windows of them by " +
-      rounded(simulation.fit_before) + " %; not named");
+  explanation->warnings.push_back(namesOf(dropped) + ": with this the model simulates " +
+                                  (in_sample ? "the experiments" : "held-out experiments") +
+                                  " by " + rounded(with) + " % only, and a linear plant " +
+                                  (in_sample ? "" : "windows of them ") + "by " + rounded(*linear) +
+                                  " %; not named");
   if (causes.empty()) forgetModelWithCauses(explanation);
   conclude(explanation, true);
 }
@@ -214,7 +223,6 @@ void joinCurves(Explanation* explanation) {
   const bool passed = allPassed(explanation->checks_after);
   if (simulation.causes.empty()) {
     if (!passed) dropUnconfirmed(explanation);
-    dropWorseThanLinear(explanation);
     return;
   }
   const double by_curves = logRatio(simulation.fit_before, simulation.fit_after);
@@ -245,6 +253,7 @@ void joinSimulation(Explanation* explanation) {
   if (!explanation->simulation.difference.empty())
     explanation->warnings.push_back(explanation->simulation.difference);
   if (explanation->simulation.skipped.empty()) joinCurves(explanation);
+  if (explanation->simulation.causes.empty()) dropWorseThanLinear(explanation);
   dropUnverified(explanation);
   warnOfPoorSimulation(explanation);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "explanation/residual_checks.h"
 #include "explanation/wording.h"
@@ -41,6 +42,22 @@ std::string partlyNamed(const std::string& names) {
   return names +
          " explains part of what is wrong; what would describe the rest is not named as a cause, "
          "for reasons that the warnings tell";
+}
+
+/// Whether all that fails is a matter of the noise alone: how its residuals are distributed, and
+/// when they are large. What the plant lacks shows in the dependence on the input.
+bool isOfNoiseAlone(const std::vector<Check>& checks) {
+  static const std::set<std::string> kOfNoise{"tails", "volatility", "symmetry",
+                                              "variance over time", "variance over experiments"};
+  return std::all_of(checks.begin(), checks.end(), [&](const Check& check) {
+    return check.passed || kOfNoise.count(check.name) > 0;
+  });
+}
+
+std::string ofNoiseAlone(const std::string& failed) {
+  return "the checks of the plant find nothing wrong, but the noise is not what the model assumes, "
+         "in a way that the catalogue does not describe; these checks fail: " +
+         failed;
 }
 
 std::string joined(const std::string& list, const std::string& name) {
@@ -131,7 +148,10 @@ void conclude(Explanation* explanation, bool withheld) {
     return;
   }
   const bool ended_early = explanation->termination == Termination::iteration_limit;
-  if (explanation->verdict != Verdict::unknown || !(withheld || ended_early))
+  if (explanation->verdict == Verdict::unknown && !withheld && !ended_early &&
+      isOfNoiseAlone(explanation->checks_after))
+    explanation->message = ofNoiseAlone(failed);
+  else if (explanation->verdict != Verdict::unknown || !(withheld || ended_early))
     explanation->message = messageOf(explanation->verdict, names, failed);
   else
     explanation->message = withheld ? notNamed(failed) : unfinished(failed);

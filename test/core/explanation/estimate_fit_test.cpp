@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/core_setup.h"
 #include "uncertainty_identification/identifier.h"
 
@@ -42,6 +44,18 @@ TEST(FitOf, HoldsAPlantThatWasFittedToItsSimulation) {
   EXPECT_TRUE(again.nominal_model.b.isApprox(base.nominal_model.b, 1e-3));
   EXPECT_TRUE(again.nominal_model.a.isApprox(base.nominal_model.a, 1e-3));
   EXPECT_NEAR(again.log_likelihood, base.log_likelihood, 0.1);
+}
+
+TEST(FitOf, EvaluatesANoiseModelAtTheEdgeOfStability) {
+  const std::vector<Experiment> experiments = test::example1(2, 4).experiments;
+  Configuration configuration = test::example1Configuration();
+  configuration.nominal_model.structure = Structure::box_jenkins;
+  configuration.nominal_model.nc = configuration.nominal_model.nd = 1;
+  Estimate estimate = Identifier(configuration).identify(experiments);
+  estimate.nominal_model.parameters.clear();
+  estimate.nominal_model.d[0] = -1.0000000001;  // beyond it, by rounding
+  const FitData data(usedBy(estimate, experiments));
+  EXPECT_TRUE(std::isfinite(fitOf(estimate, data, summarise(data.experiments())).log_likelihood));
 }
 
 }  // namespace

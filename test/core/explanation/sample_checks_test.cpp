@@ -216,6 +216,19 @@ TEST(SampleChecks, AMachineThatStandsStillIsNoSensorThatHolds) {
   EXPECT_EQ(found[0].trait, Trait::held_samples);
 }
 
+// An oven that warms up, read in steps of 0.25 degrees, and a filter in the logger that puts
+// another value between two of them.
+TEST(SampleChecks, ASlowSignalInCoarseStepsIsNoSensorThatHolds) {
+  Experiment oven;
+  oven.u = oven.y = Eigen::VectorXd::Ones(500);
+  const auto temperature = [](int t) { return 200 * (1 - std::exp(-t / 250.0)); };
+  const auto read = [&](int t) { return 0.25 * std::floor(temperature(t) / 0.25); };
+  for (int t = 0; t < 500; ++t) oven.y[t] = read(t) - 0.12 * (read(t) - read(t - 1));
+  EXPECT_TRUE(checkSamples({oven}).empty());
+  for (int t = 0; t < 500; ++t) oven.y[t] = temperature(t % 10 == 9 ? t - 1 : t);
+  EXPECT_EQ(checkSamples({oven}).size(), 1u) << "a fine sensor that holds one reading in ten";
+}
+
 TEST(SampleChecks, OfARestBeforeTheTestThreeSamplesStay) {
   Experiment rested;
   rested.sample_time = 0.5;

@@ -232,6 +232,23 @@ TEST(SimulationAnswer, WithoutHeldOutDataTheSimulationOfLeftOutWindowsMustShowTh
       << "no curve, and takes most of the error away";
 }
 
+/// A model that the likelihood has driven far from the data is mended by any offset.
+TEST(SimulationAnswer, ACauseThatNothingConfirmsHasToSimulateAsALinearPlantDoes) {
+  const auto answered = [](double without_causes) {
+    Explanation found = withFriction(true, {ofLikelihood("sens_hum", -1541, 80)});
+    found.causes[0].group = "sensor";
+    found.held_out.clear();
+    found.before.simulation_fit_percent = without_causes;
+    found.simulation = {};
+    found.simulation.skipped = "the input makes fewer than four steps";
+    joinSimulation(&found);
+    return found;
+  };
+  EXPECT_EQ(answered(75).causes.size(), 1u);
+  EXPECT_TRUE(answered(93).causes.empty());
+  EXPECT_TRUE(test::mentions(answered(93).warnings.at(0), "a linear plant by 93 %; not named"));
+}
+
 TEST(SimulationAnswer, NoiseBesideWhatIsNotConfirmedHidesNoCurve) {
   Explanation found = withFriction(
       true, {ofLikelihood("act_hammerstein", 90, 98), ofLikelihood("noise_step", 90, 90)});
@@ -259,6 +276,7 @@ TEST(SimulationAnswer, NothingIsNotSaidWhereHeldOutDataAreSimulatedFarWorse) {
   EXPECT_TRUE(test::mentions(lost.message, "held-out data by 69 % only, with 4 times the error"));
   EXPECT_EQ(answered(69, 2).verdict, Verdict::none);
   EXPECT_EQ(answered(95, 4).verdict, Verdict::none);
+  EXPECT_TRUE(test::mentions(answered(95, 4).message, "Its simulation fits held-out data by 95 %"));
   Explanation of_one_record = withFriction(true, {});
   of_one_record.verdict = Verdict::none;
   of_one_record.held_out.clear();

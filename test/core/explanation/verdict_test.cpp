@@ -116,5 +116,21 @@ TEST(Parsimony, DoesNotCountWhatOneOrderMoreWouldDescribe) {
   EXPECT_TRUE(parsimony(with(causes)).passed);
 }
 
+/// What is concluded where no cause was found and this check fails.
+std::string concluded(const std::string& failed) {
+  Explanation explanation;
+  explanation.checks_after = {{"whiteness", 0, 1, true, ""}, {failed, 0, 0, false, ""}};
+  conclude(&explanation, false);
+  EXPECT_EQ(explanation.verdict, Verdict::unknown);
+  return explanation.message;
+}
+
+TEST(Conclude, TellsWhereOnlyTheNoiseIsNotWhatTheModelAssumes) {
+  EXPECT_TRUE(test::mentions(concluded("volatility"), "the plant find nothing wrong"));
+  EXPECT_TRUE(test::mentions(concluded("tails"), "these checks fail: tails"));
+  EXPECT_FALSE(test::mentions(concluded("dependence on the input"), "find nothing wrong"));
+  EXPECT_FALSE(test::mentions(concluded("linearity of predictions"), "find nothing wrong"));
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

@@ -1,0 +1,96 @@
+#include "explanation/held_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace uncertainty_identification {
+namespace {
+
+/// How often values strictly between the extremes occur again. A sensor of fine resolution repeats
+/// values only while it holds them.
+long repeats(const std::vector<double>& sorted) {
+  long count = 0;
+  for (std::size_t k = 1; k < sorted.size(); ++k)
+    count += sorted[k] == sorted[k - 1] && sorted[k] > sorted.front() && sorted[k] < sorted.back();
+  return count;
+}
+
+/// Whether readings after a value that was repeated make up for what was not read meanwhile, as
+/// those of a sensor do that holds its last value. A machine that stands still, as friction or a
+/// dead zone makes it, goes on from where it stood. Where a reading says little about the next one,
+/// most of it is noise; that would be seen of a machine that stands still, too, so that readings
+/// that repeat exactly are the sensor's.
+bool catchesUp(const std::vector<Experiment>& experiments, double low, double high) {
+  constexpr double kSmooth = 0.3;  // correlation of two steps of a reading that has little noise
+  constexpr double kShare = 0.5;   // of what a steady motion would have made meanwhile
+  double products = 0, squares = 0, made = 0, expected = 0;
+  for (const Experiment& experiment : experiments) {
+    const Eigen::VectorXd& y = experiment.y;
+    for (int t = 2; t + 1 < experiment.samples(); ++t) {
+      const bool known = experiment.isValid(t - 2) && experiment.isValid(t - 1) &&
+                         experiment.isValid(t) && experiment.isValid(t + 1);
+      if (!known || isHeld(experiment, t, low, high)) continue;
+      if (!isHeld(experiment, t - 1, low, high)) {
+        products += (y[t] - y[t - 1]) * (y[t + 1] - y[t]);
+        squares += (y[t] - y[t - 1]) * (y[t] - y[t - 1]);
+        continue;
+      }
+      int first = t - 1;  // the reading that was repeated
+      while (isHeld(experiment, first, low, high)) --first;
+      const double before = first > 0 ? std::abs(y[first] - y[first - 1]) : 0;
+      made += std::abs(y[t] - y[t - 1]);
+      expected += (t - first) * 0.5 * (before + std::abs(y[t + 1] - y[t]));
+    }
+  }
+  return products < kSmooth * squares || made >= kShare * expected;
+}
+
+/// Whether the values that are repeated go up and down by few steps of one size, as those of a slow
+/// signal in coarse resolution do, also where a filter puts other values in between. A sensor that
+/// holds fine readings holds any values.
+bool repeatsCoarseSteps(const std::vector<Experiment>& experiments, double low, double high) {
+  constexpr double kFewSteps = 4, kMost = 0.9, kTolerance = 0.02;
+  std::vector<double> steps;
+  for (const Experiment& experiment : experiments) {
+    double last = std::numeric_limits<double>::quiet_NaN();
+    for (int t = 1; t < experiment.samples(); ++t) {
+      if (!isHeld(experiment, t, low, high)) continue;
+      if (experiment.y[t] != last && std::isfinite(last))
+        steps.push_back(std::abs(experiment.y[t] - last));
+      last = experiment.y[t];
+    }
+  }
+  if (steps.size() < kFewestRepeats) return false;
+  std::sort(steps.begin(), steps.end());
+  const double step = steps[steps.size() / 10];  // a few others are filtered, too
+  const auto whole = std::count_if(steps.begin(), steps.end(), [step](double each) {
+    return std::abs(each / step - std::round(each / step)) < kTolerance;
+  });
+  return steps[steps.size() / 2] <= kFewSteps * step &&
+         static_cast<double>(whole) >= kMost * static_cast<double>(steps.size());
+}
+
+}  // namespace
+
+bool isHeld(const Experiment& experiment, int t, double low, double high) {
+  return t > 0 && experiment.isValid(t) && experiment.isValid(t - 1) &&
+         experiment.y[t] == experiment.y[t - 1] && experiment.y[t] > low && experiment.y[t] < high;
+}
+
+double heldShare(const std::vector<Experiment>& experiments, const std::vector<double>& sorted) {
+  constexpr double kInARow = 0.9;  // share of the repeats that follow the sample they repeat
+  long held = 0;
+  for (const Experiment& experiment : experiments) {
+    for (int t = 1; t < experiment.samples(); ++t)
+      held += isHeld(experiment, t, sorted.front(), sorted.back());
+  }
+  if (held < kFewestRepeats ||
+      static_cast<double>(held) < kInARow * static_cast<double>(repeats(sorted)) ||
+      !catchesUp(experiments, sorted.front(), sorted.back()) ||
+      repeatsCoarseSteps(experiments, sorted.front(), sorted.back()))
+    return 0;
+  return static_cast<double>(held) / static_cast<double>(sorted.size());
+}
+
+}  // namespace uncertainty_identification
