@@ -149,7 +149,8 @@ Estimate identifyFrom(const Request& request, const std::vector<Experiment>& exp
   estimate.trust = trustOfOrders(std::move(estimate.trust), journal->candidates,
                                  estimate.simulation_fit_percent);
   estimate.validation = validate(problem, fitted, asked, validation, journal);
-  estimate.trust = trustAfterValidation(std::move(estimate.trust), estimate.validation);
+  estimate.trust = trustAfterValidation(std::move(estimate.trust), estimate.validation,
+                                        estimate.simulation_fit_percent);
   return estimate;
 }
 

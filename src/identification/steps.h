@@ -161,8 +161,8 @@ Trust trustOfInputs(Trust trust, const CheckedData& data);
 /// `answers_at_once`: it was concluded from the data, not stated, that Go has no delay.
 Trust trustOfDirection(Trust trust, const Following& following, bool answers_at_once);
 
-/// The same after simulating experiments that were not fitted.
-Trust trustAfterValidation(Trust trust, const Validation& validation);
+/// The same after simulating experiments that were not fitted; those that were fit by `fit` [%].
+Trust trustAfterValidation(Trust trust, const Validation& validation, std::optional<double> fit);
 
 /// How well the model predicts experiments that it was not fitted to.
 Validation validate(const Problem& problem, const FittedModel& fitted, InitialState asked,

@@ -66,6 +66,12 @@ void addFit(double fit, std::vector<std::string>* reasons) {
                      number(fit) + " %)");
 }
 
+/// Whether data that were not fitted to are simulated far worse than those that were, and not well.
+bool isFarWorse(double held_out_fit, double fit) {
+  constexpr double kFar = 2.5, kGood = 90;  // ratio of errors; [%] fit
+  return held_out_fit < kGood && 100 - held_out_fit >= kFar * (100 - fit);
+}
+
 }  // namespace
 
 std::vector<FailedTest> failedTests(const ResidualTests& tests) {
@@ -128,17 +134,15 @@ Trust trustOfLength(Trust trust, const Eigen::VectorXd& a, int longest) {
 
 Trust trustOfOrders(Trust trust, const std::vector<Candidate>& candidates,
                     std::optional<double> fit) {
-  constexpr double kFar = 2.5, kGood = 90;  // ratio of errors; [%] fit
   for (const Candidate& candidate : candidates) {
-    if (!fit || candidate.choice != "orders" || !candidate.chosen || !candidate.validation_fit)
+    if (!fit || candidate.choice != "orders" || !candidate.chosen || !candidate.validation_fit ||
+        !isFarWorse(*candidate.validation_fit, *fit))
       continue;
-    const double held_out = *candidate.validation_fit;
-    if (held_out >= kGood || 100 - held_out < kFar * (100 - *fit)) continue;
     trust.trusted = false;
     trust.reasons.push_back(
         "with the chosen orders, parts of the data that were held out are simulated far worse "
         "(fit " +
-        number(held_out) + " %) than those fitted to (" + number(*fit) +
+        number(*candidate.validation_fit) + " %) than those fitted to (" + number(*fit) +
         " %): the data are too few for these orders, or the plant changes or is not linear");
   }
   return trust;
@@ -177,13 +181,20 @@ Trust trustOfDirection(Trust trust, const Following& following, bool answers_at_
   return trust;
 }
 
-Trust trustAfterValidation(Trust trust, const Validation& validation) {
-  if (validation.experiments.empty() || !(validation.simulation_fit_percent_pooled < kLeastFit))
-    return trust;
-  trust.trusted = false;
-  trust.reasons.push_back(
-      "the simulation of the nominal model explains little of the validation experiments (fit " +
-      number(validation.simulation_fit_percent_pooled) + " %)");
+Trust trustAfterValidation(Trust trust, const Validation& validation, std::optional<double> fit) {
+  if (validation.experiments.empty()) return trust;
+  const double held_out = validation.simulation_fit_percent_pooled;
+  if (held_out < kLeastFit)
+    trust.reasons.push_back(
+        "the simulation of the nominal model explains little of the validation experiments (fit " +
+        number(held_out) + " %)");
+  else if (fit && isFarWorse(held_out, *fit))
+    trust.reasons.push_back(
+        "the validation experiments are simulated far worse (fit " + number(held_out) +
+        " %) than those fitted to (" + number(*fit) +
+        " %): they differ by more than the model knows, or the plant is not linear; explain tells "
+        "how they differ");
+  trust.trusted = trust.reasons.empty();
   return trust;
 }
 

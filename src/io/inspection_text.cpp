@@ -56,6 +56,9 @@ std::string loopText(const InspectedData& data, const SignalPair& pair) {
   if (const auto warning = closedLoopWarning(following, u, y))
     return (following.before > following.after ? "Careful: " : "Closed loop: perhaps, as ") +
            *warning + ".";
+  if (following.moveTogether())
+    return "Closed loop: cannot be seen: a controller that computes " + u +
+           " from the same reading of " + y + " looks like a plant that answers at once.";
   return "Closed loop: no sign that " + u + " follows " + y +
          "; a controller is not seen where noise is small beside the excitation.";
 }

@@ -56,15 +56,24 @@ class TrustOf : public testing::Test {
 
 TEST_F(TrustOf, AValidationThatTheModelDoesNotSimulate) {
   Validation validation;
-  EXPECT_TRUE(trustAfterValidation(trust(), validation).trusted) << "there is none";
+  const auto after = [&](std::optional<double> own_fit) {
+    return trustAfterValidation(trust(), validation, own_fit);
+  };
+  EXPECT_TRUE(after(99).trusted) << "there is none";
   validation.experiments = {"held out"};
   validation.simulation_fit_percent_pooled = 60;
-  EXPECT_TRUE(trustAfterValidation(trust(), validation).trusted);
+  EXPECT_TRUE(after({}).trusted);
+  EXPECT_TRUE(after(70).trusted);
+  ASSERT_EQ(after(99).reasons.size(), 1u);
+  EXPECT_FALSE(after(99).trusted);
+  EXPECT_TRUE(
+      test::mentions(after(99).reasons[0], "far worse (fit 60 %) than those fitted to (99"));
+  validation.simulation_fit_percent_pooled = 92;
+  EXPECT_TRUE(after(99.9).trusted) << "it is simulated well";
   validation.simulation_fit_percent_pooled = 12;
-  const Trust found = trustAfterValidation(trust(), validation);
-  EXPECT_FALSE(found.trusted);
-  ASSERT_EQ(found.reasons.size(), 1u);
-  EXPECT_TRUE(test::mentions(found.reasons[0], "fit 12 %")) << found.reasons[0];
+  ASSERT_EQ(after(99).reasons.size(), 1u);
+  EXPECT_FALSE(after({}).trusted);
+  EXPECT_TRUE(test::mentions(after({}).reasons.at(0), "fit 12 %"));
 }
 
 TEST_F(TrustOf, ResidualsOfAPlantThatIsNotLinear) {

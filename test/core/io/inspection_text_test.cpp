@@ -84,6 +84,8 @@ TEST(InspectionText, SaysWhatSpeaksForALoop) {
   EXPECT_TRUE(
       mentions(sentencesWith({true, 0.5, 0.2, 0.2, 0.1, 0.05, 0.1}), "no sign that 'cmd' follows"))
       << "less than half as much as the other way round";
+  EXPECT_TRUE(
+      mentions(sentencesWith({true, 0.8, 0, 0.02, 0.1, 0.05, 0.1}), "Closed loop: cannot be seen"));
 }
 
 TEST(InspectionText, TellsADoubtAndOtherPairs) {
