@@ -56,7 +56,7 @@ Scored bestWith(Offsets offsets, Problem problem, Journal* journal) {
   Scored best;
   for (const int order : {1, 2}) {
     if (journal->progress.searchEnds()) break;
-    auto fit = fitVaryingGain(problem, order, journal);
+    auto fit = fitOfOrder(problem, order, journal);
     if (!fit) continue;
     const StartingPoint start = fit->start();
     best.adopt(std::move(fit), problem, journal);

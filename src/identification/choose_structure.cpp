@@ -157,17 +157,23 @@ StructureFit withWhatNoiseHid(const Problem& problem, StructureFit chosen, Journ
   return withNoiseOrders(problem, raised, journal);
 }
 
-StructureFit chooseStructure(Problem problem, bool free_orders, bool free_offsets,
+/// What is free to be chosen.
+struct Freedom {
+  bool orders = false, offsets = false;
+  bool joint_orders = false;  ///< the orders of Go by the likelihood, too
+};
+
+StructureFit chooseStructure(Problem problem, const Freedom& free,
                              std::vector<StartingPoint> points, Journal* journal) {
   const bool automatic = problem.configuration.error_model.basis == BasisKind::automatic;
   std::vector<StructureFit> orders;  // the best first
-  if (automatic && free_orders && !problem.plant) orders = jointOrders(problem, points, journal);
+  if (free.joint_orders && !problem.plant) orders = jointOrders(problem, points, journal);
   if (!orders.empty()) {
     problem.configuration.nominal_model = orders.front().structure.configuration.nominal_model;
     points.insert(points.begin(), orders.front().start());
   }
   const std::vector<ErrorStructure> structures = errorStructures(
-      problem, free_orders && !points.empty() ? &points.front().polynomials : nullptr);
+      problem, free.orders && !points.empty() ? &points.front().polynomials : nullptr);
   std::vector<StructureFit> fits = fitAll(problem, structures, points, journal);
   double highest = -std::numeric_limits<double>::infinity();
   for (const StructureFit& fit : fits) highest = std::max(highest, scoreOf(problem, fit));
@@ -175,7 +181,7 @@ StructureFit chooseStructure(Problem problem, bool free_orders, bool free_offset
     fits.push_back(std::move(fit));
   StructureFit chosen =
       fits.size() == 1 ? fits.front() : bestOf(problem, fits, "error model", automatic, journal);
-  if (!free_orders) return chosen;
+  if (!free.orders) return chosen;
   if (!problem.plant) {
     chosen = automatic ? withRaisedOrders(problem, chosen, journal)
                        : withBetterOrders(problem, std::move(chosen), true, journal);
@@ -187,7 +193,7 @@ StructureFit chooseStructure(Problem problem, bool free_orders, bool free_offset
   }
   chosen = withNoiseOrders(problem, chosen, journal);
   if (!problem.plant) chosen = withWhatNoiseHid(problem, std::move(chosen), journal);
-  return free_offsets ? withBetterOffsets(problem, std::move(chosen), journal) : chosen;
+  return free.offsets ? withBetterOffsets(problem, std::move(chosen), journal) : chosen;
 }
 
 /// The problem of comparing structures, which part of the data is enough for.
@@ -215,11 +221,13 @@ ModelChoice chooseAroundPlant(const Problem& problem, const Configuration& asked
   const bool free_orders = asked.nominal_model.orders_auto;
   Problem part = partOf(problem, data, free_orders, PlantFit::simulation);
   part.plant = problem.plant;
-  const StructureFit fit = chooseStructure(part, free_orders, false, startsOf(problem), journal);
+  const StructureFit fit =
+      chooseStructure(part, {free_orders, false, false}, startsOf(problem), journal);
   return {fit.structure.configuration, true, fit.point.parameters};
 }
 
-ModelChoice chooseModel(const Problem& problem, const Configuration& asked, Journal* journal) {
+ModelChoice chooseModel(const Problem& problem, const Configuration& asked, Orders orders,
+                        Journal* journal) {
   const bool free_orders = asked.nominal_model.orders_auto;
   const bool free_offsets = asked.estimation.offsets == Offsets::automatic;
   const ErrorModelOptions& given = problem.configuration.error_model;
@@ -233,8 +241,10 @@ ModelChoice chooseModel(const Problem& problem, const Configuration& asked, Jour
   if (problem.plant && !joint) return chooseAroundPlant(problem, asked, journal);
   const CheckedData data = enough(problem.data);
   const Problem part = partOf(problem, data, free_orders, PlantFit::likelihood);
-  const StructureFit fit =
-      chooseStructure(part, free_orders, free_offsets, startsOf(problem), journal);
+  const bool automatic = part.configuration.error_model.basis == BasisKind::automatic;
+  const Freedom free{free_orders, free_offsets,
+                     free_orders && (automatic || orders == Orders::of_likelihood)};
+  const StructureFit fit = chooseStructure(part, free, startsOf(problem), journal);
   return {fit.structure.configuration, false, fit.point.parameters};
 }
 

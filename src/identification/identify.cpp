@@ -42,60 +42,6 @@ CheckedData beginnings(CheckedData data) {
   return data;
 }
 
-void adopt(const ModelChoice& choice, Problem* problem) {
-  problem->configuration = choice.configuration;
-  problem->start = choice.start;
-  if (!choice.plant_is_fixed) problem->plant.reset();
-}
-
-/// Takes over what was chosen of another problem of the same data.
-void takeOver(const Problem& other, Problem* problem) {
-  problem->configuration = other.configuration;
-  problem->plant = other.plant;
-  problem->start = other.start;
-}
-
-/// The model of the chosen structure around the plant that was fitted alone.
-FittedModel fitAround(const Problem& around, const Configuration& asked, Problem* problem,
-                      Journal* journal) {
-  takeOver(around, problem);
-  adopt(chooseAroundPlant(around, asked, journal), problem);
-  problem->plant = describePlant(*problem, journal);
-  return fitModel(*problem, journal);
-}
-
-/// The model of the chosen structure. Where Go was fitted jointly, but alone simulates the data
-/// better, the model around the plant that was fitted alone, if there is one.
-FittedModel fitChosen(const Configuration& asked, Problem* problem, Journal* journal) {
-  const Problem around = *problem;
-  const std::size_t candidates = journal->candidates.size(), warnings = journal->warnings.size();
-  adopt(chooseModel(*problem, asked, journal), problem);
-  if (problem->plant) problem->plant = describePlant(*problem, journal);
-  FittedModel fitted = fitModel(*problem, journal);
-  const bool could_be_alone = around.plant && !problem->plant && !journal->progress.searchEnds();
-  if (!could_be_alone || simulatesByOwnPlants(*problem, fitted, *around.plant) ||
-      simulatesAsWellAsAlone(*problem, *fitted.model, fitted.optimum.point, *around.plant, journal))
-    return fitted;
-  const Problem jointly = *problem;
-  std::vector<Candidate> of_joint = journal->candidates;
-  std::vector<std::string> warned = journal->warnings;
-  journal->candidates.resize(candidates);
-  journal->warnings.resize(warnings);
-  FittedModel alone = fitAround(around, asked, problem, journal);
-  // Beside the long free response of an integrator, rounding may leave nothing of a small residual.
-  if (!std::isfinite(alone.optimum.log_likelihood)) {
-    takeOver(jointly, problem);
-    journal->candidates = std::move(of_joint);
-    journal->warnings = std::move(warned);
-    return fitted;
-  }
-  journal->warnings.push_back(
-      "Go was fitted to its simulation alone: fitted together with the noise and the differences "
-      "between the experiments it simulates worse, so the plant may not be linear, or the data "
-      "are too few");
-  return alone;
-}
-
 /// Whether the orders were chosen from data, now or in the result that is continued.
 bool mayLackDynamics(const Request& request) {
   return request.configuration.nominal_model.orders_auto ||
@@ -147,7 +93,7 @@ Estimate identifyFrom(const Request& request, const std::vector<Experiment>& exp
   estimate.trust = trustOfLength(std::move(estimate.trust), estimate.nominal_model.a,
                                  longestOf(data.experiments));
   estimate.trust = trustOfOrders(std::move(estimate.trust), journal->candidates,
-                                 estimate.simulation_fit_percent);
+                                 estimate.nominal_model.a.size(), estimate.simulation_fit_percent);
   estimate.validation = validate(problem, fitted, asked, validation, journal);
   estimate.trust = trustAfterValidation(std::move(estimate.trust), estimate.validation,
                                         estimate.simulation_fit_percent);
@@ -186,7 +132,7 @@ FoldModel identifyPlant(const Request& request, const std::vector<Experiment>& e
   Problem problem = problemOf(request, data, &journal);
   problem.plant = fitPlant(problem, &journal);
   if (!problem.plant) {
-    adopt(chooseModel(problem, problem.configuration, &journal), &problem);
+    adopt(chooseModel(problem, problem.configuration, Orders::of_simulation, &journal), &problem);
     EstimationOptions& estimation = problem.configuration.estimation;
     estimation.max_iterations = std::min(estimation.max_iterations, kEnough);
     estimation.tolerance = std::max(estimation.tolerance, kTolerance);

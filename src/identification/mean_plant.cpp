@@ -104,6 +104,7 @@ bool simulatesAsWellAsAlone(const Problem& whole, const LinearModel& model,
   const std::optional<FittedPlant> plant = aloneOfSameSize(problem, joint.polynomials, journal);
   const SimulationFit jointly = fitOf(problem, meanPlant(model, point), joint.offset);
   const SimulationFit chosen = fitOf(problem, chosen_alone.polynomials, chosen_alone.offset);
+  if (jointly.pooled >= chosen.pooled) return true;
   return jointly.pooled > chosen.pooled - kMuch &&
          (!plant || !simulatesWorse(jointly, fitOf(problem, plant->polynomials, plant->offset)));
 }

@@ -138,23 +138,24 @@ StructureFit withBetterDelay(const Problem& problem, StructureFit fit, Journal* 
 
 void record(const Problem& problem, const StructureFit& fit, Journal* journal) {
   const NominalModelOptions& nominal = fit.structure.configuration.nominal_model;
-  journal->candidates.push_back({"orders, gain varies",
-                                 "nb=" + std::to_string(nominal.nb) +
-                                     " na=" + std::to_string(nominal.na) +
-                                     " delay=" + std::to_string(nominal.delay),
-                                 fit.parameters + fit.mixture,
-                                 fit.log_likelihood,
-                                 -2 * scoreOf(problem, fit),
-                                 {},
-                                 false,
-                                 {}});
+  journal->candidates.push_back(
+      {problem.data.count() == 1 ? "orders, noise modelled" : "orders, gain varies",
+       "nb=" + std::to_string(nominal.nb) + " na=" + std::to_string(nominal.na) +
+           " delay=" + std::to_string(nominal.delay),
+       fit.parameters + fit.mixture,
+       fit.log_likelihood,
+       -2 * scoreOf(problem, fit),
+       {},
+       false,
+       {}});
 }
 
 Index polesOf(const StructureFit& fit) { return fit.start().polynomials.a.size(); }
 
 }  // namespace
 
-ErrorStructure varyingGain(const Problem& problem) {
+ErrorStructure structureForOrders(const Problem& problem) {
+  if (problem.data.count() == 1) return {"none", problem.configuration};
   ErrorStructure gain{"gain", problem.configuration};
   ErrorModelOptions& errors = gain.configuration.error_model;
   errors.basis = BasisKind::fir;
@@ -163,14 +164,14 @@ ErrorStructure varyingGain(const Problem& problem) {
   return gain;
 }
 
-std::optional<StructureFit> fitVaryingGain(Problem problem, int order, Journal* journal) {
+std::optional<StructureFit> fitOfOrder(Problem problem, int order, Journal* journal) {
   NominalModelOptions& nominal = problem.configuration.nominal_model;
   nominal.nb = nominal.na = order;
   std::optional<StructureFit> best;
   for (const int delay : likelyDelays(problem, order)) {
     if (best && journal->progress.searchEnds()) break;
     nominal.delay = delay;
-    auto fit = fitStructure(problem, varyingGain(problem), {}, true, journal);
+    auto fit = fitStructure(problem, structureForOrders(problem), {}, true, journal);
     if (fit && (!best || scoreOf(problem, *fit) > scoreOf(problem, *best))) best = std::move(fit);
   }
   if (best) best = withBetterDelay(problem, std::move(*best), journal);
@@ -190,8 +191,8 @@ std::vector<StructureFit> jointOrders(const Problem& problem,
   };
   const int largest = problem.configuration.nominal_model.na;
   for (int order = 1; order < largest && fits.size() <= best + kWorse; ++order)
-    adopt(fitVaryingGain(problem, order, journal));
-  if (auto fit = fitStructure(problem, varyingGain(problem), points, true, journal))
+    adopt(fitOfOrder(problem, order, journal));
+  if (auto fit = fitStructure(problem, structureForOrders(problem), points, true, journal))
     adopt(withBetterDelay(problem, std::move(*fit), journal));
   if (fits.empty()) return fits;
   fits.resize(best + 1, fits.front());

@@ -70,12 +70,20 @@ struct ModelChoice {
   Eigen::VectorXd start;        ///< of the model's parameters; empty: none
 };
 
+/// Makes the choice that of the problem.
+void adopt(const ModelChoice& choice, Problem* problem);
+
+/// By what the orders of Go are chosen where the error model is not: the simulation alone, or the
+/// likelihood of all orders up to those, with a noise model.
+enum class Orders { of_simulation, of_likelihood };
+
 /// Chooses the error model where it is automatic and, where the `asked` orders are, those of C and
 /// D by BIC, and whether Go is fitted together with them: structures with one component are fitted
 /// to (a part of) the data and compared by BIC, those nearly as good by held-out experiments. Fills
 /// in the names of the parameters that vary where the error model varies some. Throws DataError
 /// where none can be fitted.
-ModelChoice chooseModel(const Problem& problem, const Configuration& asked, Journal* journal);
+ModelChoice chooseModel(const Problem& problem, const Configuration& asked, Orders orders,
+                        Journal* journal);
 
 /// The same around the problem's fitted plant, which stays as it is.
 ModelChoice chooseAroundPlant(const Problem& problem, const Configuration& asked, Journal* journal);
@@ -126,6 +134,12 @@ StandardErrors errorsOfFit(const Likelihood& likelihood, const Parametrisation& 
 void describeParameters(const Problem& problem, const FittedModel& fitted, Journal* journal,
                         Estimate* estimate);
 
+/// The model of the structure that is chosen. Where Go was fitted jointly, but alone simulates the
+/// data better, it is the model around the plant that was fitted alone, if there is one. Of a
+/// single experiment, whose orders are free, both ways to choose them are tried, as neither finds
+/// every optimum: the model of less BIC is taken unless it simulates worse.
+FittedModel fitChosen(const Configuration& asked, Problem* problem, Journal* journal);
+
 /// How the plants differ from experiment to experiment, as a sentence; empty for one experiment.
 std::string variationText(const Estimate& estimate, const LinearModel& model);
 
@@ -148,9 +162,10 @@ Trust trustOf(const FittedModel& fitted, const Estimate& estimate);
 /// be too short for its slowest time constant.
 Trust trustOfLength(Trust trust, const Eigen::VectorXd& a, int longest);
 
-/// The same for orders that were chosen among `candidates`, with a plant whose simulation fits its
-/// own experiments by `fit` [%]: parts that were held out may be simulated far worse.
-Trust trustOfOrders(Trust trust, const std::vector<Candidate>& candidates,
+/// The same for orders that were chosen among `candidates`, for a plant with that many poles whose
+/// simulation fits its own experiments by `fit` [%]: with as many, parts that were held out may
+/// have been simulated far worse.
+Trust trustOfOrders(Trust trust, const std::vector<Candidate>& candidates, long poles,
                     std::optional<double> fit);
 
 /// The same for data of which hardly any input changes: constant ones do not show how gains differ;

@@ -46,16 +46,18 @@ StructureFit bestOf(const Problem& problem, const std::vector<StructureFit>& fit
 StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool only_if_dependent,
                               Journal* journal);
 
-/// A model whose gain alone varies, with the problem's nominal model.
-ErrorStructure varyingGain(const Problem& problem);
+/// The error model with which orders are compared: a gain that varies from experiment to experiment
+/// or, of a single one, none.
+ErrorStructure structureForOrders(const Problem& problem);
 
-/// The best model of nb = na = `order` whose gain varies, with the delay of least BIC.
-std::optional<StructureFit> fitVaryingGain(Problem problem, int order, Journal* journal);
+/// The best model of nb = na = `order` with that error model, with the delay of least BIC.
+std::optional<StructureFit> fitOfOrder(Problem problem, int order, Journal* journal);
 
-/// Models whose gain varies and whose noise is coloured: that of least BIC among all orders and
-/// delays, followed by the best ones with fewer and fewer poles. The simulation alone, by which the
-/// problem's orders were chosen, is a poor judge where plants differ: the free response of a slow
-/// pole too many follows what another gain leaves. Empty where none can be fitted.
+/// Models whose gain varies, unless there is a single experiment, and whose noise is coloured: that
+/// of least BIC among all orders and delays, followed by the best ones with fewer and fewer poles.
+/// The simulation alone, by which the problem's orders were chosen, is a poor judge where plants
+/// differ or noise drifts: the free response of a slow pole too many follows what another gain, or
+/// the drift, leaves. Empty where none can be fitted.
 std::vector<StructureFit> jointOrders(const Problem& problem,
                                       const std::vector<StartingPoint>& points, Journal* journal);
 

@@ -132,10 +132,12 @@ Trust trustOfLength(Trust trust, const Eigen::VectorXd& a, int longest) {
   return trust;
 }
 
-Trust trustOfOrders(Trust trust, const std::vector<Candidate>& candidates,
+Trust trustOfOrders(Trust trust, const std::vector<Candidate>& candidates, long poles,
                     std::optional<double> fit) {
+  const std::string of_order = " na=" + std::to_string(poles) + " ";
   for (const Candidate& candidate : candidates) {
-    if (!fit || candidate.choice != "orders" || !candidate.chosen || !candidate.validation_fit ||
+    if (!fit || candidate.choice != "orders" || !candidate.validation_fit ||
+        candidate.description.find(of_order) == std::string::npos ||
         !isFarWorse(*candidate.validation_fit, *fit))
       continue;
     trust.trusted = false;
