@@ -12,6 +12,7 @@
 #include "explanation/base_model.h"
 #include "explanation/doubtful_curves.h"
 #include "explanation/estimate_fit.h"
+#include "explanation/gains.h"
 #include "explanation/intervals.h"
 #include "explanation/limits_of_time.h"
 #include "explanation/order_candidates.h"
@@ -90,13 +91,10 @@ std::vector<SpoiltSamples> Explaining::maskSpoilt(Split* data) {
 
 /// Gives the free simulation a third of the time.
 void Explaining::searchSimulation(const Split& data) {
-  SimulationSearchOptions options;
-  options.max_causes = configuration_.explanation.max_causes;
-  options.time_limit = configuration_.explanation.time_limit / 3;
-  options.excluded = configuration_.explanation.exclude;
-  options.progress = [this](const std::string& doing) {
-    return progress_.report(doing, 0, std::nullopt);
-  };
+  const ExplanationOptions& asked = configuration_.explanation;
+  const SimulationSearchOptions options{
+      asked.max_causes, asked.time_limit / 3, asked.exclude,
+      [this](const std::string& doing) { return progress_.report(doing, 0, std::nullopt); }};
   const std::vector<Experiment> held = data.fitted_to ? std::vector<Experiment>() : data.held;
   explanation_.simulation = explainSimulation(data.train, held, options, &pool_);
   dropDoubtfulCurves(data.train, &explanation_.simulation);
@@ -205,9 +203,10 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   if (!thinning_.empty()) configuration_.sample_time = 0;
   const std::vector<SpoiltSamples> spoilt = maskSpoilt(&data);
   const SearchOutcome best = bestOutcome(data, spoilt);
-  for (const Experiment& experiment : data.held)
-    if (!data.fitted_to) explanation_.held_out.push_back(experiment.id);
-  if (data.fitted_to) explanation_.warnings.push_back(kNothingHeldOut);
+  if (data.fitted_to)
+    explanation_.warnings.push_back(kNothingHeldOut);
+  else
+    describeHeldOut(best.base, &explanation_);
   explanation_.before = best.estimate;
   explanation_.before.rejected = rejected;
   explanation_.checks_before =

@@ -81,4 +81,11 @@ void remeasureGains(const SearchState& base, const FitContext& context, SearchSt
   }
 }
 
+void describeHeldOut(const SearchState& base, Explanation* explanation) {
+  for (const Experiment& experiment : base.held.experiments())
+    explanation->held_out.push_back(experiment.id);
+  const double fit = heldOut(base.fit, base.held).nrmse_fit_percent;
+  if (std::isfinite(fit)) explanation->held_out_fit = fit;
+}
+
 }  // namespace uncertainty_identification

@@ -33,19 +33,29 @@ Simulated simulatedBy(const Explanation& explanation) {
   return simulated;
 }
 
-/// That one linear plant simulates held-out data with far more error than those it was fitted to;
-/// empty where it does not, simulates them well all the same, or none are held out.
+constexpr double kWell = 90;        // [%] fit
+constexpr double kManyTimes = 2.5;  // the error
+
+std::string lossInWords(const std::string& what, double fit, double ratio) {
+  return what + " held-out data by " + rounded(fit) + " % only, with " + rounded(ratio) +
+         " times the error that it has on the data it was fitted to: the plant is not linear, it "
+         "has changed, the held-out data cover a range that the others do not, or those fitted to "
+         "are too few";
+}
+
+/// That one linear plant, or the model, simulates held-out data with far more error than those it
+/// was fitted to; empty where it does not, simulates them well all the same, or none are held out.
 std::string lossOnHeldOut(const Explanation& explanation) {
-  constexpr double kWell = 90;        // [%] fit
-  constexpr double kManyTimes = 2.5;  // the error
   const SimulationCauses& simulation = explanation.simulation;
-  if (explanation.held_out.empty() || simulation.fit_before >= kWell ||
-      !(simulation.held_out_error_ratio > kManyTimes))
-    return "";
-  return "one linear plant fits held-out data by " + rounded(simulation.fit_before) +
-         " % only, with " + rounded(simulation.held_out_error_ratio) +
-         " times the error that it has on the data it was fitted to: the plant is not linear, or "
-         "it has changed, or the held-out data cover a range that the others do not";
+  if (explanation.held_out.empty()) return "";
+  if (simulation.fit_before < kWell && simulation.held_out_error_ratio > kManyTimes)
+    return lossInWords("one linear plant fits", simulation.fit_before,
+                       simulation.held_out_error_ratio);
+  const std::optional<double> own = explanation.before.simulation_fit_percent,
+                              held_out = explanation.held_out_fit;
+  if (!simulation.preparation.empty() || !own || !held_out || *held_out >= kWell) return "";
+  const double ratio = (100 - *held_out) / std::max(100 - *own, 1e-6);
+  return ratio > kManyTimes ? lossInWords("the model simulates", *held_out, ratio) : "";
 }
 
 /// Whether one linear plant simulates windows of a few experiments far worse than the model does
@@ -129,6 +139,9 @@ void tellFit(const Simulated& simulated, Explanation* explanation) {
   explanation->message += ". Its simulation fits " +
                           std::string(was_held_out ? "held-out data" : "the data") + " by " +
                           rounded(is_of_windows ? simulated.fit : *own) + " %";
+  if (!explanation->simulation.skipped.empty())
+    explanation->message +=
+        "; what it lacks was not looked for (" + explanation->simulation.skipped + ")";
 }
 
 }  // namespace

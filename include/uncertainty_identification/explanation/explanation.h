@@ -121,6 +121,8 @@ struct Explanation {
   /// Ids of the held-out experiments, on which the gains were measured. Empty where there were too
   /// few experiments to hold any out; the gains were then measured on those fitted to.
   std::vector<std::string> held_out;
+  /// [%] fit of simulating them by the model without causes; absent: none are held out.
+  std::optional<double> held_out_fit;
   ResidualPicture residual_before, residual_after;
   std::vector<ExperimentPicture> pictures;         ///< held-out experiments: median and worst fit
   Termination termination = Termination::not_run;  ///< converged, or cancelled

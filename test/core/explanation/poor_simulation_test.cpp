@@ -1,0 +1,43 @@
+// "Nothing is wrong", of data that are too few to look for what the simulation lacks.
+#include "explanation/poor_simulation.h"
+
+#include <gtest/gtest.h>
+
+#include "support/mentions.h"
+
+namespace uncertainty_identification {
+namespace {
+
+/// An answer of "none", with a model that simulates a held-out experiment by this much, and its own
+/// by 85 %.
+Explanation answered(std::optional<double> held_out_fit) {
+  Explanation explanation;
+  explanation.verdict = Verdict::none;
+  explanation.message = "the model agrees with the data";
+  explanation.simulation.skipped = "fewer than 200 samples";
+  explanation.before.simulation_fit_percent = 85;
+  if (held_out_fit) explanation.held_out = {"1"};
+  explanation.held_out_fit = held_out_fit;
+  warnOfPoorSimulation(&explanation);
+  return explanation;
+}
+
+TEST(PoorSimulation, NothingIsNotSaidWhereTheModelSimulatesHeldOutDataFarWorse) {
+  const Explanation found = answered(61);  // 39 / 15 times the error
+  EXPECT_EQ(found.verdict, Verdict::unknown);
+  EXPECT_TRUE(test::mentions(found.message, "simulates held-out data by 61 % only, with 2.6 times"))
+      << found.message;
+  EXPECT_EQ(answered(70).verdict, Verdict::none);
+}
+
+TEST(PoorSimulation, NothingIsSaidWithTheFitAndWithWhatWasNotLookedFor) {
+  const Explanation found = answered({});
+  EXPECT_EQ(found.verdict, Verdict::none);
+  EXPECT_TRUE(test::mentions(found.message,
+                             "agrees with the data. Its simulation fits the data by "
+                             "85 %; what it lacks was not looked for (fewer than"))
+      << found.message;
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
