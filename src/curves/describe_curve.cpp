@@ -82,12 +82,29 @@ double degreeOf(const Shape& shape, const Eigen::VectorXd& parameters) {
   return degree == kDegrees.end() ? 0 : degree->second;
 }
 
-/// What one unit of the curve's argument is in the data's units, in units of the signal. What
-/// enters a sensor is known only as what the linear plant simulates, which a whole shape shrinks to
-/// its slope.
-double stretchOf(const Curve& curve, const Eigen::VectorXd& parameters) {
-  const bool is_shrunk = curve.place() == Place::sensor && curve.shape() && curve.shape()->is_whole;
-  return is_shrunk ? 1 / curve.normalisation(parameters).scale : 1;
+/// Whether what enters is known only as what the linear plant simulates, which a whole shape of a
+/// sensor shrinks to its slope.
+bool isShrunk(const Curve& curve) {
+  return curve.place() == Place::sensor && curve.shape() && curve.shape()->is_whole;
+}
+
+/// A value of the curve's argument, counted from the physical zero, in the units of the data. What
+/// entered a sensor is told as the sensor reads it where its shape has a slope of one.
+double argumentInUnits(const Curve& curve, const Eigen::VectorXd& parameters, const Scale& signal,
+                       double value) {
+  if (!isShrunk(curve)) return signal.unit * value;
+  const Curve::Normalisation of = curve.normalisation(parameters);
+  return signal.offset + signal.unit * (value - of.constant) / of.scale;
+}
+
+/// A limit as the sensor reads it, on the side where it is reached; half the width of a dead zone.
+double readingOf(const Curve& curve, const Eigen::VectorXd& parameters, const Scale& signal,
+                 double value) {
+  if (curve.shape()->name != "saturation")
+    return signal.unit * value / curve.normalisation(parameters).scale;
+  const double largest = curve.samples()[curve.samples().size() - 1] + signal.zero();
+  const double limit = largest >= std::abs(value) ? std::abs(value) : -std::abs(value);
+  return argumentInUnits(curve, parameters, signal, limit);
 }
 
 /// The parameters of a shape in the units of the data.
@@ -96,14 +113,14 @@ Eigen::VectorXd inUnits(const Curve& curve, const Eigen::VectorXd& parameters, c
   const Shape& shape = *curve.shape();
   Eigen::VectorXd found = parameters;
   const Eigen::Index first = shape.is_whole ? 0 : 1;
-  const double unit = signal.unit * stretchOf(curve, parameters);
   if (first == 1)
     found[0] = parameters[0] / curve.normalisation(parameters).scale * value_unit /
                std::pow(signal.unit, degreeOf(shape, parameters));
   for (std::size_t k = 0; k < shape.parameters.size(); ++k) {
     double& each = found[first + static_cast<Eigen::Index>(k)];
-    if (shape.parameters[k].unit == ShapeUnit::of_signal) each *= unit;
-    if (shape.parameters[k].unit == ShapeUnit::per_signal) each /= unit;
+    if (shape.parameters[k].unit == ShapeUnit::of_signal)
+      each = isShrunk(curve) ? readingOf(curve, parameters, signal, each) : each * signal.unit;
+    if (shape.parameters[k].unit == ShapeUnit::per_signal) each /= signal.unit;
     if (shape.parameters[k].is_size) each = std::abs(each);
   }
   return found;
@@ -159,11 +176,11 @@ CurvePicture pictureOf(const Curve& curve, const Eigen::VectorXd& parameters,
   };
   const Eigen::VectorXd value = drawn(parameters);
   const Eigen::MatrixXd slopes = slopesOf(drawn, parameters);
-  const double offset = is_whole ? signal.offset : 0, stretch = stretchOf(curve, parameters);
+  const double offset = is_whole ? signal.offset : 0;
   for (int k = 0; k < kPoints; ++k) {
     const double deviation =
         std::sqrt(std::max(slopes.row(k).dot(covariance * slopes.row(k).transpose()), 0.0));
-    picture.signal.push_back(signal.unit * (stretch * (z[k] + signal.zero())));
+    picture.signal.push_back(argumentInUnits(curve, parameters, signal, z[k] + signal.zero()));
     picture.value.push_back(offset + value_unit * value[k]);
     picture.lower_90.push_back(offset + value_unit * (value[k] - kNormal90 * deviation));
     picture.upper_90.push_back(offset + value_unit * (value[k] + kNormal90 * deviation));

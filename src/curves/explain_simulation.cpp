@@ -133,14 +133,25 @@ void describe(const WindowSearch& search, SimulationCauses* found) {
 }
 
 /// How the held-out record that the linear plant simulates worst differs; empty where it simulates
-/// them hardly worse than those that it was fitted to.
+/// them hardly worse than those that it was fitted to, or where curves were found that show it.
 std::string differenceInWords(const std::vector<Experiment>& held, const WindowSearch& search,
                               double error_ratio) {
   constexpr double kManyTimes = 2;
-  if (held.empty() || !(error_ratio > kManyTimes)) return "";
+  if (held.empty() || !search.result.causes.empty() || !(error_ratio > kManyTimes)) return "";
   const auto difference = differenceOf(search.kept, search.result.base.model);
   return difference ? inWords(*difference, held[static_cast<std::size_t>(difference->record)].id)
                     : "";
+}
+
+void describe(const PlannedSearch& searched, const std::vector<Experiment>& fitted,
+              const std::vector<Experiment>& held, SimulationCauses* found) {
+  const WindowSearch& search = searched.found;
+  found->preparation = sentenceOf(searched.plan, search, fitted.size());
+  found->refused = searched.refused;
+  describe(search, found);
+  found->difference = differenceInWords(held, search, found->held_out_error_ratio);
+  found->pictures = picturesOf(held.empty() ? fitted : held, search.kept, search.result);
+  found->ended_early = search.result.ended_early;
 }
 
 }  // namespace
@@ -185,15 +196,10 @@ SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
   const WindowSearcher search = [&](const WindowPlan& windows, const CurveSearchLimits& within) {
     return searchWindows(fitted, held, windows, scales, within, context);
   };
-  const PlannedSearch searched = searchInWindows(plan, fitted, limits, search);
+  const PlannedSearch searched = compares ? PlannedSearch{plan, search(plan, limits), ""}
+                                          : searchInWindows(plan, fitted, limits, search);
   if (searched.found.kept.windows.empty()) return found;
-  found.preparation = sentenceOf(searched.plan, searched.found, fitted.size());
-  found.refused = searched.refused;
-  describe(searched.found, &found);
-  found.difference = differenceInWords(held, searched.found, found.held_out_error_ratio);
-  found.pictures =
-      picturesOf(held.empty() ? fitted : held, searched.found.kept, searched.found.result);
-  found.ended_early = searched.found.result.ended_early;
+  describe(searched, fitted, held, &found);
   found.seconds = seconds();
   return found;
 }

@@ -18,7 +18,11 @@ using In = RecordDifference::In;
 SimulationData onlyOf(const SimulationData& held, const std::vector<int>& windows) {
   SimulationData record = held;
   record.windows.clear();
-  for (const int w : windows) record.windows.push_back(held.windows[static_cast<std::size_t>(w)]);
+  record.longest = 0;
+  for (const int w : windows) {
+    record.windows.push_back(held.windows[static_cast<std::size_t>(w)]);
+    record.longest = std::max(record.longest, record.windows.back().samples());
+  }
   return record;
 }
 
@@ -68,6 +72,11 @@ class Differences {
         error_(y_ - simulated(record, linear)) {}
 
   double before() const { return error_.squaredNorm(); }
+  double samples() const {  ///< measured
+    double count = 0;
+    for (const SimulationWindow& window : record_.windows) count += window.measuredSamples();
+    return count;
+  }
 
   /// The simulation is linear in the gain and in the bias of the input.
   void addGainAndOffset() {
@@ -79,9 +88,10 @@ class Differences {
     by << simulated(record_, biased) - now, simulated(record_, more) - now;
     if (!by.allFinite()) return;
     const double bias = by.col(0).dot(error_) / std::max(by.col(0).squaredNorm(), 1e-12);
-    if (std::abs(linear_.inverseGain()) > 1e-6)
-      add(In::offset, bias / linear_.inverseGain() * record_.scales.y.unit,
-          (error_ - bias * by.col(0)).squaredNorm());
+    Eigen::Index settled = 0;
+    by.col(0).cwiseAbs().maxCoeff(&settled);
+    add(In::offset, bias * by(settled, 0) * record_.scales.y.unit,
+        (error_ - bias * by.col(0)).squaredNorm());
     const Eigen::Vector2d both = by.colPivHouseholderQr().solve(error_);
     add(In::gain, 1 + both[1], (error_ - by * both).squaredNorm());
   }
@@ -97,7 +107,7 @@ class Differences {
   /// better than one number alone.
   std::optional<RecordDifference> best() const {
     constexpr double kExplained = 0.25;  // of the squared error is left
-    if (!(least_ < kExplained * before())) return std::nullopt;
+    if (!(error_of_best_ < kExplained * before())) return std::nullopt;
     RecordDifference found = best_;
     found.record = record_.windows.front().record;
     found.fit_before = heldOutFit(record_, Eigen::VectorXd::Constant(1, before()));
@@ -120,22 +130,24 @@ class Differences {
   const CurveModel& linear_;
   Eigen::VectorXd y_, error_;
   RecordDifference best_;
-  double least_ = std::numeric_limits<double>::infinity(), error_of_best_ = 0;
+  double least_ = std::numeric_limits<double>::infinity(),
+         error_of_best_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
 
 std::optional<RecordDifference> differenceOf(const SimulationData& held, const CurveModel& linear) {
   std::optional<RecordDifference> most;
-  double gained = 0;
+  double worst = 0;
   for (const std::vector<int>& windows : windowsByRecord(held)) {
     const SimulationData record = onlyOf(held, windows);
     Differences differences(record, linear);
     differences.addGainAndOffset();
     differences.addDelays();
     const auto found = differences.best();
-    if (!found || differences.before() <= gained) continue;
-    gained = differences.before();
+    const double error = differences.before() / std::max(differences.samples(), 1.0);
+    if (!found || error <= worst) continue;
+    worst = error;
     most = found;
   }
   return most;
@@ -153,7 +165,7 @@ std::string inWords(const RecordDifference& difference, const std::string& exper
          << (difference.value > 0 ? "later" : "earlier");
   else
     text << difference.value << " times the gain, and an offset of its own";
-  text << ": that is how it differs from the others";
+  text << ": that is most of how it differs from the others";
   return text.str();
 }
 

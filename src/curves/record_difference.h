@@ -20,8 +20,9 @@ struct RecordDifference {
 };
 
 /// The difference that takes away at least three quarters of the squared error of simulating a
-/// held-out record, of the record where this is most; absent where no single one does. A gain comes
-/// with an offset: elsewhere on a curved characteristic both are others.
+/// held-out record, of the record that is simulated worst; absent where no single one does. An
+/// offset is told as the shift of the output once it has settled; a gain comes with one: elsewhere
+/// on a curved characteristic both are others.
 std::optional<RecordDifference> differenceOf(const SimulationData& held, const CurveModel& linear);
 
 /// The difference in a sentence, for the experiment of this name.

@@ -48,16 +48,10 @@ void setValue(const std::string& name, double value, std::vector<ParameterEstima
     known->value = value;
 }
 
-}  // namespace
-
-Fit fitOf(const Estimate& estimate, const FitData& data, const DataSummary& summary) {
+/// The model of the estimate with these polynomials, or the parameters as they were estimated.
+Fit fitWith(const Polynomials& p, bool as_estimated, const Estimate& estimate, const FitData& data,
+            const DataSummary& summary) {
   const NominalModelOptions& options = estimate.configuration.nominal_model;
-  Polynomials p;
-  p.delay = estimate.nominal_model.delay;
-  p.b = estimate.nominal_model.b;
-  p.a = estimate.nominal_model.a;
-  p.c = estimate.nominal_model.c;
-  p.d = estimate.nominal_model.d;
   const auto nominal = isPlantHeld(estimate)
                            ? fixPlant(p, static_cast<int>(p.c.size()), static_cast<int>(p.d.size()))
                            : makeNominalModel(options, estimate.nominal_model.sample_time);
@@ -67,9 +61,9 @@ Fit fitOf(const Estimate& estimate, const FitData& data, const DataSummary& summ
   ModelParameters at{VectorXd::Zero(model->LinearModel::parameterCount()),
                      estimate.error_model.mixture, estimate.noise_variance.value};
   const Index own = nominal->parameterCount();
-  if (static_cast<Index>(estimate.nominal_model.parameters.size()) == own) {
-    for (Index k = 0; k < own; ++k)
-      at.parameters[k] = estimate.nominal_model.parameters[static_cast<std::size_t>(k)].value;
+  const std::vector<ParameterEstimate>& given = estimate.nominal_model.parameters;
+  if (as_estimated && static_cast<Index>(given.size()) == own) {
+    for (Index k = 0; k < own; ++k) at.parameters[k] = given[static_cast<std::size_t>(k)].value;
   } else {
     at.parameters.head(own) = nominal->fromPolynomials(p);
   }
@@ -77,11 +71,24 @@ Fit fitOf(const Estimate& estimate, const FitData& data, const DataSummary& summ
     at.parameters[own] = options.structure == Structure::continuous || estimate.offset_u == 0
                              ? estimate.offset_y
                              : estimate.offset_u;
-  const Fit fit = evaluated(model, at, data);
-  if (std::isfinite(fit.log_likelihood) || options.structure == Structure::continuous) return fit;
-  // Roots at the very edge of stability may lie beyond it by the rounding of the coefficients.
-  at.parameters.head(own) = nominal->fromPolynomials(withRootsPulledIn(p));
   return evaluated(model, at, data);
+}
+
+}  // namespace
+
+Fit fitOf(const Estimate& estimate, const FitData& data, const DataSummary& summary) {
+  Polynomials p;
+  p.delay = estimate.nominal_model.delay;
+  p.b = estimate.nominal_model.b;
+  p.a = estimate.nominal_model.a;
+  p.c = estimate.nominal_model.c;
+  p.d = estimate.nominal_model.d;
+  Fit fit = fitWith(p, true, estimate, data, summary);
+  const bool is_continuous =
+      estimate.configuration.nominal_model.structure == Structure::continuous;
+  if (std::isfinite(fit.log_likelihood) || is_continuous) return fit;
+  // Roots at the very edge of stability may lie beyond it by the rounding of the coefficients.
+  return fitWith(withRootsPulledIn(p), false, estimate, data, summary);
 }
 
 Estimate estimateOf(const Fit& fit, const FitData& data, const Estimate& base, int iterations) {

@@ -15,6 +15,7 @@
 #include "explanation/gains.h"
 #include "explanation/intervals.h"
 #include "explanation/limits_of_time.h"
+#include "explanation/named_causes.h"
 #include "explanation/order_candidates.h"
 #include "explanation/prediction_checks.h"
 #include "explanation/residual_checks.h"
@@ -155,25 +156,22 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
       configuration_, chosen, data.train, context(chosen), [this](const Progress& at) {
         return progress_.report("choosing orders", 0.3, at.log_likelihood) && progress_.inTime();
       });
-  // A tie between models is no reason to name a cause.
-  const auto worth = [this](const SearchOutcome& of) {
-    return of.penalisedLikelihood() -
-           configuration_.explanation.acceptance * static_cast<double>(of.found.causes.size());
-  };
   std::vector<SearchOutcome> outcomes;
   for (const Estimate& candidate : candidates) {
-    outcomes.push_back(searchOnTopOf(configuration_.explanation, context(candidate), candidate,
-                                     data, spoilt, leading_curves_));
+    try {
+      outcomes.push_back(searchOnTopOf(configuration_.explanation, context(candidate), candidate,
+                                       data, spoilt, leading_curves_));
+    } catch (const DataError&) {
+      if (outcomes.empty() && &candidate == &candidates.back()) throw;
+      continue;  // it cannot be evaluated: the others can
+    }
     const SearchState& first = outcomes.front().found;
     if (!progress_.inTime() ||
         (!first.causes.empty() &&
          allPassed(checkResiduals(first.fit, first.train, first.heavy_tails))))
       break;
   }
-  auto best = std::max_element(outcomes.begin(), outcomes.end(),
-                               [&](const SearchOutcome& left, const SearchOutcome& right) {
-                                 return worth(left) < worth(right);
-                               });
+  SearchOutcome* const best = bestOf(&outcomes, configuration_.explanation.acceptance);
   explanation_.warnings = best->estimate.warnings;
   std::vector<std::string> remarks{thinning_, simplification_, best->base.remark,
                                    otherOrdersWarning(chosen, best->estimate)};
@@ -254,10 +252,13 @@ void Explaining::describeModels(const SearchState& base, const SearchState& foun
 
 void Explaining::describe(const SearchState& base, const SearchState& found) {
   progress_.report("describing", 0.9, found.fit.log_likelihood);
+  describeModels(base, found);
   explanation_.checks_after = checkResiduals(found.fit, found.train, found.heavy_tails);
+  addFailedPredictions(&explanation_);
+  const bool passed = allPassed(explanation_.checks_after);
   for (const FoundCause& cause : found.causes) {
     if (cause.effect->has(Trait::feedback)) explanation_.warnings.push_back(kFeedback);
-    const std::string reason = reasonNotToName(cause, found, allPassed(explanation_.checks_after));
+    const std::string reason = reasonNotToName(cause, found, passed);
     if (reason.empty())
       explanation_.causes.push_back(described(cause, found));
     else
@@ -265,13 +266,10 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
   }
   const bool withheld = explanation_.causes.size() < found.causes.size();
   const bool none_named = withheld && explanation_.causes.empty();
-  const SearchState& named = none_named ? base : found;
-  if (none_named) explanation_.checks_after = explanation_.checks_before;
-  addFailedParsimony(base, named, &explanation_);
+  if (none_named) forgetModelWithCauses(&explanation_);
+  addFailedParsimony(base, none_named ? base : found, &explanation_);
   explanation_.termination =
       progress_.outOfTime() ? Termination::iteration_limit : Termination::converged;
-  describeModels(base, named);
-  addFailedPredictions(&explanation_);
   conclude(&explanation_, withheld);
   joinSimulation(&explanation_);
   if (progress_.cancelled()) throw CancelledError("cancelled");

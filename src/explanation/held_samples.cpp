@@ -51,17 +51,21 @@ bool catchesUp(const std::vector<Experiment>& experiments, double low, double hi
 /// holds fine readings holds any values.
 bool repeatsCoarseSteps(const std::vector<Experiment>& experiments, double low, double high) {
   constexpr double kFewSteps = 4, kMost = 0.9, kTolerance = 0.02;
+  constexpr double kOften = 0.2;  // share of repeats, of which a sensor that holds has fewer
+  double samples = 0, repeats = 0;
   std::vector<double> steps;
   for (const Experiment& experiment : experiments) {
     double last = std::numeric_limits<double>::quiet_NaN();
     for (int t = 1; t < experiment.samples(); ++t) {
+      ++samples;
       if (!isHeld(experiment, t, low, high)) continue;
+      ++repeats;
       if (experiment.y[t] != last && std::isfinite(last))
         steps.push_back(std::abs(experiment.y[t] - last));
       last = experiment.y[t];
     }
   }
-  if (steps.size() < kFewestRepeats) return false;
+  if (steps.size() < kFewestRepeats || repeats < kOften * samples) return false;
   std::sort(steps.begin(), steps.end());
   const double step = steps[steps.size() / 10];  // a few others are filtered, too
   const auto whole = std::count_if(steps.begin(), steps.end(), [step](double each) {

@@ -24,7 +24,11 @@ struct Simulated {
 
 Simulated simulatedBy(const Explanation& explanation) {
   Simulated simulated;
+  const std::optional<double> own = explanation.held_out.empty()
+                                        ? explanation.before.simulation_fit_percent
+                                        : explanation.held_out_fit;
   simulated.fit = explanation.simulation.fit_after;
+  if (!std::isfinite(simulated.fit) && own) simulated.fit = *own;
   for (const Cause& cause : explanation.causes) {
     if (!cause.gain || !std::isfinite(cause.gain->nrmse_fit_percent.after)) continue;
     simulated.fit = cause.gain->nrmse_fit_percent.after;
@@ -53,7 +57,7 @@ std::string lossOnHeldOut(const Explanation& explanation) {
                        simulation.held_out_error_ratio);
   const std::optional<double> own = explanation.before.simulation_fit_percent,
                               held_out = explanation.held_out_fit;
-  if (!simulation.preparation.empty() || !own || !held_out || *held_out >= kWell) return "";
+  if (!own || !held_out || *held_out >= kWell) return "";
   const double ratio = (100 - *held_out) / std::max(100 - *own, 1e-6);
   return ratio > kManyTimes ? lossInWords("the model simulates", *held_out, ratio) : "";
 }
@@ -131,14 +135,14 @@ void withdraw(const std::string& lacks, bool is_worse_than_constant, Explanation
 }
 
 /// Says how well the model simulates with which nothing is wrong: what the noise hides is not seen.
-void tellFit(const Simulated& simulated, Explanation* explanation) {
-  const bool is_of_windows = std::isfinite(simulated.fit);
-  const std::optional<double> own = explanation->before.simulation_fit_percent;
-  if (!is_of_windows && !own) return;
-  const bool was_held_out = is_of_windows && !explanation->held_out.empty();
-  explanation->message += ". Its simulation fits " +
-                          std::string(was_held_out ? "held-out data" : "the data") + " by " +
-                          rounded(is_of_windows ? simulated.fit : *own) + " %";
+void tellFit(Explanation* explanation) {
+  const bool was_held_out = explanation->held_out_fit.has_value();
+  const std::optional<double> fit =
+      was_held_out ? explanation->held_out_fit : explanation->before.simulation_fit_percent;
+  if (!fit) return;
+  explanation->message += std::string(". Its simulation fits ") +
+                          (was_held_out ? "held-out data" : "the data") + " by " + rounded(*fit) +
+                          " %";
   if (!explanation->simulation.skipped.empty())
     explanation->message +=
         "; what it lacks was not looked for (" + explanation->simulation.skipped + ")";
@@ -151,13 +155,17 @@ void warnOfPoorSimulation(Explanation* explanation) {
   const bool is_aside = std::all_of(causes.begin(), causes.end(), [](const Cause& cause) {
     return !cause.simulation && (isOfSamples(cause) || isOfResiduals(cause));
   });
-  if (explanation->verdict == Verdict::unknown) return;
   if (explanation->verdict == Verdict::partly_explained && !is_aside) return;
   const Simulated simulated = simulatedBy(*explanation);
+  if (explanation->verdict == Verdict::unknown) {
+    const std::string lacks = shortcomingWithoutStructure(*explanation, simulated);
+    if (!lacks.empty()) explanation->warnings.push_back(lacks);
+    return;
+  }
   const std::string lacks = is_aside ? shortcomingWithoutStructure(*explanation, simulated)
                                      : shortcoming(*explanation, simulated);
   if (causes.empty() || !is_aside) {
-    if (lacks.empty() && causes.empty()) tellFit(simulated, explanation);
+    if (lacks.empty() && causes.empty()) tellFit(explanation);
     if (lacks.empty()) return;
     explanation->warnings.push_back(lacks);
     if (!causes.empty()) return;

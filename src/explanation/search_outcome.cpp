@@ -143,4 +143,14 @@ SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& contex
           search.refusals()};
 }
 
+SearchOutcome* bestOf(std::vector<SearchOutcome>* outcomes, double acceptance) {
+  const auto worth = [acceptance](const SearchOutcome& of) {
+    return of.penalisedLikelihood() - acceptance * static_cast<double>(of.found.causes.size());
+  };
+  return &*std::max_element(outcomes->begin(), outcomes->end(),
+                            [&](const SearchOutcome& left, const SearchOutcome& right) {
+                              return worth(left) < worth(right);
+                            });
+}
+
 }  // namespace uncertainty_identification

@@ -34,4 +34,8 @@ SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& contex
                             const std::vector<SpoiltSamples>& spoilt,
                             const std::vector<std::string>& only);
 
+/// The outcome of the highest penalised likelihood, less `acceptance` [nats] for each cause: a tie
+/// between models is no reason to name one.
+SearchOutcome* bestOf(std::vector<SearchOutcome>* outcomes, double acceptance);
+
 }  // namespace uncertainty_identification

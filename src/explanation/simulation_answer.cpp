@@ -132,8 +132,8 @@ void dropUnconfirmed(Explanation* explanation) {
   conclude(explanation, true);
 }
 
-/// [%] of fit that a linear plant reaches that was fitted to its simulation: of windows of what is
-/// held out or, where nothing is, of the experiments that it was identified from.
+/// [%] of fit without causes: of windows of what is held out, by a linear plant that was fitted to
+/// nothing but its simulation, or, where nothing is held out, by the identified model.
 std::optional<double> linearFit(const Explanation& explanation) {
   const SimulationCauses& simulation = explanation.simulation;
   if (explanation.held_out.empty()) return explanation.before.simulation_fit_percent;
@@ -141,9 +141,9 @@ std::optional<double> linearFit(const Explanation& explanation) {
   return simulation.fit_before;
 }
 
-/// The likelihood's model may simulate far worse than a linear plant, even with all causes. A cause
-/// then mends that model, and not what the plant lacks. It is dropped with what was found on top of
-/// it. Where data are held out, they show of other causes than curves whether they gain.
+/// The likelihood's model may simulate far worse than one without causes, even with all of them. A
+/// cause then mends that model, and not what the plant lacks. It is dropped with what was found on
+/// top of it. Where data are held out, they show of other causes than curves whether they gain.
 void dropWorseThanLinear(Explanation* explanation) {
   constexpr double kFarWorse = 1.5, kPoints = 10;  // of the error; [% of fit]
   const std::optional<double> linear = linearFit(*explanation);
@@ -166,9 +166,10 @@ void dropWorseThanLinear(Explanation* explanation) {
   causes.erase(rest, causes.end());
   explanation->warnings.push_back(namesOf(dropped) + ": with this the model simulates " +
                                   (in_sample ? "the experiments" : "held-out experiments") +
-                                  " by " + rounded(with) + " % only, and a linear plant " +
-                                  (in_sample ? "" : "windows of them ") + "by " + rounded(*linear) +
-                                  " %; not named");
+                                  " by " + rounded(with) + " % only, " +
+                                  (in_sample ? "and the identified one without it by "
+                                             : "and a linear plant windows of them by ") +
+                                  rounded(*linear) + " %; not named");
   if (causes.empty()) forgetModelWithCauses(explanation);
   conclude(explanation, true);
 }

@@ -1,9 +1,13 @@
 #include <cmath>
+#include <exception>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include "identification/mean_plant.h"
 #include "identification/steps.h"
 #include "math/information_criterion.h"
+#include "uncertainty_identification/errors.h"
 
 /// The model of the structure that is chosen from the data.
 namespace uncertainty_identification {
@@ -58,17 +62,57 @@ FittedModel fitChosen(const Configuration& asked, Orders orders, Problem* proble
   return alone;
 }
 
-double bicOf(const Problem& problem, const FittedModel& fitted) {
-  const double parameters = fitted.model->parameterCount() + 1;
-  return -2 * (fitted.optimum.log_likelihood -
-               bicPenalty(parameters, static_cast<double>(problem.data.validSamples())));
+/// What one way to choose the orders comes to, with what it wrote into the journal.
+struct Trial {
+  Problem problem;
+  std::optional<FittedModel> fitted;  ///< none where the data allow none
+  std::exception_ptr error;           ///< then why
+  std::vector<Candidate> candidates;
+  std::vector<std::string> warnings;
+};
+
+Trial tried(const Configuration& asked, Orders orders, const Problem& problem, Journal* journal) {
+  const std::vector<Candidate> candidates = journal->candidates;
+  const std::vector<std::string> warnings = journal->warnings;
+  Trial trial{problem, {}, {}, {}, {}};
+  try {
+    trial.fitted = fitChosen(asked, orders, &trial.problem, journal);
+  } catch (const DataError&) {
+    trial.error = std::current_exception();
+  }
+  trial.candidates = std::exchange(journal->candidates, candidates);
+  trial.warnings = std::exchange(journal->warnings, warnings);
+  return trial;
 }
 
-double fitOf(const Problem& problem, const FittedModel& fitted) {
+/// Infinity where the model cannot be evaluated.
+double bicOf(const Trial& trial) {
+  const std::optional<FittedPlant>& plant = trial.problem.plant;
+  const double parameters = trial.fitted->model->parameterCount() + 1 +
+                            static_cast<double>(plant ? plant->parameters.size() : 0);
+  const auto samples = static_cast<double>(trial.problem.data.validSamples());
+  const double bic = 2 * (bicPenalty(parameters, samples) - trial.fitted->optimum.log_likelihood);
+  return std::isfinite(bic) ? bic : std::numeric_limits<double>::infinity();
+}
+
+/// [%] of the record.
+double fitOf(const Trial& trial) {
+  const FittedModel& fitted = *trial.fitted;
   const ModelParameters& point = fitted.optimum.point;
-  return meanPlantFit(*fitted.model, point, offsetOf(problem, *fitted.model, point),
-                      problem.configuration.estimation, problem.data.experiments)
+  return meanPlantFit(*fitted.model, point, offsetOf(trial.problem, *fitted.model, point),
+                      trial.problem.configuration.estimation, trial.problem.data.experiments)
       .pooled;
+}
+
+/// The one of less BIC, unless it simulates worse: a noise model may describe what a plant lacks,
+/// at a high likelihood.
+Trial& better(Trial& one, Trial& other) {
+  constexpr double kHardlyWorse = 3;  // [% of fit]
+  if (!one.fitted || !other.fitted) return one.fitted ? one : other;
+  Trial& likelier = bicOf(one) <= bicOf(other) ? one : other;
+  Trial& second = &likelier == &one ? other : one;
+  const bool simulates = fitOf(likelier) > fitOf(second) - kHardlyWorse;
+  return simulates || std::isinf(bicOf(second)) ? likelier : second;
 }
 
 }  // namespace
@@ -80,26 +124,20 @@ void adopt(const ModelChoice& choice, Problem* problem) {
 }
 
 FittedModel fitChosen(const Configuration& asked, Problem* problem, Journal* journal) {
-  constexpr double kHardlyWorse = 3;  // [% of fit]
-  if (problem->data.count() > 1 || !asked.nominal_model.orders_auto)
+  const bool is_free =
+      asked.nominal_model.orders_auto && asked.nominal_model.fit == PlantFit::likelihood;
+  if (problem->data.count() > 1 || !is_free)
     return fitChosen(asked, Orders::of_simulation, problem, journal);
-  Problem other = *problem;
-  const std::vector<Candidate> candidates = journal->candidates;
-  const std::vector<std::string> warnings = journal->warnings;
-  FittedModel jointly = fitChosen(asked, Orders::of_likelihood, problem, journal);
-  if (journal->progress.searchEnds()) return jointly;
-  std::vector<Candidate> of_joint = std::exchange(journal->candidates, candidates);
-  std::vector<std::string> warned = std::exchange(journal->warnings, warnings);
-  FittedModel simulated = fitChosen(asked, Orders::of_simulation, &other, journal);
-  // A noise model may describe what a plant lacks, at a high likelihood.
-  if (bicOf(other, simulated) < bicOf(*problem, jointly) &&
-      fitOf(other, simulated) > fitOf(*problem, jointly) - kHardlyWorse) {
-    takeOver(other, problem);
-    return simulated;
-  }
-  journal->candidates = std::move(of_joint);
-  journal->warnings = std::move(warned);
-  return jointly;
+  Trial jointly = tried(asked, Orders::of_likelihood, *problem, journal);
+  const bool is_hurried = jointly.fitted && journal->progress.searchEnds();
+  Trial simulated = is_hurried ? Trial{*problem, {}, {}, {}, {}}
+                               : tried(asked, Orders::of_simulation, *problem, journal);
+  Trial& chosen = better(jointly, simulated);
+  if (!chosen.fitted) std::rethrow_exception(chosen.error);
+  takeOver(chosen.problem, problem);
+  journal->candidates = std::move(chosen.candidates);
+  journal->warnings = std::move(chosen.warnings);
+  return std::move(*chosen.fitted);
 }
 
 }  // namespace uncertainty_identification

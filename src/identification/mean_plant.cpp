@@ -101,12 +101,12 @@ bool simulatesAsWellAsAlone(const Problem& whole, const LinearModel& model,
   data.blocks = makeBlocks(data.experiments);
   const Problem problem{data, {}, nullptr, whole.configuration, {}, {}};
   const FittedPlant joint = plantOf(model, point);
-  const std::optional<FittedPlant> plant = aloneOfSameSize(problem, joint.polynomials, journal);
   const SimulationFit jointly = fitOf(problem, meanPlant(model, point), joint.offset);
   const SimulationFit chosen = fitOf(problem, chosen_alone.polynomials, chosen_alone.offset);
   if (jointly.pooled >= chosen.pooled) return true;
-  return jointly.pooled > chosen.pooled - kMuch &&
-         (!plant || !simulatesWorse(jointly, fitOf(problem, plant->polynomials, plant->offset)));
+  if (!(jointly.pooled > chosen.pooled - kMuch)) return false;
+  const std::optional<FittedPlant> plant = aloneOfSameSize(problem, joint.polynomials, journal);
+  return !plant || !simulatesWorse(jointly, fitOf(problem, plant->polynomials, plant->offset));
 }
 
 bool simulatesByOwnPlants(const Problem& problem, const FittedModel& fitted,

@@ -17,11 +17,11 @@ inline Polynomials meanPlant(const StructureFit& fit) { return meanPlant(*fit.mo
 /// both sides: it then stands for something else.
 bool plantsExist(const StructureFit& fit);
 
-/// Whether the mean plant simulates the data as well as Go of the same orders that is fitted to
-/// nothing else, and not much worse than `chosen_alone`, Go of the orders that simulate best. It
-/// does not where the plant is not linear, and the likelihood accepts a worse simulation for a
-/// better prediction. Where plants differ, the best simulation of these few leads to another Go
-/// than the mean of the plants; it is then better in some experiments only.
+/// Whether the mean plant simulates the data as well as `chosen_alone`, Go of the orders that
+/// simulate best, or as Go of its own orders that is fitted to nothing else, and then not much
+/// worse than `chosen_alone`. It does not where the plant is not linear, and the likelihood accepts
+/// a worse simulation for a better prediction. Where plants differ, the best simulation of these
+/// few leads to another Go than the mean of the plants; it is then better in some experiments only.
 bool simulatesAsWellAsAlone(const Problem& problem, const LinearModel& model,
                             const ModelParameters& point, const FittedPlant& chosen_alone,
                             Journal* journal);

@@ -162,9 +162,9 @@ Trust trustOf(const FittedModel& fitted, const Estimate& estimate);
 /// be too short for its slowest time constant.
 Trust trustOfLength(Trust trust, const Eigen::VectorXd& a, int longest);
 
-/// The same for orders that were chosen among `candidates`, for a plant with that many poles whose
-/// simulation fits its own experiments by `fit` [%]: with as many, parts that were held out may
-/// have been simulated far worse.
+/// The same for orders that were chosen among `candidates` by simulation and kept, for a plant with
+/// that many poles whose simulation fits its own experiments by `fit` [%]: parts that were held out
+/// may have been simulated far worse.
 Trust trustOfOrders(Trust trust, const std::vector<Candidate>& candidates, long poles,
                     std::optional<double> fit);
 

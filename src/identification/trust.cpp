@@ -136,7 +136,7 @@ Trust trustOfOrders(Trust trust, const std::vector<Candidate>& candidates, long 
                     std::optional<double> fit) {
   const std::string of_order = " na=" + std::to_string(poles) + " ";
   for (const Candidate& candidate : candidates) {
-    if (!fit || candidate.choice != "orders" || !candidate.validation_fit ||
+    if (!fit || candidate.choice != "orders" || !candidate.chosen || !candidate.validation_fit ||
         candidate.description.find(of_order) == std::string::npos ||
         !isFarWorse(*candidate.validation_fit, *fit))
       continue;
@@ -195,7 +195,7 @@ Trust trustAfterValidation(Trust trust, const Validation& validation, std::optio
         "the validation experiments are simulated far worse (fit " + number(held_out) +
         " %) than those fitted to (" + number(*fit) +
         " %): they differ by more than the model knows, or the plant is not linear; explain tells "
-        "how they differ");
+        "whether by gain, offset or dead time");
   trust.trusted = trust.reasons.empty();
   return trust;
 }

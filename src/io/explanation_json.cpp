@@ -168,7 +168,7 @@ void bind(Archive& archive, Explanation& explanation) {
   archive("candidates", explanation.candidates);
   archive("warnings", explanation.warnings);
   archive("held_out", explanation.held_out);
-  archive.ifThere("held_out_fit", explanation.held_out_fit);
+  archive("held_out_fit", explanation.held_out_fit);
   archive("residuals_before", explanation.residual_before);
   archive("residuals_after", explanation.residual_after);
   archive("pictures", explanation.pictures);

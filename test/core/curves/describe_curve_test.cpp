@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "curves/shape.h"
 
@@ -92,6 +93,37 @@ TEST(DescribeCurve, TellsAnActuatorsLimitInUnitsOfItsInput) {
   // What enters a sensor is simulated by a plant whose gain belongs to the mean slope, 0.6875 here
   // (integrals over -4 ... 4 of z min(|z|, 2) sign(z) and of z^2), and read back by 1 / 0.6875.
   EXPECT_NEAR(limitAt(Place::sensor).values[0].value, 10 / 0.6875, 0.1);  // 100 points: 1 %
+}
+
+// Readings from 0 to 10 of what goes from 0 to 14, clipped at 10. The linear plant simulates the
+// straight line through them; its mean and deviation are those of the readings.
+TEST(DescribeCurve, TellsALimitOfOneSideAsTheSensorReadsIt) {
+  const Eigen::ArrayXd truth = Eigen::ArrayXd::LinSpaced(1001, 0, 14), read = truth.min(10.0);
+  SimulationData data;
+  data.scales.y.offset = read.mean();
+  data.scales.y.unit = std::sqrt((read - read.mean()).square().mean());
+  const Eigen::ArrayXd centred = truth - truth.mean();
+  const double slope = (centred * read).sum() / centred.square().sum();
+  // Scaled so that it has the readings' slope; counted from the readings' mean.
+  const Eigen::VectorXd z = slope * centred / data.scales.y.unit;
+  const double zero = data.scales.y.zero();
+  // Where the truth is 10, z + zero is the limit.
+  const double limit = slope * (10 - truth.mean()) / data.scales.y.unit + zero;
+  WindowFit fit;
+  for (const Shape* shape : shapesAt(Place::sensor))
+    if (shape->name == "saturation") fit.model.curves = {Curve(Place::sensor, shape, z, zero)};
+  fit.model.theta.resize(4);
+  fit.model.theta << -0.8, 0.2, 0, limit;
+  fit.covariance = 1e-4 * Eigen::MatrixXd::Identity(4, 4);
+  FoundCurve found;
+  found.place.place = Place::sensor;
+  found.shape = "saturation";
+  const SimulationCause cause = describeCurve(found, fit, data);
+  ASSERT_EQ(cause.values.size(), 1u);
+  // The curve is normalised by a hundred quantiles from 0.2 to 99.8 %.
+  EXPECT_NEAR(cause.values[0].value, 10, 0.05);
+  EXPECT_NEAR(cause.curve.value.back(), cause.values[0].value, 1e-9);
+  EXPECT_NEAR(cause.curve.signal.front(), cause.curve.value.front(), 1e-9) << "slope one below it";
 }
 
 TEST(DescribeCurve, TellsNoLimitThatTheSignalNeverReached) {

@@ -1,7 +1,7 @@
 // Records of which each is a single step: too few for curves, enough to compare.
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "curves/explain_simulation.h"

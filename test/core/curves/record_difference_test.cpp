@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "support/mentions.h"
@@ -71,6 +72,35 @@ TEST(RecordDifference, IsADelayInSeconds) {
   EXPECT_EQ(found->value, 1.5);
   EXPECT_TRUE(test::mentions(inWords(*found, "run_4"), "'run_4' was not fitted to"));
   EXPECT_TRUE(test::mentions(inWords(*found, "run_4"), "acts 1.5 s later"));
+}
+
+TEST(RecordDifference, OfAPlantThatAnswersAtOnceIsTheShiftOfItsOutput) {
+  CurveModel direct;
+  direct.direct = true;
+  direct.theta = Eigen::Vector4d(0, 0, 1, 0);  // y = u
+  SimulationData data = record(1, 0, 0);
+  for (SimulationWindow& window : data.windows) window.y = window.u.array() + 2;
+  const auto found = differenceOf(data, direct);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->in, RecordDifference::In::offset);
+  EXPECT_NEAR(found->value, 40, 0.1) << "2 standard deviations of 20";
+}
+
+TEST(RecordDifference, IgnoresWhatWasNotMeasuredAndTellsOfTheWorstRecord) {
+  SimulationData data = record(2.5, 1, 0);
+  SimulationData longer = record(1, 1, 0);  // less wrong, and more of it
+  for (SimulationWindow& window : data.windows) {
+    window.record = 7;
+    window.y.segment(60, 20).setConstant(1e3);
+    window.measured.segment(60, 20).setZero();
+  }
+  for (int k = 0; k < 20; ++k)
+    data.windows.insert(data.windows.end(), longer.windows.begin(), longer.windows.end());
+  const auto found = differenceOf(data, lag());
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->record, 7);
+  EXPECT_EQ(found->in, RecordDifference::In::gain);
+  EXPECT_NEAR(found->value, 2.5, 0.02);
 }
 
 TEST(RecordDifference, IsNoneWhereTheRecordIsLikeTheOthersOrDiffersInMore) {

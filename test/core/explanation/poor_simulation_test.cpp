@@ -30,7 +30,28 @@ TEST(PoorSimulation, NothingIsNotSaidWhereTheModelSimulatesHeldOutDataFarWorse) 
   EXPECT_EQ(answered(70).verdict, Verdict::none);
 }
 
+TEST(PoorSimulation, TheModelIsAskedAlsoWhereALinearPlantSimulatesWindowsWell) {
+  Explanation explanation = answered(95);
+  explanation.simulation.skipped.clear();
+  explanation.simulation.preparation = "2 records, simulated in 8 windows";
+  explanation.simulation.fit_before = explanation.simulation.fit_after = 96;
+  explanation.simulation.held_out_error_ratio = 1;
+  explanation.held_out_fit = 20;
+  warnOfPoorSimulation(&explanation);
+  EXPECT_EQ(explanation.verdict, Verdict::unknown) << explanation.message;
+}
+
+TEST(PoorSimulation, AModelThatAConstantBeatsIsUnknownWithoutASearch) {
+  Explanation explanation;
+  explanation.verdict = Verdict::none;
+  explanation.simulation.skipped = "fewer than 200 samples";
+  explanation.before.simulation_fit_percent = -5;
+  warnOfPoorSimulation(&explanation);
+  EXPECT_EQ(explanation.verdict, Verdict::unknown) << explanation.message;
+}
+
 TEST(PoorSimulation, NothingIsSaidWithTheFitAndWithWhatWasNotLookedFor) {
+  EXPECT_TRUE(test::mentions(answered(95).message, "Its simulation fits held-out data by 95 %"));
   const Explanation found = answered({});
   EXPECT_EQ(found.verdict, Verdict::none);
   EXPECT_TRUE(test::mentions(found.message,

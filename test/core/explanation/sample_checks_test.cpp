@@ -227,6 +227,8 @@ TEST(SampleChecks, ASlowSignalInCoarseStepsIsNoSensorThatHolds) {
   EXPECT_TRUE(checkSamples({oven}).empty());
   for (int t = 0; t < 500; ++t) oven.y[t] = temperature(t % 10 == 9 ? t - 1 : t);
   EXPECT_EQ(checkSamples({oven}).size(), 1u) << "a fine sensor that holds one reading in ten";
+  for (int t = 0; t < 500; ++t) oven.y[t] = 0.1234567 * (t % 10 == 9 ? t - 1 : t);
+  EXPECT_EQ(checkSamples({oven}).size(), 1u) << "the same of a ramp, whose steps are all alike";
 }
 
 TEST(SampleChecks, OfARestBeforeTheTestThreeSamplesStay) {
