@@ -216,16 +216,22 @@ TEST(SampleChecks, AMachineThatStandsStillIsNoSensorThatHolds) {
   EXPECT_EQ(found[0].trait, Trait::held_samples);
 }
 
-// An oven that warms up, read in steps of 0.25 degrees, and a filter in the logger that puts
-// another value between two of them.
+// An oven that warms up, read in steps of 0.25 degrees; the logger averages eight readings, so that
+// many of its values are no multiples of the steps.
 TEST(SampleChecks, ASlowSignalInCoarseStepsIsNoSensorThatHolds) {
+  std::mt19937_64 engine(3);
+  std::normal_distribution<double> noise(0, 0.02);
   Experiment oven;
   oven.u = oven.y = Eigen::VectorXd::Ones(500);
-  const auto temperature = [](int t) { return 200 * (1 - std::exp(-t / 250.0)); };
-  const auto read = [&](int t) { return 0.25 * std::floor(temperature(t) / 0.25); };
-  for (int t = 0; t < 500; ++t) oven.y[t] = read(t) - 0.12 * (read(t) - read(t - 1));
+  for (int t = 0; t < 500; ++t) {
+    double sum = 0;
+    for (int k = 0; k < 8; ++k)
+      sum += 0.25 * std::floor((200 + 0.08 * (t + k / 8.0) + noise(engine)) / 0.25);
+    oven.y[t] = sum / 8;
+  }
   EXPECT_TRUE(checkSamples({oven}).empty());
-  for (int t = 0; t < 500; ++t) oven.y[t] = temperature(t % 10 == 9 ? t - 1 : t);
+  for (int t = 0; t < 500; ++t)
+    oven.y[t] = 200 * (1 - std::exp(-(t % 10 == 9 ? t - 1 : t) / 250.0));
   EXPECT_EQ(checkSamples({oven}).size(), 1u) << "a fine sensor that holds one reading in ten";
   for (int t = 0; t < 500; ++t) oven.y[t] = 0.1234567 * (t % 10 == 9 ? t - 1 : t);
   EXPECT_EQ(checkSamples({oven}).size(), 1u) << "the same of a ramp, whose steps are all alike";
