@@ -143,11 +143,11 @@ Eigen::MatrixXd slopesOf(const Function& of, const Eigen::VectorXd& parameters) 
 std::vector<ShapeValue> valuesOf(const Curve& curve, const Eigen::VectorXd& parameters,
                                  const Eigen::MatrixXd& covariance, const Scale& signal,
                                  double value_unit) {
-  const auto drawn = [&](const Eigen::VectorXd& of) {
+  const auto in_units = [&](const Eigen::VectorXd& of) {
     return inUnits(curve, of, signal, value_unit);
   };
-  const Eigen::VectorXd values = drawn(parameters);
-  const Eigen::MatrixXd slopes = slopesOf(drawn, parameters);
+  const Eigen::VectorXd values = in_units(parameters);
+  const Eigen::MatrixXd slopes = slopesOf(in_units, parameters);
   const Eigen::MatrixXd spread = slopes * covariance * slopes.transpose();
   std::vector<ShapeValue> all;
   const Shape& shape = *curve.shape();
@@ -170,13 +170,13 @@ CurvePicture pictureOf(const Curve& curve, const Eigen::VectorXd& parameters,
   const Eigen::VectorXd& samples = curve.samples();
   const Eigen::VectorXd z =
       Eigen::VectorXd::LinSpaced(kPoints, samples[0], samples[samples.size() - 1]);
-  const bool is_whole = isCharacteristic(at.place);
+  const bool is_characteristic = isCharacteristic(at.place);
   const auto drawn = [&](const Eigen::VectorXd& of) {
-    return is_whole ? curve.characteristic(z, of) : curve.at(z, of);
+    return is_characteristic ? curve.characteristic(z, of) : curve.at(z, of);
   };
   const Eigen::VectorXd value = drawn(parameters);
   const Eigen::MatrixXd slopes = slopesOf(drawn, parameters);
-  const double offset = is_whole ? signal.offset : 0;
+  const double offset = is_characteristic ? signal.offset : 0;
   for (int k = 0; k < kPoints; ++k) {
     const double deviation =
         std::sqrt(std::max(slopes.row(k).dot(covariance * slopes.row(k).transpose()), 0.0));

@@ -54,7 +54,7 @@ class Explaining {
   SearchOutcome bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt);
   FitContext context(const Estimate& estimate);
   Cause described(const FoundCause& found, const SearchState& state) const;
-  void describeModels(const SearchState& base, const SearchState& found);
+  std::string describeModels(const SearchState& base, const SearchState& found);
   void describe(const SearchState& base, const SearchState& found);
 
   Configuration configuration_;
@@ -230,7 +230,8 @@ Cause Explaining::described(const FoundCause& found, const SearchState& state) c
   return cause;
 }
 
-void Explaining::describeModels(const SearchState& base, const SearchState& found) {
+/// Returns a remark on the model with causes; empty: none.
+std::string Explaining::describeModels(const SearchState& base, const SearchState& found) {
   constexpr int kHurried = 10;  // iterations, once the time has run out
   const bool extended = !found.fit.model->effects().empty() ||
                         found.fit.at.mixture.components() != base.fit.at.mixture.components();
@@ -240,19 +241,19 @@ void Explaining::describeModels(const SearchState& base, const SearchState& foun
                        progress_.outOfTime() ? kHurried : configuration_.estimation.max_iterations)
           : explanation_.before;
   const double lost = found.fit.log_likelihood - explanation_.after.log_likelihood;
-  if (extended && lost > 1)
-    explanation_.warnings.push_back("the model that is saved was optimised again and ends " +
-                                    rounded(lost) +
-                                    " nats below the model that the causes were found with");
   explanation_.before.configuration.limits = explanation_.after.configuration.limits = limits_;
   explanation_.residual_before = residualPicture(base.fit, base.train);
   explanation_.residual_after = residualPicture(found.fit, found.train);
   explanation_.pictures = picturesOf(base.fit, found.fit, found.held);
+  return extended && lost > 1
+             ? "the model that is saved was optimised again and ends " + rounded(lost) +
+                   " nats below the model that the causes were found with"
+             : "";
 }
 
 void Explaining::describe(const SearchState& base, const SearchState& found) {
   progress_.report("describing", 0.9, found.fit.log_likelihood);
-  describeModels(base, found);
+  const std::string remark = describeModels(base, found);
   explanation_.checks_after = checkResiduals(found.fit, found.train, found.heavy_tails);
   addFailedPredictions(&explanation_);
   const bool passed = allPassed(explanation_.checks_after);
@@ -267,6 +268,7 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
   const bool withheld = explanation_.causes.size() < found.causes.size();
   const bool none_named = withheld && explanation_.causes.empty();
   if (none_named) forgetModelWithCauses(&explanation_);
+  if (!none_named && !remark.empty()) explanation_.warnings.push_back(remark);
   addFailedParsimony(base, none_named ? base : found, &explanation_);
   explanation_.termination =
       progress_.outOfTime() ? Termination::iteration_limit : Termination::converged;

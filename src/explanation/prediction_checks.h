@@ -4,9 +4,8 @@
 
 namespace uncertainty_identification {
 
-/// Adds the tests that `identify` makes of its residuals, those of predicting each output from what
-/// was measured before, to the checks without and with the causes: those that one of the two models
-/// fails. Its residuals hold what the noise model would otherwise describe.
+/// `identify` tests the errors of predicting each output from all that was measured before it. Adds
+/// its tests to the checks without and with the causes where one of the two models fails them.
 void addFailedPredictions(Explanation* explanation);
 
 }  // namespace uncertainty_identification

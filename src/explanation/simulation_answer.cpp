@@ -134,7 +134,7 @@ void dropUnconfirmed(Explanation* explanation) {
 
 /// [%] of fit without causes: of windows of what is held out, by a linear plant that was fitted to
 /// nothing but its simulation, or, where nothing is held out, by the identified model.
-std::optional<double> linearFit(const Explanation& explanation) {
+std::optional<double> fitWithoutCauses(const Explanation& explanation) {
   const SimulationCauses& simulation = explanation.simulation;
   if (explanation.held_out.empty()) return explanation.before.simulation_fit_percent;
   if (simulation.preparation.empty() || simulation.ended_early) return std::nullopt;
@@ -144,17 +144,17 @@ std::optional<double> linearFit(const Explanation& explanation) {
 /// The likelihood's model may simulate far worse than one without causes, even with all of them. A
 /// cause then mends that model, and not what the plant lacks. It is dropped with what was found on
 /// top of it. Where data are held out, they show of other causes than curves whether they gain.
-void dropWorseThanLinear(Explanation* explanation) {
+void dropCausesThatSimulateWorse(Explanation* explanation) {
   constexpr double kFarWorse = 1.5, kPoints = 10;  // of the error; [% of fit]
-  const std::optional<double> linear = linearFit(*explanation);
+  const std::optional<double> fit_without = fitWithoutCauses(*explanation);
   std::vector<Cause>& causes = explanation->causes;
   const auto is_worse = [&](const Cause& cause) {
-    const double with = 100 - cause.gain->nrmse_fit_percent.after, without = 100 - *linear;
+    const double with = 100 - cause.gain->nrmse_fit_percent.after, without = 100 - *fit_without;
     return with > kFarWorse * without && with > without + kPoints;
   };
   const auto counts = [](const Cause& cause) { return isStructural(cause) && cause.gain; };
   const auto last = std::find_if(causes.rbegin(), causes.rend(), counts);
-  if (!linear || last == causes.rend() || !is_worse(*last)) return;
+  if (!fit_without || last == causes.rend() || !is_worse(*last)) return;
   const double with = last->gain->nrmse_fit_percent.after;
   const bool in_sample = explanation->held_out.empty();
   const auto first = std::find_if(causes.begin(), causes.end(), [&](const Cause& cause) {
@@ -169,7 +169,7 @@ void dropWorseThanLinear(Explanation* explanation) {
                                   " by " + rounded(with) + " % only, " +
                                   (in_sample ? "and the identified one without it by "
                                              : "and a linear plant windows of them by ") +
-                                  rounded(*linear) + " %; not named");
+                                  rounded(*fit_without) + " %; not named");
   if (causes.empty()) forgetModelWithCauses(explanation);
   conclude(explanation, true);
 }
@@ -254,7 +254,7 @@ void joinSimulation(Explanation* explanation) {
   if (!explanation->simulation.difference.empty())
     explanation->warnings.push_back(explanation->simulation.difference);
   if (explanation->simulation.skipped.empty()) joinCurves(explanation);
-  if (explanation->simulation.causes.empty()) dropWorseThanLinear(explanation);
+  if (explanation->simulation.causes.empty()) dropCausesThatSimulateWorse(explanation);
   dropUnverified(explanation);
   warnOfPoorSimulation(explanation);
 }
