@@ -26,6 +26,7 @@
 #include "explanation/verdict.h"
 #include "explanation/warnings.h"
 #include "explanation/wording.h"
+#include "inspection/closed_loop.h"
 #include "math/interruption.h"
 #include "model/sensitivity.h"
 #include "uncertainty_identification/errors.h"
@@ -61,6 +62,7 @@ class Explaining {
   const LimitOptions limits_ = configuration_.limits;
   bool orders_are_chosen_;  ///< and not stated, whatever becomes of configuration_
   SearchProgress& progress_;
+  Following following_;                      ///< of the signals that the model is fitted to
   std::vector<std::string> leading_curves_;  ///< the only effects that the likelihood tries, if any
   std::string thinning_, simplification_;    ///< of long records and orders, as warnings tell them
   std::mutex sharing_;                       // guards share_searched_, which any thread sets
@@ -195,16 +197,14 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   requireKnown(configuration_.explanation.exclude, experiments);
   Split data = split(configuration_, experiments, validation);
   const std::vector<RejectedExperiment> rejected = leaveOutUnusable(configuration_, &data);
+  following_ = followingOf(data.train);
   searchSimulation(data);
   leading_curves_ = leadingCurves(explanation_.simulation);
   if (configuration_.explanation.time_limit > 0) thinning_ = thinLongRecords(&data);
   if (!thinning_.empty()) configuration_.sample_time = 0;
   const std::vector<SpoiltSamples> spoilt = maskSpoilt(&data);
   const SearchOutcome best = bestOutcome(data, spoilt);
-  if (data.fitted_to)
-    explanation_.warnings.push_back(kNothingHeldOut);
-  else
-    describeHeldOut(best.base, &explanation_);
+  describeHeldOut(best.base, &explanation_);
   explanation_.before = best.estimate;
   explanation_.before.rejected = rejected;
   explanation_.checks_before =
@@ -256,6 +256,7 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
   const std::string remark = describeModels(base, found);
   explanation_.checks_after = checkResiduals(found.fit, found.train, found.heavy_tails);
   addFailedPredictions(&explanation_);
+  addUnclearDirection(following_, orders_are_chosen_, &explanation_);
   const bool passed = allPassed(explanation_.checks_after);
   for (const FoundCause& cause : found.causes) {
     if (cause.effect->has(Trait::feedback)) explanation_.warnings.push_back(kFeedback);

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "explanation/refine.h"
+#include "explanation/warnings.h"
+#include "explanation/warnings.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -82,6 +84,10 @@ void remeasureGains(const SearchState& base, const FitContext& context, SearchSt
 }
 
 void describeHeldOut(const SearchState& base, Explanation* explanation) {
+  if (base.fitted_to) {
+    explanation->warnings.push_back(kNothingHeldOut);
+    return;
+  }
   for (const Experiment& experiment : base.held.experiments())
     explanation->held_out.push_back(experiment.id);
   const double fit = heldOut(base.fit, base.held).nrmse_fit_percent;

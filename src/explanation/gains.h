@@ -20,7 +20,8 @@ PairedGains distributionGains(const SearchState& state, DistributionFamily famil
 /// chain of signals are left as they are.
 void remeasureGains(const SearchState& base, const FitContext& context, SearchState* found);
 
-/// Tells which experiments are held out, and how well the model without causes simulates them.
+/// Tells which experiments are held out, and how well the model without causes simulates them; a
+/// warning where none could be.
 void describeHeldOut(const SearchState& base, Explanation* explanation);
 
 }  // namespace uncertainty_identification

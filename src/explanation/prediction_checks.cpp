@@ -1,6 +1,7 @@
 #include "explanation/prediction_checks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,22 @@ void addFailedPredictions(Explanation* explanation) {
     explanation->checks_before.push_back(without);
     explanation->checks_after.push_back(with);
   }
+}
+
+void addUnclearDirection(const Following& following, bool delay_is_chosen,
+                         Explanation* explanation) {
+  const int delay = explanation->before.nominal_model.delay;
+  const bool is_unclear =
+      delay > 0 ? following.at_once.matters() : delay_is_chosen && following.moveTogether();
+  if (!is_unclear) return;
+  Check check;
+  check.name = "direction";
+  check.statistic = following.at_once.correlation;
+  check.p_value = following.at_once.matters() ? following.at_once.p_value : std::nan("");
+  check.passed = false;
+  check.where = "input and output move within the same reading";
+  explanation->checks_before.push_back(check);
+  explanation->checks_after.push_back(check);
 }
 
 }  // namespace uncertainty_identification

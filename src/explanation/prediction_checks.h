@@ -1,5 +1,6 @@
 #pragma once
 
+#include "inspection/following.h"
 #include "uncertainty_identification/explanation/explanation.h"
 
 namespace uncertainty_identification {
@@ -7,5 +8,10 @@ namespace uncertainty_identification {
 /// `identify` tests the errors of predicting each output from all that was measured before it. Adds
 /// its tests to the checks without and with the causes where one of the two models fails them.
 void addFailedPredictions(Explanation* explanation);
+
+/// Adds the check "direction" where the input may as well be computed from the output as the other
+/// way round, and the data, not the user, say when the model answers.
+void addUnclearDirection(const Following& following, bool delay_is_chosen,
+                         Explanation* explanation);
 
 }  // namespace uncertainty_identification

@@ -60,6 +60,15 @@ std::string ofNoiseAlone(const std::string& failed) {
          failed;
 }
 
+std::string ofUnclearDirection() {
+  return "the input and the output move within the same reading, so that the data do not show "
+         "which "
+         "causes the other: where a controller computes the input from the output, the model is "
+         "the "
+         "inverse of the controller. If the output really answers at once, state nominal_model: "
+         "{delay: 0} and the orders; otherwise record an input that does not depend on the output";
+}
+
 std::string joined(const std::string& list, const std::string& name) {
   return list.empty() ? name : list + ", " + name;
 }
@@ -148,8 +157,10 @@ void conclude(Explanation* explanation, bool withheld) {
     return;
   }
   const bool ended_early = explanation->termination == Termination::iteration_limit;
-  if (explanation->verdict == Verdict::unknown && !withheld && !ended_early &&
-      isOfNoiseAlone(explanation->checks_after))
+  if (explanation->verdict == Verdict::unknown && failed == "direction")
+    explanation->message = ofUnclearDirection();
+  else if (explanation->verdict == Verdict::unknown && !withheld && !ended_early &&
+           isOfNoiseAlone(explanation->checks_after))
     explanation->message = ofNoiseAlone(failed);
   else if (explanation->verdict != Verdict::unknown || !(withheld || ended_early))
     explanation->message = messageOf(explanation->verdict, names, failed);

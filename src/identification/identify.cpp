@@ -88,7 +88,7 @@ Estimate identifyFrom(const Request& request, const std::vector<Experiment>& exp
   if (mayLackDynamics(request))
     estimate.structure_error = structureErrorOf(problem.data.experiments, estimate);
   estimate.trust = trustOfDirection(std::move(estimate.trust), data.following,
-                                    mayLackDynamics(request) && estimate.nominal_model.delay == 0);
+                                    estimate.nominal_model.delay, mayLackDynamics(request));
   estimate.trust = trustOfInputs(std::move(estimate.trust), data);
   estimate.trust = trustOfLength(std::move(estimate.trust), estimate.nominal_model.a,
                                  longestOf(data.experiments));

@@ -173,8 +173,8 @@ Trust trustOfOrders(Trust trust, const std::vector<Candidate>& candidates, long 
 Trust trustOfInputs(Trust trust, const CheckedData& data);
 
 /// The same for data in which the input may follow the output, as that of a controller does.
-/// `answers_at_once`: it was concluded from the data, not stated, that Go has no delay.
-Trust trustOfDirection(Trust trust, const Following& following, bool answers_at_once);
+/// `delay` of Go [samples], which was concluded from the data or stated.
+Trust trustOfDirection(Trust trust, const Following& following, int delay, bool delay_is_chosen);
 
 /// The same after simulating experiments that were not fitted; those that were fit by `fit` [%].
 Trust trustAfterValidation(Trust trust, const Validation& validation, std::optional<double> fit);

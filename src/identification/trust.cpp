@@ -167,12 +167,17 @@ Trust trustOfInputs(Trust trust, const CheckedData& data) {
   return trust;
 }
 
-Trust trustOfDirection(Trust trust, const Following& following, bool answers_at_once) {
+Trust trustOfDirection(Trust trust, const Following& following, int delay, bool delay_is_chosen) {
   if (following.inputFollows())
     trust.reasons.push_back(
         "the input follows the output, as in a closed loop: noise that a controller feeds back "
         "biases the model, which the bounds do not include");
-  if (answers_at_once && following.moveTogether())
+  if (delay > 0 && following.at_once.matters())
+    trust.reasons.push_back(
+        "what is new in the input and in the output appears in the same sample, although the model "
+        "answers later: a controller probably computes the input from the output, and the noise "
+        "that it feeds back biases the model");
+  if (delay == 0 && delay_is_chosen && following.moveTogether())
     trust.reasons.push_back(
         "the input and the output move within the same sample, so the data do not show which "
         "causes the other: where a controller computes the input from the output, this model is "

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "inspection/held_signal.h"
+#include "inspection/at_once.h"
+#include "inspection/common_records.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -14,57 +15,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kOrder = 10;              // [samples] of its past that predict a signal
-constexpr int kLags = 20;               // at which signals may answer
-constexpr Index kLate = 40;             // up to which lags show what chance does
-constexpr double kPerPeriod = 10;       // samples a period of the output's bandwidth
-constexpr double kMostSamples = 40000;  // of a record
-constexpr double kFewest = 5;           // times the lags, samples that correlations need
-constexpr double kMatters = 0.1;        // correlation below which nothing is concluded
+constexpr int kOrder = 10;        // [samples] of its past that predict a signal
+constexpr int kLags = 20;         // at which signals may answer
+constexpr Index kLate = 40;       // up to which lags show what chance does
+constexpr double kFewest = 5;     // times the lags, samples that correlations need
+constexpr double kMatters = 0.1;  // correlation below which nothing is concluded
 constexpr double kBeyondChance = 1.5;
 constexpr double kShareOfAnswer = 0.5;  // of the correlation the other way round
-
-/// A record of both signals on one grid.
-struct CommonRecord {
-  VectorXd u, y;
-};
-
-double periodFor(const Channel& output, double output_band) {
-  std::vector<double> periods;
-  double longest = 0;
-  for (const StampedSignal& record : output.records) {
-    if (record.stamps.size() < 2) continue;
-    const StampSummary summary = summaryOf(record.stamps);
-    periods.push_back(summary.period);
-    longest = std::max(longest, summary.end - summary.start);
-  }
-  if (periods.empty()) return 0;
-  std::sort(periods.begin(), periods.end());
-  const double own = periods[periods.size() / 2];
-  if (!(own > 0)) return 0;
-  const double by_band = output_band > 0 ? 1 / (kPerPeriod * output_band) : own;
-  const double wanted = std::min(by_band, longest / (10 * kLate));  // enough samples are left
-  const double thinning =
-      std::max(std::floor(wanted / own + 1e-9), std::ceil(longest / own / kMostSamples));
-  return own * std::max(1.0, thinning);
-}
-
-std::vector<CommonRecord> commonRecords(const Channel& input, const Channel& output,
-                                        double period) {
-  std::vector<CommonRecord> common;
-  for (std::size_t r = 0; r < std::min(input.records.size(), output.records.size()); ++r) {
-    const StampedSignal &u = input.records[r], &y = output.records[r];
-    if (u.stamps.empty() || y.stamps.empty()) continue;
-    const double start = std::max(u.stamps.front(), y.stamps.front());
-    const double end = std::min(u.stamps.back(), y.stamps.back());
-    const double count = std::min(std::floor((end - start) / period) + 1, kMostSamples);
-    if (!(count > 2 * kOrder)) continue;
-    const auto samples = static_cast<Index>(count);
-    common.push_back(
-        {heldSignal(u, start, period, samples), heldSignal(y, start, period, samples)});
-  }
-  return common;
-}
 
 /// 1, x(t - 1), ..., x(t - kOrder).
 VectorXd pastOf(const VectorXd& x, Index t) {
@@ -176,15 +133,16 @@ bool Following::inputFollows() const {
 
 bool Following::moveTogether() const {
   constexpr double kMost = 0.6;  // correlation
-  return outputFollows() && delay == 0 && after > kMost;
+  return at_once.matters() || (outputFollows() && delay == 0 && after > kMost);
 }
 
 Following followingOf(const Channel& input, const Channel& output, double output_band,
                       double period) {
   Following following;
-  following.period = period > 0 ? period : periodFor(output, output_band);
+  following.period = period > 0 ? period : periodFor(output, output_band, kLate);
   if (!(following.period > 0)) return following;
-  const std::vector<CommonRecord> records = commonRecords(input, output, following.period);
+  following.at_once = atOnceOf(input, output);
+  const std::vector<CommonRecord> records = commonRecords(input, output, following.period, kOrder);
   double samples = 0;
   for (const CommonRecord& record : records) samples += static_cast<double>(record.u.size());
   if (samples < kFewest * kLate) return following;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "inspection/at_once.h"
 #include "inspection/survey.h"
 
 namespace uncertainty_identification {
@@ -15,6 +16,7 @@ struct Following {
   double lead = 0;        ///< [s] by which that u is later
   double chance = 0;      ///< size that such a correlation reaches without any dependence
   double period = 0;      ///< [s] at which both were read; delays are multiples of it
+  AtOnce at_once;         ///< at the output's own rate; there from fewer samples than the others
 
   /// Whether y follows u, and whether u follows y, beyond chance and to an extent that matters.
   /// What the past of a signal does not predict linearly also correlates a little the wrong way

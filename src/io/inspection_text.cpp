@@ -51,7 +51,7 @@ std::string answerText(const InspectedData& data, const SignalPair& pair) {
 
 std::string loopText(const InspectedData& data, const SignalPair& pair) {
   const Following& following = pair.following;
-  if (!following.measured) return "";
+  if (!following.measured && !following.moveTogether()) return "";
   const std::string u = nameIn(data, pair.input), y = nameIn(data, pair.output);
   if (const auto warning = closedLoopWarning(following, u, y))
     return (following.before > following.after ? "Careful: " : "Closed loop: perhaps, as ") +

@@ -193,10 +193,10 @@ TEST(TrustOfDirection, NeedsAnOutputThatComesAfterTheInput) {
   following.measured = true;
   following.chance = 0.1;
   following.after = 0.9;
-  const auto reasons = [&](bool answers_at_once) {
-    return trustOfDirection({}, following, answers_at_once).reasons;
+  const auto reasons = [&](bool delay_is_chosen) {
+    return trustOfDirection({}, following, 0, delay_is_chosen).reasons;
   };
-  EXPECT_TRUE(trustOfDirection({}, following, false).trusted) << "the delay was stated";
+  EXPECT_TRUE(reasons(false).empty()) << "the delay was stated";
   ASSERT_EQ(reasons(true).size(), 1u);
   EXPECT_TRUE(test::mentions(reasons(true)[0], "the inverse of the controller"));
   following.after = 0.5;
@@ -205,8 +205,20 @@ TEST(TrustOfDirection, NeedsAnOutputThatComesAfterTheInput) {
   following.delay = 0.1;
   EXPECT_TRUE(reasons(true).empty());
   following.before = 0.6;
-  EXPECT_FALSE(trustOfDirection({}, following, false).trusted);
   EXPECT_TRUE(test::mentions(reasons(false).at(0), "closed loop"));
+}
+
+TEST(TrustOfDirection, NeedsAnInputThatIsNotComputedFromTheSameReading) {
+  Following following;
+  following.at_once.samples = 100;
+  following.at_once.correlation = -0.9;
+  EXPECT_TRUE(trustOfDirection({}, following, 0, false).trusted) << "the delay was stated";
+  EXPECT_TRUE(test::mentions(trustOfDirection({}, following, 0, true).reasons.at(0),
+                             "the inverse of the controller"));
+  EXPECT_TRUE(test::mentions(trustOfDirection({}, following, 3, true).reasons.at(0),
+                             "the model answers later"));
+  following.at_once.correlation = -0.39;
+  EXPECT_TRUE(trustOfDirection({}, following, 3, true).trusted) << "chance reaches as much";
 }
 
 /// A first-order plant in a loop: u(k) = -2 y(k) + r(k), with more noise than reference.

@@ -86,6 +86,57 @@ TEST(ClosedLoop, IsSeenWhereNoiseIsFedBack) {
   EXPECT_GE(seen, 40) << "of 200, of which many have little noise";
 }
 
+int answeringAtOnce(unsigned first, double gain, int samples) {
+  int count = 0;
+  for (unsigned seed = first; seed < first + 200; ++seed) {
+    Experiment experiment = RandomSetup(seed).simulate(gain);
+    experiment.u.conservativeResize(std::min<Eigen::Index>(samples, experiment.u.size()));
+    experiment.y.conservativeResize(experiment.u.size());
+    count += followingOf(std::vector<Experiment>{experiment}).at_once.matters() ? 1 : 0;
+  }
+  return count;
+}
+
+// The plants answer after one to five samples, whatever their excitation; the controller at once.
+// Its binary or stepping reference leaves nothing else that is new in the input.
+TEST(ClosedLoop, AControllerAnswersWithinTheReading) {
+  EXPECT_LE(answeringAtOnce(0, 0, 3000), 2) << "of 200 open loops";
+  EXPECT_LE(answeringAtOnce(200, 0, 100), 2) << "of 200 open loops with few samples";
+  EXPECT_GE(answeringAtOnce(0, 0.5, 3000), 100) << "of 200";
+  EXPECT_GE(answeringAtOnce(200, 0.5, 100), 80) << "of 200 with few samples";
+}
+
+TEST(ClosedLoop, IsTheInverseOfAControllerWhereFewSamplesShowIt) {
+  // PID control of a heater: rounded readings, no noise that a lagged correlation would see.
+  Experiment experiment;
+  experiment.sample_time = 0.25;
+  experiment.u = experiment.y = Eigen::VectorXd::Zero(126);
+  double temperature = 24.4, sum = 0, before = 24.4;
+  for (int k = 0; k < 126; ++k) {
+    experiment.y(k) = std::round(1000 * temperature) / 1000;
+    const double error = 26 - experiment.y(k);
+    sum += 0.25 * error;
+    experiment.u(k) = 20 * error + 2 * sum - 5 * (experiment.y(k) - before) / 0.25;
+    before = experiment.y(k);
+    temperature += 0.25 * (0.02 * experiment.u(k) - 0.01 * (temperature - 20));
+  }
+  const Following found = followingOf(std::vector<Experiment>{experiment});
+  EXPECT_FALSE(found.measured) << "too few samples for correlations at lags";
+  EXPECT_LT(found.at_once.correlation, -0.9);
+  EXPECT_TRUE(found.moveTogether());
+}
+
+TEST(ClosedLoop, AnInputThatSeldomMovesIsNotComputedFromTheOutput) {
+  Experiment experiment;
+  experiment.sample_time = 0.1;
+  experiment.u = experiment.y = Eigen::VectorXd::Zero(200);
+  for (int k = 0; k < 200; ++k) {
+    experiment.u(k) = (k / 20) % 2;
+    experiment.y(k) = (k > 0 ? 0.5 * experiment.y(k - 1) : 0) + experiment.u(k);
+  }
+  EXPECT_EQ(followingOf(std::vector<Experiment>{experiment}).at_once.samples, 0);
+}
+
 TEST(ClosedLoop, TellsWhatItMeansAndWhatToRecord) {
   const auto text =
       closedLoopWarning({true, 0.5, 0.2, 0.4, 0.1, 0.05, 0.1}, "the input", "the output");
