@@ -8,6 +8,17 @@
 
 namespace uncertainty_identification {
 
+namespace {
+
+/// Number of samples before the first measured one.
+int samplesBefore(const Experiment& experiment) {
+  int first = 0;
+  while (first < experiment.samples() && !experiment.isValid(first)) ++first;
+  return first;
+}
+
+}  // namespace
+
 double firstSamplesDensity(const LinearModel& model, const ModelParameters& point,
                            const std::vector<Experiment>& experiments, int threads, int* passes) {
   constexpr int kEnough = 30;       // samples, for a few initial values amid noise
@@ -19,7 +30,8 @@ double firstSamplesDensity(const LinearModel& model, const ModelParameters& poin
   std::vector<Experiment> beginnings;
   beginnings.reserve(experiments.size());
   for (const Experiment& experiment : experiments)
-    beginnings.push_back(excerpt(experiment, 0, first));
+    beginnings.push_back(
+        excerpt(experiment, 0, std::min(samplesBefore(experiment) + first, experiment.samples())));
   const std::vector<Block> blocks = makeBlocks(beginnings);
   const Likelihood likelihood(model, blocks, static_cast<int>(beginnings.size()), threads);
   const Statistics statistics = likelihood.statistics(point.parameters, false);

@@ -66,7 +66,8 @@ Moments momentsOf(const Experiment& experiment) {
 }  // namespace
 
 Eigen::VectorXd initialCoefficients(const Eigen::MatrixXd& Z, const Eigen::VectorXd& error) {
-  const Eigen::Index first = std::min<Eigen::Index>(Z.rows(), 20 + 3 * Z.cols());
+  Eigen::Index wanted = 20 + 3 * Z.cols(), first = 0;
+  for (; first < Z.rows() && wanted > 0; ++first) wanted -= Z.row(first).any() ? 1 : 0;
   return Z.topRows(first).colPivHouseholderQr().solve(error.head(first));
 }
 

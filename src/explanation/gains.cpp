@@ -5,7 +5,6 @@
 
 #include "explanation/refine.h"
 #include "explanation/warnings.h"
-#include "explanation/warnings.h"
 
 namespace uncertainty_identification {
 namespace {

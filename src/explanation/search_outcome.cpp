@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "data/unmeasured_start.h"
 #include "explanation/estimate_fit.h"
 #include "explanation/feedback_check.h"
 #include "explanation/residual_checks.h"
 #include "explanation/spectral_peaks.h"
 #include "explanation/warnings.h"
+#include "identification/steps.h"
 #include "math/information_criterion.h"
 #include "model/sensitivity.h"
 #include "uncertainty_identification/errors.h"
@@ -22,7 +25,13 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 /// The model of the estimate, optimised by the search's own fit, as the state before any cause.
 /// Throws DataError where it cannot be evaluated.
 SearchState baseOf(const Estimate& estimate, const Split& data, const FitContext& context) {
-  SearchState base{{}, FitData(usedBy(estimate, data.train)), FitData(data.held), {}, {}};
+  std::vector<Experiment> train = usedBy(estimate, data.train), held = data.held;
+  if (mayStartAnywhere(estimate.configuration.estimation, train)) {
+    std::vector<std::string> told_by_identify;
+    train = fromFirstMeasured(std::move(train), &told_by_identify);
+    held = fromFirstMeasured(std::move(held), &told_by_identify);
+  }
+  SearchState base{{}, FitData(std::move(train)), FitData(std::move(held)), {}, {}};
   base.fitted_to = data.fitted_to;
   const Fit fit = fitOf(estimate, base.train, summarise(base.train.experiments()));
   base.fit = optimise(fit, base.train, context);

@@ -2,6 +2,7 @@
 
 #include "data/experiment_checks.h"
 #include "data/thinning.h"
+#include "data/unmeasured_start.h"
 #include "identification/steps.h"
 #include "inspection/closed_loop.h"
 #include "uncertainty_identification/errors.h"
@@ -50,6 +51,8 @@ CheckedData checkData(const Configuration& configuration,
     journal->warnings.push_back(std::move(*warning));
   data.thinning = thinningOf(configuration, data.experiments);
   data.experiments = thinned(std::move(data.experiments), data.thinning);
+  if (mayStartAnywhere(configuration.estimation, data.experiments))
+    data.experiments = fromFirstMeasured(std::move(data.experiments), &journal->warnings);
   data.blocks = makeBlocks(data.experiments);
   return data;
 }

@@ -99,4 +99,14 @@ bool startAtRest(const std::vector<Experiment>& experiments, const EstimationOpt
   return some.size() >= kFewest && looksAtRest(own, options, some).value_or(false);
 }
 
+bool mayStartAnywhere(const EstimationOptions& options,
+                      const std::vector<Experiment>& experiments) {
+  if (options.initial_state != InitialState::automatic)
+    return options.initial_state == InitialState::estimate;
+  const bool all_from_first =
+      std::all_of(experiments.begin(), experiments.end(),
+                  [](const Experiment& experiment) { return experiment.isValid(0); });
+  return !all_from_first && !startAtRest(experiments, options);
+}
+
 }  // namespace uncertainty_identification

@@ -33,6 +33,10 @@ double outputVariance(const std::vector<Experiment>& experiments);
 /// than a quarter of the variance, so that it cannot tell.
 bool startAtRest(const std::vector<Experiment>& experiments, const EstimationOptions& options);
 
+/// Whether the state before the first samples is unknown, by the options or, where they leave it to
+/// the data, by startAtRest().
+bool mayStartAnywhere(const EstimationOptions& options, const std::vector<Experiment>& experiments);
+
 /// The common offset of the output with which Go simulates the data: that of the fitted plant where
 /// there is one, because noise that wanders leaves the offset beside it undetermined.
 double offsetOf(const Problem& problem, const LinearModel& model, const ModelParameters& point);

@@ -2,6 +2,7 @@
 
 #include "data/experiment_checks.h"
 #include "data/thinning.h"
+#include "data/unmeasured_start.h"
 #include "estimation/linearisation.h"
 #include "identification/mean_plant.h"
 #include "identification/steps.h"
@@ -45,6 +46,8 @@ Validation validate(const Problem& problem, const FittedModel& fitted, InitialSt
   if (used.empty())
     throw DataError("no usable experiment is left for validation:" + reasonsOf(checked.rejected));
   for (const Experiment& experiment : used) validation.experiments.push_back(experiment.id);
+  if (mayStartAnywhere(configuration.estimation, used))
+    used = fromFirstMeasured(std::move(used), &journal->warnings);
   const ModelParameters& point = fitted.optimum.point;
   const auto fitFrom = [&](InitialState start) {
     EstimationOptions options = configuration.estimation;
