@@ -1,5 +1,7 @@
 #include "explanation/doubtful_curves.h"
 
+#include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -34,6 +36,47 @@ void dropPlayOfSensorSteps(const std::vector<Experiment>& fitted, SimulationCaus
   }
 }
 
+/// Mean rate of the deviations of a signal from its mean, per sample; none where it does not move.
+std::optional<double> rateOf(const Eigen::VectorXd& signal) {
+  const Eigen::ArrayXd deviations = signal.array() - signal.mean();
+  const Eigen::Index steps = signal.size() - 1;
+  const double changes = (deviations.tail(steps) - deviations.head(steps)).square().sum();
+  if (!(changes > 0)) return {};
+  return std::sqrt(changes / deviations.square().sum());
+}
+
+/// Whether the input's frequency is another at the end of the experiments than at their beginning,
+/// as that of a sweep: of all in the same direction.
+bool areSweeps(const std::vector<Experiment>& experiments) {
+  constexpr double kFar = 2;  // ratio of the rates in the last and the first third
+  constexpr int kFewest = 30;
+  int faster = 0, slower = 0;
+  for (const Experiment& experiment : experiments) {
+    const int third = experiment.samples() / 3;
+    if (third < kFewest) return false;
+    const auto first = rateOf(experiment.u.head(third)), last = rateOf(experiment.u.tail(third));
+    if (!first || !last) return false;
+    faster += *last > kFar * *first ? 1 : 0;
+    slower += *last * kFar < *first ? 1 : 0;
+  }
+  const auto all = static_cast<int>(experiments.size());
+  return faster == all || slower == all;
+}
+
+/// A gain that changes with time, if it is the first cause, where the frequency does as well:
+/// dynamics or friction that the model lacks look the same.
+void dropTimeGainOfSweeps(const std::vector<Experiment>& fitted, SimulationCauses* simulation) {
+  if (simulation->causes.empty() || simulation->causes[0].what.place != "time_gain" ||
+      !areSweeps(fitted))
+    return;
+  refuseCurves(simulation->causes[0].what.name +
+                   ": the frequency of the input changes during the experiments as well, so that "
+                   "a gain that changes with time cannot be told from one that depends on the "
+                   "frequency, as of a pole or friction that the model lacks; excite all "
+                   "frequencies at all times",
+               simulation);
+}
+
 /// Curves with which the simulation is still far from what was measured.
 void dropOfPoorSimulation(SimulationCauses* simulation) {
   constexpr double kLeast = 60;  // [%] fit
@@ -51,6 +94,7 @@ void dropOfPoorSimulation(SimulationCauses* simulation) {
 
 void dropDoubtfulCurves(const std::vector<Experiment>& fitted, SimulationCauses* simulation) {
   dropPlayOfSensorSteps(fitted, simulation);
+  dropTimeGainOfSweeps(fitted, simulation);
   dropOfPoorSimulation(simulation);
 }
 

@@ -8,8 +8,8 @@
 namespace uncertainty_identification {
 
 /// Drops curves that do not tell the cause: a play of the output that is hardly wider than the
-/// steps in which the sensor of these experiments reads, and any with which the simulation fits by
-/// less than 60 %.
+/// steps in which the sensor of these experiments reads, a gain that changes with time in sweeps,
+/// whose frequency does as well, and any with which the simulation fits by less than 60 %.
 void dropDoubtfulCurves(const std::vector<Experiment>& fitted, SimulationCauses* simulation);
 
 }  // namespace uncertainty_identification

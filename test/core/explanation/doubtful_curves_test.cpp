@@ -61,5 +61,27 @@ TEST(DoubtfulCurves, NoCauseIsNamedWhereTheSimulationStaysPoor) {
   expectNone(remaining(50.5), "from -88 to 50.5 %, which leaves too much unexplained");
 }
 
+/// A sine whose frequency becomes `ratio` times as high.
+std::vector<Experiment> sweep(double ratio) {
+  std::vector<Experiment> experiments(1);
+  experiments[0].u = experiments[0].y = Eigen::VectorXd::Zero(300);
+  for (int t = 0; t < 300; ++t)
+    experiments[0].u[t] = experiments[0].y[t] = std::sin(0.05 * t * (1 + (ratio - 1) * t / 600));
+  return experiments;
+}
+
+TEST(DoubtfulCurves, AGainThatChangesWithTimeIsNotToldFromOneOfTheFrequency) {
+  const PlaceAndShape drift{"plant_drift", "time_gain", "exponential", ""};
+  SimulationCauses simulation = found(drift, 58, 78);
+  dropDoubtfulCurves(sweep(6), &simulation);
+  expectNone(simulation, "the frequency of the input changes during the experiments as well");
+  simulation = found(drift, 58, 78);
+  dropDoubtfulCurves(sweep(1), &simulation);
+  EXPECT_EQ(simulation.causes.size(), 1u);
+  simulation = found({"act_saturation", "input", "saturation", ""}, 58, 78);
+  dropDoubtfulCurves(sweep(6), &simulation);
+  EXPECT_EQ(simulation.causes.size(), 1u);
+}
+
 }  // namespace
 }  // namespace uncertainty_identification
