@@ -28,8 +28,10 @@ std::vector<Experiment> fromFirstMeasured(std::vector<Experiment> experiments,
     int first = 0;
     while (first < experiment.samples() && !experiment.isValid(first)) ++first;
     if (first == 0 || first == experiment.samples()) continue;
-    shortened += first * kMaterial > experiment.samples() ? 1 : 0;
-    most = std::max(most, first);
+    if (first * kMaterial > experiment.samples()) {
+      ++shortened;
+      most = std::max(most, first);
+    }
     experiment = from(first, std::move(experiment));
   }
   if (shortened > 0)

@@ -60,10 +60,10 @@ bool areSweeps(const std::vector<Experiment>& experiments) {
     slower += *last * kFar < *first ? 1 : 0;
   }
   const auto all = static_cast<int>(experiments.size());
-  return faster == all || slower == all;
+  return all > 0 && (faster == all || slower == all);
 }
 
-/// A gain that changes with time, if it is the first cause, where the frequency does as well:
+/// A gain that changes with time and what was found on top of it, where the frequency does as well:
 /// dynamics or friction that the model lacks look the same.
 void dropTimeGainOfSweeps(const std::vector<Experiment>& fitted, SimulationCauses* simulation) {
   if (simulation->causes.empty() || simulation->causes[0].what.place != "time_gain" ||

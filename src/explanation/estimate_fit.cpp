@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "data/unmeasured_start.h"
+#include "identification/steps.h"
 #include "model/fixed_plant.h"
 #include "uncertainty_identification/identifier.h"
 
@@ -19,7 +21,10 @@ std::vector<Experiment> usedBy(const Estimate& estimate, std::vector<Experiment>
     if (next == estimate.experiments.size()) break;
     if (experiment.id == estimate.experiments[next].id) used.push_back(std::move(experiment));
   }
-  return used;
+  std::vector<std::string> told_by_identify;
+  return mayStartAnywhere(estimate.configuration.estimation, used)
+             ? fromFirstMeasured(std::move(used), &told_by_identify)
+             : used;
 }
 
 namespace {

@@ -9,8 +9,9 @@ namespace uncertainty_identification {
 /// its tests to the checks without and with the causes where one of the two models fails them.
 void addFailedPredictions(Explanation* explanation);
 
-/// Adds the check "direction" where the input may as well be computed from the output as the other
-/// way round, and the data, not the user, say when the model answers.
+/// Adds the check "direction" where input and output move within the same reading: if the data, not
+/// the user, say that the model answers at once, the input may as well be computed from the output;
+/// if it answers later, a controller probably does so.
 void addUnclearDirection(const Following& following, bool delay_is_chosen,
                          Explanation* explanation);
 

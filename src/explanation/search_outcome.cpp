@@ -25,13 +25,11 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 /// The model of the estimate, optimised by the search's own fit, as the state before any cause.
 /// Throws DataError where it cannot be evaluated.
 SearchState baseOf(const Estimate& estimate, const Split& data, const FitContext& context) {
-  std::vector<Experiment> train = usedBy(estimate, data.train), held = data.held;
-  if (mayStartAnywhere(estimate.configuration.estimation, train)) {
-    std::vector<std::string> told_by_identify;
-    train = fromFirstMeasured(std::move(train), &told_by_identify);
-    held = fromFirstMeasured(std::move(held), &told_by_identify);
-  }
-  SearchState base{{}, FitData(std::move(train)), FitData(std::move(held)), {}, {}};
+  std::vector<Experiment> held = data.held;
+  std::vector<std::string> not_told;
+  if (mayStartAnywhere(estimate.configuration.estimation, data.train))
+    held = fromFirstMeasured(std::move(held), &not_told);
+  SearchState base{{}, FitData(usedBy(estimate, data.train)), FitData(std::move(held)), {}, {}};
   base.fitted_to = data.fitted_to;
   const Fit fit = fitOf(estimate, base.train, summarise(base.train.experiments()));
   base.fit = optimise(fit, base.train, context);

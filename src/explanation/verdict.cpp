@@ -54,19 +54,29 @@ bool isOfNoiseAlone(const std::vector<Check>& checks) {
   });
 }
 
-std::string ofNoiseAlone(const std::string& failed) {
-  return "the checks of the plant find nothing wrong, but the noise is not what the model assumes, "
-         "in a way that the catalogue does not describe; these checks fail: " +
-         failed;
+std::string ofNoiseAlone(const std::string& failed, bool withheld) {
+  return std::string(
+             "the checks of the plant find nothing wrong, but the noise is not what the "
+             "model assumes, ") +
+         (withheld ? "and what would describe it is not named as a cause, for reasons that the "
+                     "warnings tell"
+                   : "in a way that the catalogue does not describe") +
+         "; these checks fail: " + failed;
 }
 
-std::string ofUnclearDirection() {
-  return "the input and the output move within the same reading, so that the data do not show "
-         "which "
-         "causes the other: where a controller computes the input from the output, the model is "
-         "the "
-         "inverse of the controller. If the output really answers at once, state nominal_model: "
-         "{delay: 0} and the orders; otherwise record an input that does not depend on the output";
+std::string ofUnclearDirection(int delay) {
+  const std::string what = "the input and the output move within the same reading, ";
+  const std::string record = "record an input that does not depend on the output";
+  if (delay > 0)
+    return what +
+           "although the model answers later: a controller probably computes the input from the "
+           "output, and the noise that it feeds back biases the model; " +
+           record;
+  return what +
+         "so that the data do not show which causes the other: where a controller computes the "
+         "input from the output, the model is the inverse of the controller. If the output really "
+         "answers at once, state nominal_model: {delay: 0} and the orders; otherwise " +
+         record;
 }
 
 std::string joined(const std::string& list, const std::string& name) {
@@ -157,11 +167,16 @@ void conclude(Explanation* explanation, bool withheld) {
     return;
   }
   const bool ended_early = explanation->termination == Termination::iteration_limit;
-  if (explanation->verdict == Verdict::unknown && failed == "direction")
-    explanation->message = ofUnclearDirection();
-  else if (explanation->verdict == Verdict::unknown && !withheld && !ended_early &&
+  const std::string direction = ofUnclearDirection(explanation->before.nominal_model.delay);
+  const bool is_direction_alone = failed == "direction" && !withheld && !ended_early;
+  if (failed.find("direction") != std::string::npos &&
+      !(is_direction_alone && explanation->verdict == Verdict::unknown))
+    explanation->warnings.push_back(direction);
+  if (explanation->verdict == Verdict::unknown && is_direction_alone)
+    explanation->message = direction;
+  else if (explanation->verdict == Verdict::unknown && !ended_early &&
            isOfNoiseAlone(explanation->checks_after))
-    explanation->message = ofNoiseAlone(failed);
+    explanation->message = ofNoiseAlone(failed, withheld);
   else if (explanation->verdict != Verdict::unknown || !(withheld || ended_early))
     explanation->message = messageOf(explanation->verdict, names, failed);
   else

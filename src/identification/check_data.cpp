@@ -51,7 +51,10 @@ CheckedData checkData(const Configuration& configuration,
     journal->warnings.push_back(std::move(*warning));
   data.thinning = thinningOf(configuration, data.experiments);
   data.experiments = thinned(std::move(data.experiments), data.thinning);
-  if (mayStartAnywhere(configuration.estimation, data.experiments))
+  // Effects may count the time from the first sample, or remember inputs for longer than Go does.
+  data.are_cut =
+      configuration.effects.empty() && mayStartAnywhere(configuration.estimation, data.experiments);
+  if (data.are_cut)
     data.experiments = fromFirstMeasured(std::move(data.experiments), &journal->warnings);
   data.blocks = makeBlocks(data.experiments);
   return data;

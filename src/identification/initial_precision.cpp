@@ -61,7 +61,7 @@ Configuration chooseInitialState(Configuration configuration, const CheckedData&
   constexpr double kLeast = 1e-12, kMost = 1e-4;
   EstimationOptions& options = configuration.estimation;
   if (options.initial_state == InitialState::automatic) {
-    const bool at_rest = startAtRest(data.experiments, options);
+    const bool at_rest = !data.are_cut && startAtRest(data.experiments, options);
     options.initial_state = at_rest ? InitialState::zero : InitialState::estimate;
     journal->candidates.push_back(
         {"initial state", at_rest ? "at rest" : "unknown", 0, {}, {}, {}, true, {}});

@@ -27,7 +27,9 @@ struct CheckedData {
   std::vector<RejectedExperiment> rejected;
   int thinning = 1;           ///< each so manieth sample was kept (EstimationOptions)
   bool single_steps = false;  ///< whether every input changes only once
-  Following following;        ///< how input and output follow each other
+  bool are_cut =
+      false;            ///< to what follows the first measured output, as they do not begin at rest
+  Following following;  ///< how input and output follow each other
 
   int count() const { return static_cast<int>(experiments.size()); }
   double sampleTime() const { return experiments.front().sample_time; }  ///< [s]

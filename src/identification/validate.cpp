@@ -46,14 +46,17 @@ Validation validate(const Problem& problem, const FittedModel& fitted, InitialSt
   if (used.empty())
     throw DataError("no usable experiment is left for validation:" + reasonsOf(checked.rejected));
   for (const Experiment& experiment : used) validation.experiments.push_back(experiment.id);
+  const std::vector<Experiment> whole = used;
+  std::vector<std::string> remarks;
   if (mayStartAnywhere(configuration.estimation, used))
-    used = fromFirstMeasured(std::move(used), &journal->warnings);
+    used = fromFirstMeasured(std::move(used), &remarks);
+  for (const std::string& remark : remarks) journal->warnings.push_back("validation: " + remark);
   const ModelParameters& point = fitted.optimum.point;
   const auto fitFrom = [&](InitialState start) {
     EstimationOptions options = configuration.estimation;
     options.initial_state = start;
     return meanPlantFit(*fitted.model, point, offsetOf(problem, *fitted.model, point), options,
-                        used);
+                        start == InitialState::zero ? whole : used);
   };
   const bool at_rest = asked == InitialState::zero;
   const SimulationFit fit = fitFrom(at_rest ? InitialState::zero : InitialState::estimate);
@@ -64,7 +67,7 @@ Validation validate(const Problem& problem, const FittedModel& fitted, InitialSt
   if (asked == InitialState::automatic)
     validation.log_density_per_experiment =
         std::max(validation.log_density_per_experiment,
-                 logDensity(problem, fitted, InitialState::zero, used, journal));
+                 logDensity(problem, fitted, InitialState::zero, whole, journal));
   return validation;
 }
 

@@ -54,14 +54,17 @@ Matrix2d leftOf(const MatrixXd& gram) {
 
 bool AtOnce::matters() const {
   constexpr double kMost = 0.45, kBeyondChance = 4;  // standard deviations of it
-  return samples > 0 && std::abs(correlation) > std::max(kMost, kBeyondChance / std::sqrt(samples));
+  return samples > 0 &&
+         std::abs(correlation) > std::max(kMost, kBeyondChance / std::sqrt(samples - kOfPasts - 3));
 }
 
 AtOnce atOnceOf(const Channel& input, const Channel& output) {
-  constexpr double kNothingNew = 1e-10;  // of the variance: rounding
+  constexpr double kNothingNew = 1e-10;  // of the mean square about the first value: rounding
+  // What an input does between slower readings of the output is answered in the next one.
+  constexpr double kAsFast = 0.7;
   AtOnce found;
   const double period = ownPeriod(output);
-  if (!(period > 0)) return found;
+  if (!(period > 0) || ownPeriod(input) < kAsFast * period) return found;
   const std::vector<CommonRecord> records = commonRecords(input, output, period, kPastReadings);
   MatrixXd gram = MatrixXd::Zero(kOfPasts + 2, kOfPasts + 2);
   double samples = 0;

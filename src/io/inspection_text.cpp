@@ -34,6 +34,11 @@ std::string twoDigits(double value) {
 std::string answerText(const InspectedData& data, const SignalPair& pair) {
   const Following& following = pair.following;
   const std::string u = nameIn(data, pair.input), y = nameIn(data, pair.output);
+  if (!following.measured && following.at_once.matters())
+    return y + " moves with " + u + " within the same reading (correlation " +
+           twoDigits(following.at_once.correlation) +
+           " of what six earlier readings of both do not predict), so that the direction cannot be "
+           "seen.";
   if (!following.measured)
     return "Whether " + y + " follows " + u +
            " cannot be told: too few samples, or changes, in common.";

@@ -139,5 +139,18 @@ TEST(AreNoticeablyLarger, ComparesExperiments) {
   }
 }
 
+TEST(InitialCoefficients, AreThoseOfTheFirstMeasuredSamples) {
+  Eigen::MatrixXd Z(200, 1);
+  Eigen::VectorXd error(200);
+  for (int t = 0; t < 200; ++t) {
+    Z(t, 0) = std::pow(0.9, t % 100);
+    error[t] = 3 * Z(t, 0) + (t % 100 > 40 ? 1 : 0);  // later errors take no part
+  }
+  EXPECT_NEAR(initialCoefficients(Z, error)[0], 3, 1e-9);
+  Z.topRows(100).setZero();  // not measured
+  error.head(100).setZero();
+  EXPECT_NEAR(initialCoefficients(Z, error)[0], 3, 1e-9);
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

@@ -117,8 +117,9 @@ TEST(Parsimony, DoesNotCountWhatOneOrderMoreWouldDescribe) {
 }
 
 /// What is concluded where no cause was found and this check fails.
-std::string concluded(const std::string& failed) {
+std::string concluded(const std::string& failed, int delay = 1) {
   Explanation explanation;
+  explanation.before.nominal_model.delay = delay;
   explanation.checks_after = {{"whiteness", 0, 1, true, ""}, {failed, 0, 0, false, ""}};
   conclude(&explanation, false);
   EXPECT_EQ(explanation.verdict, Verdict::unknown);
@@ -130,6 +131,28 @@ TEST(Conclude, TellsWhereOnlyTheNoiseIsNotWhatTheModelAssumes) {
   EXPECT_TRUE(test::mentions(concluded("tails"), "these checks fail: tails"));
   EXPECT_FALSE(test::mentions(concluded("dependence on the input"), "find nothing wrong"));
   EXPECT_FALSE(test::mentions(concluded("linearity of predictions"), "find nothing wrong"));
+}
+
+TEST(Conclude, TellsSoAlsoWhereACauseIsNotNamed) {
+  Explanation explanation;
+  explanation.checks_after = {{"volatility", 99, 1e-9, false, ""}};
+  conclude(&explanation, true);
+  EXPECT_TRUE(test::mentions(explanation.message, "the plant find nothing wrong"));
+  EXPECT_TRUE(test::mentions(explanation.message, "for reasons that the warnings tell"));
+}
+
+TEST(Conclude, TellsThatOnlyTheDirectionIsNotKnown) {
+  EXPECT_TRUE(test::mentions(concluded("direction", 0), "do not show which causes the other"));
+  Explanation explanation;
+  explanation.before.nominal_model.delay = 3;
+  explanation.checks_after = {{"direction", 0, 0, false, ""}};
+  conclude(&explanation);
+  EXPECT_TRUE(test::mentions(explanation.message, "the model answers later"));
+  EXPECT_TRUE(explanation.warnings.empty());
+  explanation.checks_after.push_back({"whiteness", 0, 0, false, ""});
+  conclude(&explanation);
+  ASSERT_EQ(explanation.warnings.size(), 1u);
+  EXPECT_TRUE(test::mentions(explanation.warnings[0], "the model answers later"));
 }
 
 }  // namespace

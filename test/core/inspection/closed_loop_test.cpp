@@ -137,6 +137,17 @@ TEST(ClosedLoop, AnInputThatSeldomMovesIsNotComputedFromTheOutput) {
   EXPECT_EQ(followingOf(std::vector<Experiment>{experiment}).at_once.samples, 0);
 }
 
+TEST(ClosedLoop, SlowReadingsOfAPlantThatAnswersBetweenThemAreNone) {
+  int count = 0;
+  for (unsigned seed = 2; seed < 200; seed += 5) {  // coloured inputs
+    Experiment experiment = RandomSetup(seed).simulate(0);
+    experiment.valid.assign(static_cast<std::size_t>(experiment.samples()), 0);
+    for (std::size_t k = 0; k < experiment.valid.size(); k += 4) experiment.valid[k] = 1;
+    count += followingOf(std::vector<Experiment>{experiment}).at_once.matters() ? 1 : 0;
+  }
+  EXPECT_EQ(count, 0);
+}
+
 TEST(ClosedLoop, TellsWhatItMeansAndWhatToRecord) {
   const auto text =
       closedLoopWarning({true, 0.5, 0.2, 0.4, 0.1, 0.05, 0.1}, "the input", "the output");
