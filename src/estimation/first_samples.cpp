@@ -2,22 +2,12 @@
 
 #include <algorithm>
 
+#include "data/unmeasured_start.h"
 #include "estimation/excerpt.h"
 #include "estimation/likelihood.h"
 #include "model/evaluation.h"
 
 namespace uncertainty_identification {
-
-namespace {
-
-/// Number of samples before the first measured one.
-int samplesBefore(const Experiment& experiment) {
-  int first = 0;
-  while (first < experiment.samples() && !experiment.isValid(first)) ++first;
-  return first;
-}
-
-}  // namespace
 
 double firstSamplesDensity(const LinearModel& model, const ModelParameters& point,
                            const std::vector<Experiment>& experiments, int threads, int* passes) {
@@ -31,7 +21,8 @@ double firstSamplesDensity(const LinearModel& model, const ModelParameters& poin
   beginnings.reserve(experiments.size());
   for (const Experiment& experiment : experiments)
     beginnings.push_back(
-        excerpt(experiment, 0, std::min(samplesBefore(experiment) + first, experiment.samples())));
+        excerpt(experiment, 0,
+                std::min(samplesBeforeFirstMeasured(experiment) + first, experiment.samples())));
   const std::vector<Block> blocks = makeBlocks(beginnings);
   const Likelihood likelihood(model, blocks, static_cast<int>(beginnings.size()), threads);
   const Statistics statistics = likelihood.statistics(point.parameters, false);

@@ -16,8 +16,8 @@ struct SimulationFit {
 
 /// Coefficients of the responses Z (samples x unknowns) to initial state and offset, fitted to the
 /// first measured samples of `error`: 20 and three more per unknown. Z and `error` are 0 where the
-/// output was not measured. With more samples the free response of
-/// a slow pole could follow a drift, and the simulation would look better than it is.
+/// output was not measured. With more samples the free response of a slow pole could
+/// follow a drift, and the simulation would look better than it is.
 Eigen::VectorXd initialCoefficients(const Eigen::MatrixXd& Z, const Eigen::VectorXd& error);
 
 /// The simulation error y - ysim of each experiment, 0 where y was not measured. ysim is Go u plus

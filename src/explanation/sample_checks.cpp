@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "data/unmeasured_start.h"
 #include "explanation/held_samples.h"
 
 namespace uncertainty_identification {
@@ -156,18 +157,6 @@ double visitsNextTo(Iterator first, Iterator end) {
   return counts[1 + (counts.size() - 1) / 2];
 }
 
-/// The experiment without its first samples.
-Experiment startedAt(Experiment experiment, int first) {
-  const Eigen::Index count = experiment.samples() - first;
-  for (Eigen::VectorXd* signal : {&experiment.u, &experiment.y, &experiment.stamp_offset})
-    if (signal->size() > 0) *signal = signal->tail(count).eval();
-  for (auto& [name, values] : experiment.signals) values = values.tail(count).eval();
-  if (!experiment.valid.empty())
-    experiment.valid.erase(experiment.valid.begin(), experiment.valid.begin() + first);
-  experiment.start_time += first * experiment.sample_time;
-  return experiment;
-}
-
 }  // namespace
 
 std::vector<Experiment> withoutRest(std::vector<Experiment> experiments) {
@@ -177,7 +166,7 @@ std::vector<Experiment> withoutRest(std::vector<Experiment> experiments) {
     int moves = 1;
     while (moves < experiment.samples() && y[moves] == y[0] && u[moves] == u[0]) ++moves;
     if (moves > kKept && moves < experiment.samples())
-      experiment = startedAt(std::move(experiment), moves - kKept);
+      experiment = withoutFirst(moves - kKept, std::move(experiment));
   }
   return experiments;
 }

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "support/heater_under_control.h"
+
 namespace uncertainty_identification {
 namespace {
 
@@ -82,28 +84,10 @@ TEST(PredictionChecks, AServoUnderItsControllerDoesNotAgreeWithALinearPlant) {
   EXPECT_TRUE(found.causes.empty());
 }
 
-/// A heater whose input a PID controller computes from its rounded readings.
-Experiment heaterUnderControl() {
-  Experiment experiment;
-  experiment.id = "heater";
-  experiment.sample_time = 0.25;
-  experiment.u = experiment.y = Eigen::VectorXd::Zero(126);
-  double temperature = 24.4, sum = 0, before = 24.4;
-  for (int k = 0; k < 126; ++k) {
-    experiment.y(k) = std::round(1000 * temperature) / 1000;
-    const double error = 26 - experiment.y(k);
-    sum += 0.25 * error;
-    experiment.u(k) = 20 * error + 2 * sum - 5 * (experiment.y(k) - before) / 0.25;
-    before = experiment.y(k);
-    temperature += 0.25 * (0.02 * experiment.u(k) - 0.01 * (temperature - 20));
-  }
-  return experiment;
-}
-
 TEST(PredictionChecks, TheInverseOfAControllerIsNeitherNoneNorExplained) {
   Configuration configuration;
   configuration.explanation.time_limit = 0;
-  const Explanation explanation = explain(configuration, {heaterUnderControl()});
+  const Explanation explanation = explain(configuration, {test::heaterUnderControl()});
   EXPECT_NE(explanation.verdict, Verdict::none);
   EXPECT_NE(explanation.verdict, Verdict::explained);
   const auto is_direction = [](const Check& each) { return each.name == "direction"; };

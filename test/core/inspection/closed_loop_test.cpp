@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "support/heater_under_control.h"
 #include "support/mentions.h"
 
 namespace uncertainty_identification {
@@ -107,20 +108,7 @@ TEST(ClosedLoop, AControllerAnswersWithinTheReading) {
 }
 
 TEST(ClosedLoop, IsTheInverseOfAControllerWhereFewSamplesShowIt) {
-  // PID control of a heater: rounded readings, no noise that a lagged correlation would see.
-  Experiment experiment;
-  experiment.sample_time = 0.25;
-  experiment.u = experiment.y = Eigen::VectorXd::Zero(126);
-  double temperature = 24.4, sum = 0, before = 24.4;
-  for (int k = 0; k < 126; ++k) {
-    experiment.y(k) = std::round(1000 * temperature) / 1000;
-    const double error = 26 - experiment.y(k);
-    sum += 0.25 * error;
-    experiment.u(k) = 20 * error + 2 * sum - 5 * (experiment.y(k) - before) / 0.25;
-    before = experiment.y(k);
-    temperature += 0.25 * (0.02 * experiment.u(k) - 0.01 * (temperature - 20));
-  }
-  const Following found = followingOf(std::vector<Experiment>{experiment});
+  const Following found = followingOf(std::vector<Experiment>{test::heaterUnderControl()});
   EXPECT_FALSE(found.measured) << "too few samples for correlations at lags";
   EXPECT_LT(found.at_once.correlation, -0.9);
   EXPECT_TRUE(found.moveTogether());
