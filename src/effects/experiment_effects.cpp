@@ -28,7 +28,7 @@ class ClockOffset : public Effect {
                 values({0, 3, 6}),
                 /*nonlinear=*/true,
                 /*own_point=*/true,
-                {Trait::own_shifts}}) {}
+                {Trait::own_shifts, Trait::by_experiment}}) {}
 
   void apply(const VectorXd& psi, Chain* chain) const override {
     constexpr double kStep = 0.05;

@@ -73,7 +73,10 @@ std::shared_ptr<Effect> commonHum(const DataSummary& data) {
                       {{"cosine", "unit of y", data.output_deviation},
                        {"sine", "unit of y", data.output_deviation},
                        humFrequency(data)},
-                      starts},
+                      starts,
+                      /*nonlinear=*/false,
+                      /*own_point=*/false,
+                      {Trait::spectral_line}},
                      [sample_time = data.sample_time](const VectorXd& psi, Chain* chain) {
                        const auto angle = (chain->time() * (psi[2] * sample_time)).eval();
                        chain->x.rowwise() += psi[0] * angle.cos() + psi[1] * angle.sin();
@@ -95,7 +98,10 @@ std::shared_ptr<Effect> ownHum(const DataSummary& data) {
                       Stage::output,
                       ScreeningKind::likelihood,
                       {logVariance("deviation", "unit of y"), humFrequency(data)},
-                      starts},
+                      starts,
+                      /*nonlinear=*/false,
+                      /*own_point=*/false,
+                      {Trait::by_experiment, Trait::spectral_line}},
                      [sample_time = data.sample_time](const VectorXd& psi, Chain* chain) {
                        const auto angle = (chain->time() * (psi[1] * sample_time)).eval();
                        const Signals ones = Signals::Ones(kLanes, chain->x.cols());
@@ -175,7 +181,10 @@ MadeEffects sensorBias(const DataSummary& data) {
                Stage::output,
                ScreeningKind::likelihood,
                {logVariance("deviation", "unit of y")},
-               deviationStarts()},
+               deviationStarts(),
+               /*nonlinear=*/false,
+               /*own_point=*/false,
+               {Trait::by_experiment}},
               [](const VectorXd& psi, Chain* chain) {
                 chain->random.push_back({Signals::Ones(kLanes, chain->x.cols()), std::exp(psi[0])});
               })};
@@ -203,7 +212,10 @@ MadeEffects sensorDrift(const DataSummary& data) {
                        Stage::output,
                        ScreeningKind::likelihood,
                        {logVariance("deviation", "unit of y per experiment")},
-                       deviationStarts()},
+                       deviationStarts(),
+                       /*nonlinear=*/false,
+                       /*own_point=*/false,
+                       {Trait::by_experiment}},
                       [](const VectorXd& psi, Chain* chain) {
                         chain->random.push_back({chain->relativeTime(), std::exp(psi[0])});
                       })};

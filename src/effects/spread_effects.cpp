@@ -31,7 +31,7 @@ class PlantParameterSpread : public Effect {
                 values({-6, -3, 0, 3, 6}),
                 /*nonlinear=*/true,
                 /*own_point=*/true,
-                {Trait::in_mixture}}),
+                {Trait::in_mixture, Trait::by_experiment}}),
         index_(index) {}
 
   /// Linearised about the parameter's value t_r in each experiment, as the error basis
@@ -106,7 +106,7 @@ class PlantTimeConstantSpread : public Effect {
                 values({-6, -3, 0, 3, 6}),
                 /*nonlinear=*/true,
                 /*own_point=*/true,
-                {Trait::in_mixture}}) {}
+                {Trait::in_mixture, Trait::by_experiment}}) {}
 
   /// Linearised about the value of c_r in each experiment, by a central difference.
   void apply(const VectorXd& psi, Chain* chain) const override {

@@ -54,10 +54,14 @@ bool Search::isWanted(const Effect& effect, const SearchState& state) const {
 }
 
 Effects Search::considered(const SearchState& state) const {
+  constexpr int kFewest = 3;  // experiments that show how something differs
   Effects effects;
-  for (const auto& effect : catalogue_)
-    if (effect->stage() != Stage::data && isWanted(*effect, state) && !state.excludes(*effect))
-      effects.push_back(effect);
+  for (const auto& effect : catalogue_) {
+    if (effect->stage() == Stage::data || !isWanted(*effect, state) || state.excludes(*effect))
+      continue;
+    if (effect->has(Trait::by_experiment) && state.train.count() < kFewest) continue;
+    effects.push_back(effect);
+  }
   return effects;
 }
 

@@ -103,7 +103,7 @@ const EnumNames<Verdict>& enumNames(Verdict) {
 bool isSymptom(const FoundCause& found, const SearchState& state) {
   constexpr double kFarMore = 4.0 / 3;
   if (found.score == 0) return false;  // seen in the samples themselves
-  if (isOfNoise(*found.effect)) return true;
+  if (isOfNoise(*found.effect) || found.effect->has(Trait::spectral_line)) return true;
   return std::any_of(state.causes.begin(), state.causes.end(), [&](const FoundCause& other) {
     return other.score > found.score * (isOfNoise(*other.effect) ? kFarMore : 1);
   });

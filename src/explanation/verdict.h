@@ -10,9 +10,10 @@ namespace uncertainty_identification {
 std::string reasonNotToName(const FoundCause& found, const SearchState& state, bool passed);
 
 /// Whether a cause, while some check still fails, may be only a symptom of something that the
-/// catalogue lacks. That is so for every cause of the noise, and for a cause whose score is
-/// exceeded by that of another cause outside the noise, or by a third by that of a cause of the
-/// noise. Causes that the samples show by themselves are no symptoms.
+/// catalogue lacks. That is so for every cause of the noise and for hum, which resonances that the
+/// model lacks look like, and for a cause whose score is exceeded by that of another cause outside
+/// the noise, or by a third by that of a cause of the noise. Causes that the samples show by
+/// themselves are no symptoms.
 bool isSymptom(const FoundCause& found, const SearchState& state);
 
 /// A check of the number of causes outside the noise. Several independent faults at once are

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "math/polynomial.h"
@@ -97,6 +98,20 @@ std::vector<Names> combinations(const Names& names) {
   return all;
 }
 
+/// Whether experiments are more than the covariance of several parameters has elements.
+bool showCovariance(int experiments, std::size_t parameters) {
+  const auto elements = static_cast<int>(parameters * (parameters + 1) / 2);
+  return parameters > 1 && parameters <= kMostVaried && experiments > elements;
+}
+
+bool isOfNumerator(const std::string& name) { return name[0] == 'b'; }
+
+Names numeratorOf(const Names& names) {
+  Names own;
+  std::copy_if(names.begin(), names.end(), std::back_inserter(own), isOfNumerator);
+  return own;
+}
+
 /// Filters in series with Go: as many as the options state or, where these are automatic, each
 /// number up to the largest.
 void addFilters(const Configuration& configuration, BasisKind basis, Constraint constraint,
@@ -152,10 +167,20 @@ std::vector<ErrorStructure> variedStructures(const Problem& problem, const Polyn
   std::vector<ErrorStructure> structures;
   if (problem.data.count() < kFewest) return structures;
   if (plant != nullptr) structures = physicalStructures(problem, *plant);
-  if (!structures.empty()) return structures;
-  for (const Names& some : combinations(ownParameters(problem)))
-    addVaried(problem.configuration, some, &structures);
+  const Names own = ownParameters(problem);
+  std::vector<Names> all;
+  if (structures.empty()) all = combinations(own);
+  const Names numerator = numeratorOf(own);
+  const bool is_new = std::find(all.begin(), all.end(), numerator) == all.end();
+  if (is_new && showCovariance(problem.data.count(), numerator.size())) all.push_back(numerator);
+  for (const Names& some : all) addVaried(problem.configuration, some, &structures);
   return structures;
+}
+
+bool isSpreadOfNumerator(const ErrorModelOptions& options) {
+  const Names& varied = options.parameters;
+  return options.basis == BasisKind::parameter_spread && varied.size() > 1 &&
+         std::all_of(varied.begin(), varied.end(), isOfNumerator);
 }
 
 std::vector<ErrorStructure> errorStructures(const Problem& problem, const Polynomials* plant) {

@@ -28,4 +28,8 @@ std::vector<ErrorStructure> errorStructures(const Problem& problem, const Polyno
 /// configured nominal model. `plant` is null where the user chose the form of the nominal model.
 std::vector<ErrorStructure> variedStructures(const Problem& problem, const Polynomials* plant);
 
+/// Whether coefficients of B vary and nothing else, which is what a filter in series with Go whose
+/// mean is not one makes of them.
+bool isSpreadOfNumerator(const ErrorModelOptions& options);
+
 }  // namespace uncertainty_identification

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "identification/error_structures.h"
 #include "identification/structure_fit.h"
 
 /// Plants that differ by filters of the input whose mean is not 1: Go is then smaller than the mean
@@ -31,7 +32,8 @@ bool mayBeFilters(const Problem& problem, const std::vector<StructureFit>& fits,
   const double least = scoreOf(problem, chosen) - kAbout * problem.data.count();
   const auto are_filters = [&](const StructureFit& fit) {
     const ErrorModelOptions& options = fit.structure.configuration.error_model;
-    return options.basis == BasisKind::fir && options.taps > 1 && scoreOf(problem, fit) > least;
+    const bool filters = options.basis == BasisKind::fir && options.taps > 1;
+    return (filters || isSpreadOfNumerator(options)) && scoreOf(problem, fit) > least;
   };
   return are_filters(chosen) || std::any_of(fits.begin(), fits.end(), are_filters);
 }

@@ -49,7 +49,9 @@ enum class Trait {
   quantisation,   ///< seen in the samples: they lie on a lattice
   held_samples,   ///< seen in the samples: they repeat
   output_limit,   ///< may be seen in the samples: they crowd at the lowest or highest
-  feedback        ///< seen in the input: it depends on the output
+  feedback,       ///< seen in the input: it depends on the output
+  spectral_line,  ///< a line in the spectrum, as resonances that the model lacks have nearly, too
+  by_experiment   ///< of another size in each experiment, which one experiment cannot show
 };
 
 /// A parameter of an effect.

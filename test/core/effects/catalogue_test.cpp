@@ -184,5 +184,16 @@ TEST(Traits, AreThoseThatTheEffectsDeclare) {
   EXPECT_EQ(findEffect(all(), "act_deadzone", "")->description().least_score, 0);
 }
 
+TEST(Traits, TellWhatDiffersByExperimentAndWhatIsALineInTheSpectrum) {
+  for (const auto& effect : all()) {
+    SCOPED_TRACE(effect->label());
+    const std::string& name = effect->name();
+    const bool differs = effect->description().variant == "per_experiment" || name == "exp_clock" ||
+                         name == "plant_parameter_spread";
+    EXPECT_EQ(effect->has(Trait::by_experiment), differs);
+    EXPECT_EQ(effect->has(Trait::spectral_line), name == "sens_hum");
+  }
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

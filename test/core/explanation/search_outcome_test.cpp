@@ -61,5 +61,25 @@ TEST(SearchOutcome, AModelThatCannotBeEvaluatedIsAnError) {
   EXPECT_TRUE(test::mentions(messageOf<DataError>(search), "cannot be evaluated"));
 }
 
+/// Whether effects were tried that differ from experiment to experiment.
+bool triesDifferences(int fitted, int held_out) {
+  const std::vector<Experiment> all = test::example1(2, fitted + held_out).experiments;
+  Configuration configuration = test::example1Configuration();
+  configuration.bounds.frequencies = 0;
+  configuration.error_model = ErrorModelOptions();
+  configuration.error_model.taps = 0;
+  const Explanation found = explain(configuration, {all.begin(), all.begin() + fitted},
+                                    {all.begin() + fitted, all.end()});
+  return std::any_of(found.candidates.begin(), found.candidates.end(), [](const TriedEffect& each) {
+    return each.name == "exp_clock" || each.variant == "per_experiment";
+  });
+}
+
+TEST(SearchOutcome, TwoExperimentsDoNotShowThatSomethingDiffersBetweenExperiments) {
+  EXPECT_FALSE(triesDifferences(1, 2));
+  EXPECT_FALSE(triesDifferences(2, 1));
+  EXPECT_TRUE(triesDifferences(8, 2));
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

@@ -11,13 +11,15 @@ namespace {
 /// An effect that does nothing.
 class Idle : public Effect {
  public:
-  explicit Idle(const std::string& name) : Effect(described(name)) {}
+  explicit Idle(const std::string& name, const std::vector<Trait>& traits = {})
+      : Effect(described(name, traits)) {}
   void apply(const Eigen::VectorXd& /*psi*/, Chain* /*chain*/) const override {}
 
  private:
-  static EffectDescription described(const std::string& name) {
+  static EffectDescription described(const std::string& name, const std::vector<Trait>& traits) {
     EffectDescription description;
     description.name = name;
+    description.traits = traits;
     return description;
   }
 };
@@ -64,6 +66,15 @@ TEST(ReasonNotToName, IsThatTestsFailAndItMayBeASymptom) {
   EXPECT_EQ(reasonNotToName(first, with({first, second}), false), "");
   EXPECT_EQ(reasonNotToName(second, with({first, second}), true), "");
   EXPECT_TRUE(test::mentions(reasonNotToName(second, with({first, second}), false), "symptom"));
+}
+
+/// A resonance that the model lacks leaves nearly a line in the spectrum of the residuals.
+TEST(ReasonNotToName, IsThatTestsFailAndALineMayBeAResonance) {
+  FoundCause line = found("some_line", 100);
+  EXPECT_EQ(reasonNotToName(line, with({line}), false), "");
+  line.effect = std::make_shared<Idle>("some_line", std::vector<Trait>{Trait::spectral_line});
+  EXPECT_TRUE(test::mentions(reasonNotToName(line, with({line}), false), "symptom"));
+  EXPECT_EQ(reasonNotToName(line, with({line}), true), "");
 }
 
 TEST(ReasonNotToName, IsThatASingleRecordDoesNotTellNoiseFromMisfit) {

@@ -2,6 +2,7 @@
 // configuration finds this structure and its orders. Simulated, 25 experiments.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "estimation/mean_plant.h"
@@ -12,11 +13,18 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kB = 0.4, kPole = 0.7, kNoise = 0.05;
-constexpr double kMean[2] = {-0.6, 0.9};  // of the taps q^0 and q^-1; the third makes the sum zero
+/// Plants b q^-1/A (1 + GDelta), whose errors are filters of three taps with a sum of zero.
+struct Family {
+  double b;
+  Eigen::VectorXd a;
+  double mean[2], deviation;  ///< of the taps q^0 and q^-1
+  double noise;               ///< [unit of y], white
+};
 
-/// y = 0.4 q^-1/(1 - 0.7 q^-1) (1 + GDelta) u + white noise, from rest.
-std::vector<Experiment> filteredPlants(int count, unsigned seed) {
+Family firstOrder() { return {0.4, Eigen::VectorXd::Constant(1, -0.7), {-0.6, 0.9}, 0.15, 0.05}; }
+
+/// Records of plants of the family from rest, the input white.
+std::vector<Experiment> filteredPlants(const Family& family, int count, unsigned seed) {
   constexpr int kSamples = 150;
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
@@ -26,17 +34,17 @@ std::vector<Experiment> filteredPlants(int count, unsigned seed) {
     experiment.id = "run " + std::to_string(r);
     experiment.sample_time = 0.1;
     experiment.u = experiment.y = Eigen::VectorXd::Zero(kSamples);
-    const double first = kMean[0] + 0.15 * normal(random),
-                 second = kMean[1] + 0.15 * normal(random);
+    const double first = family.mean[0] + family.deviation * normal(random),
+                 second = family.mean[1] + family.deviation * normal(random);
     const double factor[3] = {1 + first, second, -first - second};
-    double x = 0;
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(kSamples + 1);
     for (int k = 0; k < kSamples; ++k) {
-      experiment.y[k] = x + kNoise * normal(random);
+      experiment.y[k] = x[k] + family.noise * normal(random);
       experiment.u[k] = normal(random);
-      double filtered = 0;
       for (int lag = 0; lag < std::min(3, k + 1); ++lag)
-        filtered += factor[lag] * experiment.u[k - lag];
-      x = kPole * x + kB * filtered;
+        x[k + 1] += family.b * factor[lag] * experiment.u[k - lag];
+      for (int lag = 0; lag < std::min<int>(static_cast<int>(family.a.size()), k + 1); ++lag)
+        x[k + 1] -= family.a[lag] * x[k - lag];
     }
     all.push_back(experiment);
   }
@@ -46,8 +54,9 @@ std::vector<Experiment> filteredPlants(int count, unsigned seed) {
 class FilteredInput : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    experiments_ = filteredPlants(25, 5);
-    found_ = Identifier(Configuration()).identify(experiments_, filteredPlants(10, 6));
+    experiments_ = filteredPlants(firstOrder(), 25, 5);
+    found_ =
+        Identifier(Configuration()).identify(experiments_, filteredPlants(firstOrder(), 10, 6));
   }
 
   static std::vector<Experiment> experiments_;
@@ -62,14 +71,15 @@ TEST_F(FilteredInput, TheDefaultFindsTheFiltersTheirMeanAndTheOrdersOfGo) {
   ASSERT_EQ(go.b.size(), 1);
   ASSERT_EQ(go.a.size(), 1);
   EXPECT_EQ(go.delay, 1);
-  EXPECT_NEAR(go.b[0], kB, 0.02);
-  EXPECT_NEAR(go.a[0], -kPole, 0.01);
+  const Family truth = firstOrder();
+  EXPECT_NEAR(go.b[0], truth.b, 0.02);
+  EXPECT_NEAR(go.a[0], truth.a[0], 0.01);
   EXPECT_EQ(found_.error_model.options.basis, BasisKind::fir);
   const Eigen::VectorXd eta = found_.error_model.T * found_.error_model.mixture.mean();
   ASSERT_EQ(eta.size(), 3);
   // Four standard errors of a mean of 25 plants are 0.12.
-  EXPECT_NEAR(eta[0], kMean[0], 0.12);
-  EXPECT_NEAR(eta[1], kMean[1], 0.12);
+  EXPECT_NEAR(eta[0], truth.mean[0], 0.12);
+  EXPECT_NEAR(eta[1], truth.mean[1], 0.12);
 }
 
 TEST_F(FilteredInput, TheMeanPlantIsSimulatedAndNotGo) {
@@ -84,6 +94,28 @@ TEST_F(FilteredInput, TheMeanPlantIsSimulatedAndNotGo) {
       of_mean - 20);
   EXPECT_NEAR(*found_.simulation_fit_percent, of_mean, 1);
   EXPECT_NEAR(found_.validation.simulation_fit_percent_pooled, of_mean, 5);
+}
+
+/// Around the mean plant, whose B has three coefficients, no filter describes how the plants
+/// differ: their coefficients of B vary together.
+TEST(FilteredInputOfASecondOrderPlant, IsPredictedAsWellAsWithItsOwnStructureGiven) {
+  const Family family{0.11, Eigen::Vector2d(-1.1, 0.28), {-0.59, -0.52}, 0.14, 0.01};
+  const auto fitted = filteredPlants(family, 40, 7), held_out = filteredPlants(family, 20, 8);
+  const auto density = [&](const Configuration& configuration) {
+    return Identifier(configuration)
+        .identify(fitted, held_out)
+        .validation.log_density_per_experiment;
+  };
+  Configuration own;
+  own.nominal_model.orders_auto = false;
+  own.nominal_model.nb = 1;
+  own.nominal_model.na = 2;
+  own.nominal_model.nc = own.nominal_model.nd = 0;
+  own.error_model.basis = BasisKind::fir;
+  own.error_model.constraint = Constraint::zero_static_gain;
+  own.error_model.taps = 3;
+  own.error_model.components = 1;
+  EXPECT_GT(density(Configuration()), density(own) - 1);
 }
 
 }  // namespace

@@ -86,6 +86,22 @@ TEST_F(StructureChoice, ComparesPhysicalParametersWhereThePolesHaveAContinuousCo
   EXPECT_FALSE(contains(sampled, "parameter_spread of gain"));
 }
 
+TEST_F(StructureChoice, ComparesNumeratorsThatVaryWhereTheExperimentsShowTheirCovariance) {
+  Polynomials plant;
+  plant.delay = 1;
+  plant.b = vectorOf({0.1, 0.2, 0.1});
+  for (const double pole : {0.8, -0.8}) {  // with and without a time constant
+    plant.a = vectorOf({-pole});
+    const auto compared = [&](int experiments) {
+      const Problem problem = problemOf(simulatedPlants(plant.b, plant.a, experiments), 3, 1);
+      return descriptions(errorStructures(problem, &plant));
+    };
+    EXPECT_TRUE(contains(compared(7), "parameter_spread of b1, b2 and b3"));
+    EXPECT_FALSE(contains(compared(6), "parameter_spread of b1, b2 and b3"))
+        << "the covariance has six elements";
+  }
+}
+
 TEST_F(StructureChoice, SingleStepsDetermineNoMoreThanTwoPoles) {
   std::vector<Experiment> experiments = simulatedPlants(vectorOf({0.2}), vectorOf({-0.8}), 4);
   const auto largestOrder = [&] {
