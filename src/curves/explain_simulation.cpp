@@ -113,8 +113,7 @@ std::string refusalOf(const std::vector<FoundCurve>& refused) {
   return namesOf(refused) +
          ": simulates held-out data better, but does not clearly predict the next output better "
          "than a linear model; where a controller answers to disturbances, or a load differs from "
-         "time to time, a linear plant looks the same. By its simulation it "
-         "is not named";
+         "time to time, a linear plant looks the same. The simulation alone does not name it";
 }
 
 void describe(const WindowSearch& search, SimulationCauses* found) {

@@ -51,7 +51,7 @@ enum class Trait {
   output_limit,   ///< may be seen in the samples: they crowd at the lowest or highest
   feedback,       ///< seen in the input: it depends on the output
   spectral_line,  ///< a line in the spectrum, as resonances that the model lacks have nearly, too
-  by_experiment   ///< of another size in each experiment, which one experiment cannot show
+  by_experiment   ///< of another size in each experiment, which one or two cannot show
 };
 
 /// A parameter of an effect.
