@@ -88,4 +88,25 @@ std::optional<Linearisation> linearisedAtPosteriorMeans(const LinearModel& model
   return now;
 }
 
+double logLikelihoodAtPoints(const LinearModel& model, const Likelihood& likelihood,
+                             const ModelParameters& point, const MatrixXd& points) {
+  const Expectation expected =
+      likelihood.expect(likelihood.statistics(point.parameters, false), point);
+  const Index n = model.regressors();
+  if (points.size() == 0 || n == 0) return expected.total();
+  const LatentMoments moments = latentMoments(expected);
+  const MatrixXd& means = moments.means;
+  const MatrixXd of_zero = model.points(point.parameters, 0 * means).topRows(n);
+  const MatrixXd of_one =
+      model.points(point.parameters, MatrixXd::Ones(n, means.cols())).topRows(n);
+  const MatrixXd xi = ((points.topRows(n) - of_zero).array() / (of_one - of_zero).array()).matrix();
+  double beyond = 0;
+  for (Index r = 0; r < means.cols(); ++r) {
+    const Eigen::Map<const MatrixXd> covariance(moments.covariances.col(r).data(), n, n);
+    const VectorXd distance = means.col(r) - xi.col(r);
+    beyond += distance.dot(covariance.ldlt().solve(distance)) / 2;
+  }
+  return expected.total() - beyond;
+}
+
 }  // namespace uncertainty_identification

@@ -61,4 +61,13 @@ std::optional<Linearisation> linearisedAtPosteriorMeans(const LinearModel& model
                                                         int experiments, int threads,
                                                         const ModelParameters& point, int* passes);
 
+/// Log-likelihood of the experiments under `likelihood`'s model, which is linearised about
+/// `points`, less what the linearisation claims beyond them [nats]: for each experiment half the
+/// squared distance of its posterior mean from its point, in posterior covariances. Nothing at the
+/// fixed point. The difference is large where no point converged, or where the model is not defined
+/// at the posterior mean, as beyond the shortest dead time: there the linear model, not the plant,
+/// follows the data. `points` is empty for a model that is linear everywhere. One sweep.
+double logLikelihoodAtPoints(const LinearModel& model, const Likelihood& likelihood,
+                             const ModelParameters& point, const Eigen::MatrixXd& points);
+
 }  // namespace uncertainty_identification

@@ -138,6 +138,10 @@ Termination endOfScoring(const std::vector<TracePoint>& steps, int max_iteration
   return accepted ? Termination::converged : Termination::stalled;
 }
 
+double logLikelihoodAt(const Likelihood& likelihood, const ModelParameters& point) {
+  return likelihood.expect(likelihood.statistics(point.parameters, false), point).total();
+}
+
 }  // namespace
 
 Optimum maximumLikelihood(const Likelihood& likelihood, const ModelParameters& start,
@@ -162,9 +166,12 @@ Optimum maximumLikelihood(const Likelihood& likelihood, const ModelParameters& s
   optimum.log_likelihood = near.log_likelihood;
   if (!std::isfinite(near.log_likelihood)) {
     optimum.termination = Termination::stalled;
-    optimum.message =
-        "the likelihood is not finite at the start (a model that fits without error leaves no "
-        "noise to estimate)";
+    optimum.log_likelihood = logLikelihoodAt(likelihood, optimum.point);
+    optimum.message = std::isfinite(optimum.log_likelihood)
+                          ? "the likelihood is lost in rounding near the start: the model has "
+                            "slow poles that the data do not determine; lower its orders"
+                          : "the likelihood is not finite at the start (a model that fits without "
+                            "error leaves no noise to estimate)";
     return optimum;
   }
   const Termination of_scoring = endOfScoring(optimum.trace, options.max_iterations);

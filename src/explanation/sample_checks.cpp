@@ -97,24 +97,50 @@ long visits(const std::vector<Experiment>& experiments, double value, bool holds
   return count;
 }
 
-/// Whether inputs that differ widely lead to the same value. Where a machine turns round or rests
-/// at its largest output, held there by friction, its input hardly moves.
-bool isReachedByDifferentInputs(const std::vector<Experiment>& experiments, double value) {
-  constexpr double kWidely = 0.3;  // standard deviations of the input
-  std::vector<double> there;
+/// Standard deviation of all inputs.
+double inputDeviation(const std::vector<Experiment>& experiments) {
   double sum = 0, squares = 0, samples = 0;
   for (const Experiment& experiment : experiments) {
     sum += experiment.u.sum();
     squares += experiment.u.squaredNorm();
     samples += experiment.samples();
+  }
+  return std::sqrt(std::max(squares / samples - sum * sum / samples / samples, 0.0));
+}
+
+/// Whether inputs that differ widely lead to the same value. Where a machine turns round or rests
+/// at its largest output, held there by friction, its input hardly moves.
+bool isReachedByDifferentInputs(const std::vector<Experiment>& experiments, double value) {
+  constexpr double kWidely = 0.3;  // standard deviations of the input
+  std::vector<double> there;
+  for (const Experiment& experiment : experiments) {
     for (int t = 0; t < experiment.samples(); ++t)
       if (experiment.isValid(t) && experiment.y[t] == value) there.push_back(experiment.u[t]);
   }
   std::sort(there.begin(), there.end());
   const std::size_t tenth = there.size() / 10;
-  const double variance = squares / samples - sum * sum / samples / samples;
-  return there[there.size() - 1 - tenth] - there[tenth] >
-         kWidely * std::sqrt(std::max(variance, 0.0));
+  return there[there.size() - 1 - tenth] - there[tenth] > kWidely * inputDeviation(experiments);
+}
+
+/// Whether readings between the extremes stand still about as long as at this one, while the input
+/// moves: then they are held, or interpolated, wherever they are.
+bool standsStillElsewhere(const std::vector<Experiment>& experiments, double value, double low,
+                          double high) {
+  constexpr double kMoves = 0.1;  // standard deviations of the input
+  const double moves = kMoves * inputDeviation(experiments);
+  int there = 0, elsewhere = 0;
+  for (const Experiment& experiment : experiments) {
+    for (int first = 0, next = 0; first < experiment.samples(); first = next) {
+      const double reading = experiment.y[first];
+      do ++next;
+      while (next < experiment.samples() && experiment.y[next] == reading);
+      const auto inputs = experiment.u.segment(first, next - first);
+      if (reading == value) there = std::max(there, next - first);
+      const bool moving = inputs.maxCoeff() - inputs.minCoeff() > moves;
+      if (reading > low && reading < high && moving) elsewhere = std::max(elsewhere, next - first);
+    }
+  }
+  return elsewhere >= kFewestRepeats && 2 * elsewhere > there;
 }
 
 /// Whether the output comes to a value, and leaves it, at a speed that its readings show: by more
@@ -183,6 +209,7 @@ std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experimen
     const auto count = static_cast<double>(visits(experiments, value, held > 0));
     return count >= kFewestRepeats && count >= kCrowded * next_to_it &&
            isReachedByDifferentInputs(experiments, value) &&
+           !standsStillElsewhere(experiments, value, low, high) &&
            isReachedAtSpeed(experiments, value, resolution);
   };
   const bool at_low = isLimit(low, visitsNextTo(values.begin(), values.end()));

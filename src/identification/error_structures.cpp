@@ -13,6 +13,7 @@ namespace uncertainty_identification {
 namespace {
 
 constexpr std::size_t kMostVaried = 4;  // parameters that vary together
+constexpr const char* kDeadTime = "dead_time";
 constexpr const char* kVaryingDeadTime = "parameter_spread of dead_time";
 
 using Names = std::vector<std::string>;
@@ -113,14 +114,15 @@ Names numeratorOf(const Names& names) {
 }
 
 /// Filters in series with Go: as many as the options state or, where these are automatic, each
-/// number up to the largest.
+/// number up to the largest that the experiments show, two for each tap.
 void addFilters(const Configuration& configuration, BasisKind basis, Constraint constraint,
-                std::vector<ErrorStructure>* structures) {
+                int experiments, std::vector<ErrorStructure>* structures) {
   const ErrorModelOptions& options = configuration.error_model;
   const bool given = options.basis != BasisKind::automatic && options.taps != kAutomatic;
   const int fewest = constraint == Constraint::zero_static_gain ? 2 : 1;
   const int first = given ? options.taps : fewest;
-  const int last = given ? options.taps : std::max(options.max_taps, fewest);
+  const int most = std::max(std::min(options.max_taps, experiments / 2), fewest);
+  const int last = given ? options.taps : most;
   for (int taps = first; taps <= last; ++taps) {
     structures->push_back({nameOf(basis) + ", " + std::to_string(taps) +
                                (taps == 1 ? " tap, " : " taps, ") + nameOf(constraint),
@@ -138,8 +140,10 @@ void addVaried(const Configuration& configuration, const Names& names,
   options.parameters = names;
 }
 
+bool isOfDeadTimeAlone(const Names& names) { return names == Names{kDeadTime}; }
+
 /// Physical parameters that vary. A dead time is a parameter where it is a fraction of a sample, or
-/// where it varies itself: near a whole number of samples it has no derivative.
+/// where one that varies is better than none: near a whole number of samples it has no derivative.
 std::vector<ErrorStructure> physicalStructures(const Problem& problem, const Polynomials& plant) {
   std::vector<ErrorStructure> structures;
   const bool fraction = hasFractionOfDelay(plant);
@@ -150,11 +154,17 @@ std::vector<ErrorStructure> physicalStructures(const Problem& problem, const Pol
         continuousStructure(varied.nominal_model, plant, dead_time, problem.data.sampleTime());
     if (!physical) continue;
     varied.nominal_model = *physical;
-    for (const Names& some : combinations(physicalParameters(*physical))) {
-      const bool of_dead_time = std::find(some.begin(), some.end(), "dead_time") != some.end();
-      if (dead_time && !fraction && !of_dead_time) continue;
+    std::vector<Names> all = combinations(physicalParameters(*physical));
+    if (dead_time) {  // first, as the others depend on it
+      std::stable_partition(all.begin(), all.end(), isOfDeadTimeAlone);
+    }
+    for (const Names& some : all) {
+      const bool alone = isOfDeadTimeAlone(some);
+      const bool of_dead_time = some.back() == kDeadTime;
       addVaried(varied, some, &structures);
-      if (of_dead_time && some.size() > 1) structures.back().if_better = kVaryingDeadTime;
+      ErrorStructure& last = structures.back();
+      if (dead_time && !fraction && !of_dead_time) last.description += ", with a dead time";
+      if (dead_time && !alone && (!fraction || of_dead_time)) last.if_better = kVaryingDeadTime;
     }
   }
   return structures;
@@ -186,13 +196,14 @@ bool isSpreadOfNumerator(const ErrorModelOptions& options) {
 std::vector<ErrorStructure> errorStructures(const Problem& problem, const Polynomials* plant) {
   const Configuration& configuration = problem.configuration;
   const ErrorModelOptions& options = configuration.error_model;
+  const int experiments = problem.data.count();
   std::vector<ErrorStructure> structures;
   if (options.basis != BasisKind::automatic) {
-    addFilters(configuration, options.basis, options.constraint, &structures);
+    addFilters(configuration, options.basis, options.constraint, experiments, &structures);
     return structures;
   }
-  addFilters(configuration, BasisKind::fir, Constraint::zero_mean, &structures);
-  addFilters(configuration, BasisKind::fir, Constraint::zero_static_gain, &structures);
+  addFilters(configuration, BasisKind::fir, Constraint::zero_mean, experiments, &structures);
+  addFilters(configuration, BasisKind::fir, Constraint::zero_static_gain, experiments, &structures);
   structures.push_back({"none", configuration});
   structures.back().configuration.error_model =
       withBasis(options, BasisKind::fir, Constraint::free, 0);

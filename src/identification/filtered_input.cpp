@@ -8,11 +8,13 @@
 namespace uncertainty_identification {
 namespace {
 
-ErrorStructure filtersOf(const Problem& problem, int nb, int na, int taps) {
-  ErrorStructure filters{"fir, " + std::to_string(taps) + " taps, zero_static_gain (nb=" +
-                             std::to_string(nb) + " na=" + std::to_string(na) + ")",
+ErrorStructure filtersOf(const Problem& problem, int delay, int nb, int na, int taps) {
+  ErrorStructure filters{"fir, " + std::to_string(taps) +
+                             " taps, zero_static_gain (nb=" + std::to_string(nb) +
+                             " na=" + std::to_string(na) + " delay=" + std::to_string(delay) + ")",
                          problem.configuration};
   NominalModelOptions& nominal = filters.configuration.nominal_model;
+  nominal.delay = delay;
   nominal.nb = nb;
   nominal.na = na;
   ErrorModelOptions& errors = filters.configuration.error_model;
@@ -20,6 +22,13 @@ ErrorStructure filtersOf(const Problem& problem, int nb, int na, int taps) {
   errors.constraint = Constraint::zero_static_gain;
   errors.taps = taps;
   return filters;
+}
+
+/// Whether dead times differ: a filter of several taps looks like another dead time.
+bool variesDeadTime(const ErrorModelOptions& options) {
+  const auto& varied = options.parameters;
+  return options.basis == BasisKind::parameter_spread &&
+         std::find(varied.begin(), varied.end(), "dead_time") != varied.end();
 }
 
 }  // namespace
@@ -35,7 +44,8 @@ bool mayBeFilters(const Problem& problem, const std::vector<StructureFit>& fits,
     const bool filters = options.basis == BasisKind::fir && options.taps > 1;
     return (filters || isSpreadOfNumerator(options)) && scoreOf(problem, fit) > least;
   };
-  return are_filters(chosen) || std::any_of(fits.begin(), fits.end(), are_filters);
+  return are_filters(chosen) || variesDeadTime(chosen.structure.configuration.error_model) ||
+         std::any_of(fits.begin(), fits.end(), are_filters);
 }
 
 std::optional<StructureFit> fitFilters(const Problem& problem, Journal* journal) {
@@ -43,25 +53,27 @@ std::optional<StructureFit> fitFilters(const Problem& problem, Journal* journal)
   const int most_taps = std::max(kFewestTaps, problem.configuration.error_model.max_taps);
   const int largest = problem.configuration.nominal_model.max_order;
   std::optional<StructureFit> best;
-  const auto improves = [&](int nb, int na, int taps) {
+  const auto improves = [&](int delay, int nb, int na, int taps) {
     if (best && journal->progress.searchEnds()) return false;
-    auto fit = fitStructure(problem, filtersOf(problem, nb, na, taps), {}, true, journal);
+    auto fit = fitStructure(problem, filtersOf(problem, delay, nb, na, taps), {}, true, journal);
     if (!fit || (best && scoreOf(problem, *fit) <= scoreOf(problem, *best))) return false;
     best = std::move(fit);
     return true;
   };
-  const auto improvesAt = [&](int order) {
+  const auto improvesAt = [&](int delay, int order) {
     bool any = false;
     for (int taps = most_taps; taps >= kFewestTaps; --taps)
-      any = improves(order, order, taps) || any;
+      any = improves(delay, order, order, taps) || any;
     return any;
   };
-  int order = 1;
-  improvesAt(order);
-  while (order < largest && improvesAt(order + 1)) ++order;
+  const int latest = problem.configuration.nominal_model.delay;
+  // Filters whose first taps are small look like a longer delay.
+  for (int delay = latest; delay >= std::max(latest - most_taps + 1, std::min(latest, 1)); --delay)
+    for (int order = 1; order <= largest && (improvesAt(delay, order) || order == 1);) ++order;
   if (!best) return best;
+  const NominalModelOptions found = best->structure.configuration.nominal_model;
   const int taps = best->structure.configuration.error_model.taps;
-  for (int nb = order; nb > 1 && improves(nb - 1, order, taps);) --nb;
+  for (int nb = found.nb; nb > 1 && improves(found.delay, nb - 1, found.na, taps);) --nb;
   return best;
 }
 

@@ -29,6 +29,21 @@ FittedModel fitAround(const Problem& around, const Configuration& asked, Problem
   return fitModel(*problem, journal);
 }
 
+/// Whether a joint fit stands beside the plant that was fitted alone: it simulates as well. One
+/// that did not converge must not simulate noticeably worse at all.
+bool stands(const Problem& problem, const FittedModel& fitted, const FittedPlant& alone,
+            Journal* journal) {
+  constexpr double kNoticeable = 1;  // [% of fit]
+  const ModelParameters& point = fitted.optimum.point;
+  const double offset = plantOf(*fitted.model, point).offset;
+  if (fitted.optimum.termination != Termination::converged &&
+      fitOf(problem, meanPlant(*fitted.model, point), offset).pooled <
+          fitOf(problem, alone.polynomials, alone.offset).pooled - kNoticeable)
+    return false;
+  return simulatesByOwnPlants(problem, fitted, alone) ||
+         simulatesAsWellAsAlone(problem, *fitted.model, point, alone, journal);
+}
+
 /// The model of the chosen structure. Where Go was fitted jointly, but alone simulates the data
 /// better, the model around the plant that was fitted alone, if there is one.
 FittedModel fitChosen(const Configuration& asked, Orders orders, Problem* problem,
@@ -39,9 +54,7 @@ FittedModel fitChosen(const Configuration& asked, Orders orders, Problem* proble
   if (problem->plant) problem->plant = describePlant(*problem, journal);
   FittedModel fitted = fitModel(*problem, journal);
   const bool could_be_alone = around.plant && !problem->plant && !journal->progress.searchEnds();
-  if (!could_be_alone || simulatesByOwnPlants(*problem, fitted, *around.plant) ||
-      simulatesAsWellAsAlone(*problem, *fitted.model, fitted.optimum.point, *around.plant, journal))
-    return fitted;
+  if (!could_be_alone || stands(*problem, fitted, *around.plant, journal)) return fitted;
   const Problem jointly = *problem;
   std::vector<Candidate> of_joint = journal->candidates;
   std::vector<std::string> warned = journal->warnings;

@@ -143,9 +143,8 @@ void warnAboutFloor(const Mixture& mixture, const MatrixXd& floor, Journal* jour
   }
 }
 
-}  // namespace
-
-FittedModel fitModel(const Problem& problem, Journal* journal) {
+/// The optimum with as many components as the problem's configuration says.
+FittedModel fitComponents(const Problem& problem, Journal* journal) {
   const Configuration& configuration = problem.configuration;
   FittedModel fitted;
   useModel(problem, buildModel(problem), &fitted, journal);
@@ -171,18 +170,31 @@ FittedModel fitModel(const Problem& problem, Journal* journal) {
   }
   OptimisationOptions options =
       optimisationOptions(configuration, Phase::optimum, &journal->progress);
-  options.floor = covarianceFloor(start.mixture);
+  fitted.floor = covarianceFloor(start.mixture);
+  options.floor = fitted.floor;
   optimiseToFixedPoint(problem, options, about ? about->points : MatrixXd(), &fitted, journal);
-  if (configuration.error_model.components == kAutomatic &&
-      hasEmptyComponent(fitted.optimum.point.mixture, problem.data.count())) {
-    Problem fewer = problem;
-    fewer.configuration.error_model.components = fitted.components - 1;
-    return fitModel(fewer, journal);
+  return fitted;
+}
+
+}  // namespace
+
+FittedModel fitModel(const Problem& problem, Journal* journal) {
+  FittedModel fitted = fitComponents(problem, journal);
+  const Configuration& configuration = problem.configuration;
+  if (configuration.estimation.max_iterations == 0) return fitted;
+  Problem fewer = problem;
+  while (configuration.error_model.components == kAutomatic &&
+         hasEmptyComponent(fitted.optimum.point.mixture, problem.data.count())) {
+    fewer.configuration.error_model.components = fitted.optimum.point.mixture.components() - 1;
+    fitted = fitComponents(fewer, journal);
   }
+  OptimisationOptions options =
+      optimisationOptions(configuration, Phase::optimum, &journal->progress);
+  options.floor = fitted.floor;
   leaveLocalOptimum(problem, options, &fitted, journal);
   fitted.optimum.point =
       withSortedTimeConstants(*fitted.model, configuration.error_model, fitted.optimum.point);
-  warnAboutFloor(fitted.optimum.point.mixture, options.floor, journal);
+  warnAboutFloor(fitted.optimum.point.mixture, fitted.floor, journal);
   return fitted;
 }
 

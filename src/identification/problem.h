@@ -71,6 +71,7 @@ struct FittedModel {
   std::unique_ptr<LinearModel> model;  ///< linearised about the posterior means where need be
   std::unique_ptr<Likelihood> likelihood;
   int components = kAutomatic;  ///< of the mixture, as chosen; automatic where `initial` gives one
+  Eigen::MatrixXd floor;        ///< least covariance of a component, see covarianceFloor()
   Optimum optimum;
 };
 

@@ -2,6 +2,7 @@
 
 #include "estimation/excerpt.h"
 #include "estimation/initial_guess.h"
+#include "estimation/linearisation.h"
 #include "estimation/selection.h"
 #include "identification/steps.h"
 #include "math/information_criterion.h"
@@ -222,10 +223,16 @@ ModelParameters findStart(const Problem& problem, const LinearModel& model,
   const std::vector<SingleComponent> optima = singleComponentOptima(likelihood, starts, options);
   const ModelParameters single =
       requireStart(optima.empty() ? std::nullopt : std::optional(optima.front().point), model);
+  const EstimationOptions& estimation = problem.configuration.estimation;
   if (problem.configuration.error_model.components == 1) return single;
-  const ModelParameters start = chooseComponents(problem, single, likelihood, journal);
+  // How experiments are distributed shows where each is linearised about its own plant.
+  const auto about = linearisedAtPosteriorMeans(model, problem.data.blocks, problem.data.count(),
+                                                threadsOf(estimation), single, &journal->passes);
+  const std::unique_ptr<Likelihood> near = about ? likelihoodOf(problem, *about->model) : nullptr;
+  const Likelihood& own = near ? *near : likelihood;
+  const ModelParameters start = chooseComponents(problem, single, own, journal);
   if (optima.size() == 1 || start.mixture.components() < 2) return start;
-  return bestMixture(problem, start, optima, likelihood, options);
+  return bestMixture(problem, start, optima, own, options);
 }
 
 }  // namespace uncertainty_identification

@@ -35,16 +35,18 @@ LinearisedPoint improved(std::shared_ptr<const LinearModel> model, ModelParamete
   constexpr int kRounds = 3;
   OptimisationOptions options = wanted;
   LinearisedPoint now{std::move(model), std::move(point), 0};
+  Eigen::MatrixXd points;
   const bool local = now.model->isLocallyLinear();
   for (int round = 0; round < (local ? kRounds : 1); ++round) {
     if (auto about = linearisedAtPosteriorMeans(*now.model, data.blocks, data.count(), threads,
-                                                now.point, passes))
+                                                now.point, passes)) {
       now.model = std::move(about->model);
+      points = std::move(about->points);
+    }
     const Likelihood likelihood(*now.model, data.blocks, data.count(), threads);
     options.floor = covarianceFloor(now.point.mixture);
     now.point = scoringSteps(likelihood, now.point, options, steps, 1e-2);
-    now.log_likelihood =
-        likelihood.expect(likelihood.statistics(now.point.parameters, false), now.point).total();
+    now.log_likelihood = logLikelihoodAtPoints(*now.model, likelihood, now.point, points);
     *passes += likelihood.passes();
   }
   return now;
@@ -58,7 +60,7 @@ double logDensity(const LinearModel& model, const ModelParameters& point, const 
   const LinearModel& linear = about ? *about->model : model;
   const Likelihood likelihood(linear, data.blocks, data.count(), threads);
   const double total =
-      likelihood.expect(likelihood.statistics(point.parameters, false), point).total();
+      logLikelihoodAtPoints(linear, likelihood, point, about ? about->points : Eigen::MatrixXd());
   *passes += likelihood.passes();
   if (!hasUnknownsOfExperiments(options)) return total;
   return total - firstSamplesDensity(linear, point, data.experiments, threads, passes);

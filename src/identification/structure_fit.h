@@ -61,8 +61,8 @@ std::optional<StructureFit> fitOfOrder(Problem problem, int order, Journal* jour
 std::vector<StructureFit> jointOrders(const Problem& problem,
                                       const std::vector<StartingPoint>& points, Journal* journal);
 
-/// Whether the plants may differ by filters: enough of them are known, and one of several taps
-/// describes them about as well as the chosen structure, if it is not that itself.
+/// Whether the plants may differ by filters: enough of them are known, and the chosen structure is
+/// one, or varies the dead time, or a filter of several taps describes them about as well.
 bool mayBeFilters(const Problem& problem, const std::vector<StructureFit>& fits,
                   const StructureFit& chosen);
 

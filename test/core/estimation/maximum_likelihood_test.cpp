@@ -189,5 +189,32 @@ TEST(MaximumLikelihood, StallsWhereTheLikelihoodIsNotFinite) {
   EXPECT_FALSE(optimum.message.empty());
 }
 
+/// A model whose parameters do not survive the way through unbounded coordinates, as those of
+/// nearly cancelling poles at 1 may not.
+class LostInRounding : public LinearModel {
+ public:
+  using LinearModel::LinearModel;
+  VectorXd fromUnbounded(const VectorXd& unbounded) const override {
+    return VectorXd::Constant(unbounded.size(), std::nan(""));
+  }
+};
+
+/// The start, which can be evaluated, is not thrown away.
+TEST(MaximumLikelihood, KeepsAStartThatOnlyRoundingLoses) {
+  const Problem problem = problemOf(Constraint::zero_static_gain, false);
+  const test::CoreSetup setup(problem.configuration, problem.experiments);
+  const LostInRounding model(makeNominalModel(problem.configuration.nominal_model, 1),
+                             setup.model().basis(), problem.configuration.estimation);
+  const Likelihood likelihood(model, setup.blocks(), static_cast<int>(setup.experiments().size()),
+                              1);
+  const Optimum optimum = maximumLikelihood(
+      likelihood, problem.start,
+      test::optimisationOptions(problem.configuration, problem.start.mixture, 1e-6));
+  EXPECT_EQ(optimum.termination, Termination::stalled);
+  EXPECT_GE(optimum.log_likelihood, setup.logLikelihood(problem.start));
+  EXPECT_NEAR(optimum.log_likelihood, setup.logLikelihood(optimum.point), 1e-6);
+  EXPECT_NE(optimum.message.find("rounding"), std::string::npos) << optimum.message;
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

@@ -269,6 +269,23 @@ TEST(SampleChecks, ALargestValueThatIsHeldIsNoLimit) {
   EXPECT_EQ(found[0].trait, Trait::held_samples);
 }
 
+/// A gauge whose readings stand still for days at several levels, in rain and without.
+TEST(SampleChecks, AReadingThatStandsStillElsewhereTooIsNoLimit) {
+  const auto hasLimit = [](const std::vector<Experiment>& experiments) {
+    const auto found = checkSamples(experiments);
+    return std::any_of(found.begin(), found.end(),
+                       [](const SpoiltSamples& one) { return one.trait == Trait::output_limit; });
+  };
+  std::vector<Experiment> experiments = noise();
+  Eigen::VectorXd& y = experiments[0].y;
+  y.segment(100, 7).setConstant(-20);
+  EXPECT_TRUE(hasLimit(experiments));
+  y.segment(200, 6).setConstant(20);
+  EXPECT_TRUE(hasLimit(experiments)) << "a limit on both sides";
+  y.segment(300, 6).setConstant(1.5);
+  EXPECT_FALSE(hasLimit(experiments));
+}
+
 TEST(SampleChecks, ThreeRepeatsAreChance) {
   std::vector<Experiment> experiments = noise();
   for (int t : {10, 20, 30}) experiments[0].y[t] = experiments[0].y[t - 1];
