@@ -66,9 +66,11 @@ std::optional<StructureFit> fitFilters(const Problem& problem, Journal* journal)
       any = improves(delay, order, order, taps) || any;
     return any;
   };
-  const int latest = problem.configuration.nominal_model.delay;
+  const int found_delay = problem.configuration.nominal_model.delay;
+  const int latest = std::max(found_delay, 1);
   // Filters whose first taps are small look like a longer delay.
-  for (int delay = latest; delay >= std::max(latest - most_taps + 1, std::min(latest, 1)); --delay)
+  const int earliest = std::max(latest - most_taps + 1, std::min(found_delay, 1));
+  for (int delay = latest; delay >= earliest; --delay)
     for (int order = 1; order <= largest && (improvesAt(delay, order) || order == 1);) ++order;
   if (!best) return best;
   const NominalModelOptions found = best->structure.configuration.nominal_model;

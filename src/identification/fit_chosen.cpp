@@ -30,13 +30,13 @@ FittedModel fitAround(const Problem& around, const Configuration& asked, Problem
 }
 
 /// Whether a joint fit stands beside the plant that was fitted alone: it simulates as well. One
-/// that did not converge must not simulate noticeably worse at all.
+/// of few experiments that did not converge must not simulate noticeably worse at all.
 bool stands(const Problem& problem, const FittedModel& fitted, const FittedPlant& alone,
             Journal* journal) {
   constexpr double kNoticeable = 1;  // [% of fit]
   const ModelParameters& point = fitted.optimum.point;
   const double offset = plantOf(*fitted.model, point).offset;
-  if (fitted.optimum.termination != Termination::converged &&
+  if (!areMany(problem) && fitted.optimum.termination != Termination::converged &&
       fitOf(problem, meanPlant(*fitted.model, point), offset).pooled <
           fitOf(problem, alone.polynomials, alone.offset).pooled - kNoticeable)
     return false;

@@ -109,10 +109,16 @@ bool simulatesAsWellAsAlone(const Problem& whole, const LinearModel& model,
   return !plant || !simulatesWorse(jointly, fitOf(problem, plant->polynomials, plant->offset));
 }
 
+bool areMany(const Problem& problem) {
+  const int taps = problem.configuration.error_model.taps;
+  return problem.data.count() > taps * (taps + 1);
+}
+
 bool simulatesByOwnPlants(const Problem& problem, const FittedModel& fitted,
                           const FittedPlant& chosen_alone) {
-  constexpr double kFarLess = 0.5;  // of the error
-  constexpr double kMuch = 10;      // [% of fit] by which a mean of filters may be worse
+  constexpr double kFarLess = 0.5;     // of the error
+  constexpr double kNearlyNone = 0.1;  // of the error
+  constexpr double kMuch = 10;         // [% of fit] by which a mean of filters may be worse
   if (problem.configuration.error_model.taps == 0) return false;
   const ModelParameters& point = fitted.optimum.point;
   const Eigen::MatrixXd means =
@@ -134,8 +140,9 @@ bool simulatesByOwnPlants(const Problem& problem, const FittedModel& fitted,
                       alone = fitOf(problem, chosen_alone.polynomials, chosen_alone.offset);
   const double of_mean = fitOf(problem, meanPlant(*fitted.model, point), offset).pooled;
   const bool is_spread = problem.configuration.error_model.basis == BasisKind::parameter_spread;
-  return (is_spread || of_mean > alone.pooled - kMuch) &&
-         100 - own.pooled < kFarLess * (100 - alone.pooled);
+  const double of_alone = 100 - alone.pooled, of_own = 100 - own.pooled;
+  const bool all_of_it = areMany(problem) && of_own < kNearlyNone * of_alone;
+  return (is_spread || all_of_it || of_mean > alone.pooled - kMuch) && of_own < kFarLess * of_alone;
 }
 
 SimulationFit meanPlantFit(const LinearModel& model, const ModelParameters& point, double offset,

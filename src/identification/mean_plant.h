@@ -26,9 +26,15 @@ bool simulatesAsWellAsAlone(const Problem& problem, const LinearModel& model,
                             const ModelParameters& point, const FittedPlant& chosen_alone,
                             Journal* journal);
 
+/// Whether the experiments are more than twice as many as the elements of the covariance of what
+/// varies between them.
+bool areMany(const Problem& problem);
+
 /// Whether the data are simulated far better by each experiment's own plant, whose parameters are
 /// at their posterior means, than by `chosen_alone`: with half of its error. Where a resonance
-/// varies, the plant that simulates all experiments best has more damping than any of them.
+/// varies, the plant that simulates all experiments best has more damping than any of them. Filters
+/// of few experiments simulate anything; their mean must not be much worse, unless the experiments
+/// are many and hardly an error is left.
 bool simulatesByOwnPlants(const Problem& problem, const FittedModel& fitted,
                           const FittedPlant& chosen_alone);
 
