@@ -3,27 +3,35 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "estimation/mean_plant.h"
 #include "estimation/simulation_fit.h"
+#include "identification/steps.h"
+#include "identification/structure_fit.h"
+#include "math/polynomial.h"
 #include "model/fixed_plant.h"
+#include "support/core_setup.h"
 #include "uncertainty_identification/identifier.h"
 
 namespace uncertainty_identification {
 namespace {
 
-/// Plants b q^-1/A (1 + GDelta), whose errors are filters of three taps with a sum of zero.
+/// Plants B q^-1/A (1 + GDelta), whose errors are filters of three taps with a sum of zero.
 struct Family {
-  double b;
-  Eigen::VectorXd a;
-  double mean[2], deviation;  ///< of the taps q^0 and q^-1
-  double noise;               ///< [unit of y], white
+  Eigen::VectorXd b, a;
+  std::vector<Eigen::Vector2d> means;  ///< of the taps q^0 and q^-1; each for an equal share
+  double deviation;
+  double noise;  ///< [unit of y], white
+  double input_pole = 0;
 };
 
-Family firstOrder() { return {0.4, Eigen::VectorXd::Constant(1, -0.7), {-0.6, 0.9}, 0.15, 0.05}; }
+Family firstOrder() {
+  return {test::vectorOf({0.4}), test::vectorOf({-0.7}), {{-0.6, 0.9}}, 0.15, 0.05};
+}
 
-/// Records of plants of the family from rest, the input white.
+/// Records of plants of the family from rest.
 std::vector<Experiment> filteredPlants(const Family& family, int count, unsigned seed) {
   constexpr int kSamples = 150;
   std::mt19937_64 random(seed);
@@ -34,15 +42,20 @@ std::vector<Experiment> filteredPlants(const Family& family, int count, unsigned
     experiment.id = "run " + std::to_string(r);
     experiment.sample_time = 0.1;
     experiment.u = experiment.y = Eigen::VectorXd::Zero(kSamples);
-    const double first = family.mean[0] + family.deviation * normal(random),
-                 second = family.mean[1] + family.deviation * normal(random);
-    const double factor[3] = {1 + first, second, -first - second};
+    const Eigen::Vector2d& mean = family.means[static_cast<std::size_t>(r) % family.means.size()];
+    const double first = mean[0] + family.deviation * normal(random),
+                 second = mean[1] + family.deviation * normal(random);
+    const Eigen::VectorXd b =
+        product(family.b, test::vectorOf({1 + first, second, -first - second}));
+    double input = 0;
     Eigen::VectorXd x = Eigen::VectorXd::Zero(kSamples + 1);
     for (int k = 0; k < kSamples; ++k) {
       experiment.y[k] = x[k] + family.noise * normal(random);
-      experiment.u[k] = normal(random);
-      for (int lag = 0; lag < std::min(3, k + 1); ++lag)
-        x[k + 1] += family.b * factor[lag] * experiment.u[k - lag];
+      input = family.input_pole * input +
+              std::sqrt(1 - family.input_pole * family.input_pole) * normal(random);
+      experiment.u[k] = input;
+      for (int lag = 0; lag < std::min<int>(static_cast<int>(b.size()), k + 1); ++lag)
+        x[k + 1] += b[lag] * experiment.u[k - lag];
       for (int lag = 0; lag < std::min<int>(static_cast<int>(family.a.size()), k + 1); ++lag)
         x[k + 1] -= family.a[lag] * x[k - lag];
     }
@@ -72,14 +85,14 @@ TEST_F(FilteredInput, TheDefaultFindsTheFiltersTheirMeanAndTheOrdersOfGo) {
   ASSERT_EQ(go.a.size(), 1);
   EXPECT_EQ(go.delay, 1);
   const Family truth = firstOrder();
-  EXPECT_NEAR(go.b[0], truth.b, 0.02);
+  EXPECT_NEAR(go.b[0], truth.b[0], 0.02);
   EXPECT_NEAR(go.a[0], truth.a[0], 0.01);
   EXPECT_EQ(found_.error_model.options.basis, BasisKind::fir);
   const Eigen::VectorXd eta = found_.error_model.T * found_.error_model.mixture.mean();
   ASSERT_EQ(eta.size(), 3);
   // Four standard errors of a mean of 25 plants are 0.12.
-  EXPECT_NEAR(eta[0], truth.mean[0], 0.12);
-  EXPECT_NEAR(eta[1], truth.mean[1], 0.12);
+  EXPECT_NEAR(eta[0], truth.means[0][0], 0.12);
+  EXPECT_NEAR(eta[1], truth.means[0][1], 0.12);
 }
 
 TEST_F(FilteredInput, TheMeanPlantIsSimulatedAndNotGo) {
@@ -96,10 +109,15 @@ TEST_F(FilteredInput, TheMeanPlantIsSimulatedAndNotGo) {
   EXPECT_NEAR(found_.validation.simulation_fit_percent_pooled, of_mean, 5);
 }
 
-/// Around the mean plant, whose B has three coefficients, no filter describes how the plants
-/// differ: their coefficients of B vary together.
-TEST(FilteredInputOfASecondOrderPlant, IsPredictedAsWellAsWithItsOwnStructureGiven) {
-  const Family family{0.11, Eigen::Vector2d(-1.1, 0.28), {-0.59, -0.52}, 0.14, 0.01};
+struct Comparison {
+  Family family;
+  double loss;  ///< [nats] per experiment, at most, for all that is chosen
+};
+
+class FilteredInputOf : public testing::TestWithParam<Comparison> {};
+
+TEST_P(FilteredInputOf, IsPredictedAboutAsWellAsWithItsOwnStructureGiven) {
+  const Family& family = GetParam().family;
   const auto fitted = filteredPlants(family, 40, 7), held_out = filteredPlants(family, 20, 8);
   const auto density = [&](const Configuration& configuration) {
     return Identifier(configuration)
@@ -108,14 +126,54 @@ TEST(FilteredInputOfASecondOrderPlant, IsPredictedAsWellAsWithItsOwnStructureGiv
   };
   Configuration own;
   own.nominal_model.orders_auto = false;
-  own.nominal_model.nb = 1;
-  own.nominal_model.na = 2;
+  own.nominal_model.nb = static_cast<int>(family.b.size());
+  own.nominal_model.na = static_cast<int>(family.a.size());
   own.nominal_model.nc = own.nominal_model.nd = 0;
   own.error_model.basis = BasisKind::fir;
   own.error_model.constraint = Constraint::zero_static_gain;
   own.error_model.taps = 3;
-  own.error_model.components = 1;
-  EXPECT_GT(density(Configuration()), density(own) - 1);
+  own.error_model.components = static_cast<int>(family.means.size());
+  EXPECT_GT(density(Configuration()), density(own) - GetParam().loss);
+}
+
+/// Around the mean plant, whose B has three coefficients, no filter describes how the plants
+/// differ: their coefficients of B vary together.
+Comparison secondOrder() {
+  return {{test::vectorOf({0.11}), test::vectorOf({-1.1, 0.28}), {{-0.59, -0.52}}, 0.14, 0.01}, 1};
+}
+
+/// Plants that differ by more than their size: hardly one is simulated by their mean, and all that
+/// Go fitted to its simulation alone leaves would be noise, 200 nats.
+Comparison scattered() {
+  return {{test::vectorOf({0.425, -0.765, 0.321}),
+           test::vectorOf({-0.854, 0.764, -0.283}),
+           {{-1.85, 0.8}},
+           0.15,
+           0.01,
+           0.4},
+          20};
+}
+
+INSTANTIATE_TEST_SUITE_P(Plants, FilteredInputOf, testing::Values(secondOrder(), scattered()));
+
+/// Filters whose first taps are small look like a longer delay, which all simple models choose.
+TEST(FitFilters, ShortensADelay) {
+  const Family family = firstOrder();
+  Journal journal{ProgressPhases({})};
+  Configuration configuration;
+  const CheckedData data = checkData(configuration, filteredPlants(family, 25, 5), &journal);
+  configuration.estimation.initial_state = InitialState::zero;
+  configuration.estimation.offsets = Offsets::estimate;
+  configuration.nominal_model.max_order = 2;
+  configuration.nominal_model.nc = configuration.nominal_model.nd = 0;
+  configuration.error_model.max_taps = 3;
+  for (const int delay : {0, 3}) {
+    configuration.nominal_model.delay = delay;
+    const auto found = fitFilters({data, {}, nullptr, configuration, {}, {}}, &journal);
+    ASSERT_TRUE(found) << delay;
+    EXPECT_EQ(found->start().polynomials.delay, 1) << delay;
+    EXPECT_NEAR(found->start().polynomials.a[0], family.a[0], 0.01) << delay;
+  }
 }
 
 }  // namespace

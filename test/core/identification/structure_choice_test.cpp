@@ -102,6 +102,37 @@ TEST_F(StructureChoice, ComparesNumeratorsThatVaryWhereTheExperimentsShowTheirCo
   }
 }
 
+TEST_F(StructureChoice, ComparesOneTapForTwoExperiments) {
+  const auto compared = [&](int experiments) {
+    const auto plants = simulatedPlants(vectorOf({0.2}), vectorOf({-0.8}), experiments);
+    return descriptions(errorStructures(problemOf(plants, 1, 1), nullptr));
+  };
+  EXPECT_TRUE(contains(compared(8), "fir, 4 taps, zero_mean"));
+  EXPECT_FALSE(contains(compared(7), "fir, 4 taps, zero_mean"));
+  EXPECT_TRUE(contains(compared(7), "fir, 3 taps, zero_mean"));
+  EXPECT_TRUE(contains(compared(2), "fir, 2 taps, zero_static_gain")) << "fewer leave nothing free";
+}
+
+/// The zero of a second-order plant may stand for a fraction of a sample.
+TEST_F(StructureChoice, ComparesADeadTimeBesideWhatVariesWhereItsOwnVariationIsWorthIt) {
+  Polynomials plant;
+  plant.delay = 2;
+  plant.b = vectorOf({0.1, 0.1});
+  plant.a = vectorOf({-1.2, 0.5});
+  const Problem problem = problemOf(simulatedPlants(plant.b, plant.a, 4), 2, 2);
+  const auto compared = errorStructures(problem, &plant);
+  const auto found = std::find_if(compared.begin(), compared.end(), [](const auto& each) {
+    return each.description == "parameter_spread of omega1, with a dead time";
+  });
+  ASSERT_NE(found, compared.end());
+  EXPECT_TRUE(found->configuration.nominal_model.dead_time);
+  EXPECT_EQ(found->if_better, "parameter_spread of dead_time");
+  const auto alone = std::find_if(compared.begin(), compared.end(), [](const auto& each) {
+    return each.description == "parameter_spread of dead_time";
+  });
+  EXPECT_LT(alone - compared.begin(), found - compared.begin()) << "what decides comes first";
+}
+
 TEST_F(StructureChoice, SingleStepsDetermineNoMoreThanTwoPoles) {
   std::vector<Experiment> experiments = simulatedPlants(vectorOf({0.2}), vectorOf({-0.8}), 4);
   const auto largestOrder = [&] {
