@@ -99,7 +99,11 @@ double logLikelihoodAtPoints(const LinearModel& model, const Likelihood& likelih
   const MatrixXd of_zero = model.points(point.parameters, 0 * means).topRows(n);
   const MatrixXd of_one =
       model.points(point.parameters, MatrixXd::Ones(n, means.cols())).topRows(n);
-  const MatrixXd xi = ((points.topRows(n) - of_zero).array() / (of_one - of_zero).array()).matrix();
+  // A parameter of zero does not vary, whatever xi is.
+  const Eigen::ArrayXXd scale = (of_one - of_zero).array();
+  const MatrixXd xi = (scale == 0)
+                          .select(means.array(), (points.topRows(n) - of_zero).array() /
+                                                     (scale == 0).select(1.0, scale));
   double beyond = 0;
   for (Index r = 0; r < means.cols(); ++r) {
     const Eigen::Map<const MatrixXd> covariance(moments.covariances.col(r).data(), n, n);

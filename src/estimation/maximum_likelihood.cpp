@@ -167,8 +167,9 @@ Optimum maximumLikelihood(const Likelihood& likelihood, const ModelParameters& s
   if (!std::isfinite(near.log_likelihood)) {
     optimum.termination = Termination::stalled;
     optimum.log_likelihood = logLikelihoodAt(likelihood, optimum.point);
+    optimum.is_lost = true;
     optimum.message = std::isfinite(optimum.log_likelihood)
-                          ? "the likelihood is lost in rounding near the start: the model has "
+                          ? "the likelihood is lost in rounding near the start: the model may have "
                             "slow poles that the data do not determine; lower its orders"
                           : "the likelihood is not finite at the start (a model that fits without "
                             "error leaves no noise to estimate)";

@@ -31,6 +31,7 @@ struct Optimum {
   std::string message;
   int iterations = 0;
   std::vector<TracePoint> trace;
+  bool is_lost = false;  ///< rounding loses the likelihood at the start, where it ends
 };
 
 /// Algorithm 1 of the paper with its stopping rule (section 5): E-step, equations (26)-(29), then a

@@ -132,8 +132,11 @@ bool standsStillElsewhere(const std::vector<Experiment>& experiments, double val
   for (const Experiment& experiment : experiments) {
     for (int first = 0, next = 0; first < experiment.samples(); first = next) {
       const double reading = experiment.y[first];
+      const bool known = experiment.isValid(first);
       do ++next;
-      while (next < experiment.samples() && experiment.y[next] == reading);
+      while (known && next < experiment.samples() && experiment.isValid(next) &&
+             experiment.y[next] == reading);
+      if (!known) continue;
       const auto inputs = experiment.u.segment(first, next - first);
       if (reading == value) there = std::max(there, next - first);
       const bool moving = inputs.maxCoeff() - inputs.minCoeff() > moves;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "identification/error_structures.h"
 #include "identification/structure_fit.h"
@@ -50,14 +51,18 @@ bool mayBeFilters(const Problem& problem, const std::vector<StructureFit>& fits,
 
 std::optional<StructureFit> fitFilters(const Problem& problem, Journal* journal) {
   constexpr int kFewestTaps = 2;
-  const int most_taps = std::max(kFewestTaps, problem.configuration.error_model.max_taps);
+  const int shown = std::min(problem.configuration.error_model.max_taps, problem.data.count() / 2);
+  const int most_taps = std::max(kFewestTaps, shown);
   const int largest = problem.configuration.nominal_model.max_order;
   std::optional<StructureFit> best;
+  double score = -std::numeric_limits<double>::infinity();  // the highest, of this delay
   const auto improves = [&](int delay, int nb, int na, int taps) {
     if (best && journal->progress.searchEnds()) return false;
     auto fit = fitStructure(problem, filtersOf(problem, delay, nb, na, taps), {}, true, journal);
-    if (!fit || (best && scoreOf(problem, *fit) <= scoreOf(problem, *best))) return false;
-    best = std::move(fit);
+    const double its = fit ? scoreOf(problem, *fit) : score;
+    if (!(its > score)) return false;
+    score = its;
+    if (!best || its > scoreOf(problem, *best)) best = std::move(fit);
     return true;
   };
   const auto improvesAt = [&](int delay, int order) {
@@ -70,9 +75,12 @@ std::optional<StructureFit> fitFilters(const Problem& problem, Journal* journal)
   const int latest = std::max(found_delay, 1);
   // Filters whose first taps are small look like a longer delay.
   const int earliest = std::max(latest - most_taps + 1, std::min(found_delay, 1));
-  for (int delay = latest; delay >= earliest; --delay)
-    for (int order = 1; order <= largest && (improvesAt(delay, order) || order == 1);) ++order;
+  for (int delay = latest; delay >= earliest; --delay) {
+    score = -std::numeric_limits<double>::infinity();
+    for (int order = 1; order <= largest && improvesAt(delay, order); ++order) continue;
+  }
   if (!best) return best;
+  score = scoreOf(problem, *best);
   const NominalModelOptions found = best->structure.configuration.nominal_model;
   const int taps = best->structure.configuration.error_model.taps;
   for (int nb = found.nb; nb > 1 && improves(found.delay, nb - 1, found.na, taps);) --nb;

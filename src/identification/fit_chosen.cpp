@@ -31,12 +31,12 @@ FittedModel fitAround(const Problem& around, const Configuration& asked, Problem
 
 /// Whether a joint fit stands beside the plant that was fitted alone: it simulates as well. One
 /// of few experiments that did not converge must not simulate noticeably worse at all.
-bool stands(const Problem& problem, const FittedModel& fitted, const FittedPlant& alone,
-            Journal* journal) {
+bool standsBeside(const Problem& problem, const FittedModel& fitted, const FittedPlant& alone,
+                  Journal* journal) {
   constexpr double kNoticeable = 1;  // [% of fit]
   const ModelParameters& point = fitted.optimum.point;
   const double offset = plantOf(*fitted.model, point).offset;
-  if (!areMany(problem) && fitted.optimum.termination != Termination::converged &&
+  if (!areMany(problem, *fitted.model) && fitted.optimum.termination != Termination::converged &&
       fitOf(problem, meanPlant(*fitted.model, point), offset).pooled <
           fitOf(problem, alone.polynomials, alone.offset).pooled - kNoticeable)
     return false;
@@ -54,7 +54,7 @@ FittedModel fitChosen(const Configuration& asked, Orders orders, Problem* proble
   if (problem->plant) problem->plant = describePlant(*problem, journal);
   FittedModel fitted = fitModel(*problem, journal);
   const bool could_be_alone = around.plant && !problem->plant && !journal->progress.searchEnds();
-  if (!could_be_alone || stands(*problem, fitted, *around.plant, journal)) return fitted;
+  if (!could_be_alone || standsBeside(*problem, fitted, *around.plant, journal)) return fitted;
   const Problem jointly = *problem;
   std::vector<Candidate> of_joint = journal->candidates;
   std::vector<std::string> warned = journal->warnings;
@@ -62,7 +62,7 @@ FittedModel fitChosen(const Configuration& asked, Orders orders, Problem* proble
   journal->warnings.resize(warnings);
   FittedModel alone = fitAround(around, asked, problem, journal);
   // Beside the long free response of an integrator, rounding may leave nothing of a small residual.
-  if (!std::isfinite(alone.optimum.log_likelihood)) {
+  if (!std::isfinite(alone.optimum.log_likelihood) || alone.optimum.is_lost) {
     takeOver(jointly, problem);
     journal->candidates = std::move(of_joint);
     journal->warnings = std::move(warned);
@@ -105,7 +105,9 @@ double bicOf(const Trial& trial) {
                             static_cast<double>(plant ? plant->parameters.size() : 0);
   const auto samples = static_cast<double>(trial.problem.data.validSamples());
   const double bic = 2 * (bicPenalty(parameters, samples) - trial.fitted->optimum.log_likelihood);
-  return std::isfinite(bic) ? bic : std::numeric_limits<double>::infinity();
+  return std::isfinite(bic) && !trial.fitted->optimum.is_lost
+             ? bic
+             : std::numeric_limits<double>::infinity();
 }
 
 /// [%] of the record.

@@ -183,8 +183,9 @@ FittedModel fitModel(const Problem& problem, Journal* journal) {
   const Configuration& configuration = problem.configuration;
   if (configuration.estimation.max_iterations == 0) return fitted;
   Problem fewer = problem;
-  while (configuration.error_model.components == kAutomatic &&
-         hasEmptyComponent(fitted.optimum.point.mixture, problem.data.count())) {
+  const bool are_chosen =
+      configuration.error_model.components == kAutomatic && givenMixture(problem).components() == 0;
+  while (are_chosen && hasEmptyComponent(fitted.optimum.point.mixture, problem.data.count())) {
     fewer.configuration.error_model.components = fitted.optimum.point.mixture.components() - 1;
     fitted = fitComponents(fewer, journal);
   }

@@ -109,9 +109,9 @@ bool simulatesAsWellAsAlone(const Problem& whole, const LinearModel& model,
   return !plant || !simulatesWorse(jointly, fitOf(problem, plant->polynomials, plant->offset));
 }
 
-bool areMany(const Problem& problem) {
-  const int taps = problem.configuration.error_model.taps;
-  return problem.data.count() > taps * (taps + 1);
+bool areMany(const Problem& problem, const LinearModel& model) {
+  const int n = model.regressors();
+  return problem.data.count() > n * (n + 1);
 }
 
 bool simulatesByOwnPlants(const Problem& problem, const FittedModel& fitted,
@@ -141,8 +141,9 @@ bool simulatesByOwnPlants(const Problem& problem, const FittedModel& fitted,
   const double of_mean = fitOf(problem, meanPlant(*fitted.model, point), offset).pooled;
   const bool is_spread = problem.configuration.error_model.basis == BasisKind::parameter_spread;
   const double of_alone = 100 - alone.pooled, of_own = 100 - own.pooled;
-  const bool all_of_it = areMany(problem) && of_own < kNearlyNone * of_alone;
-  return (is_spread || all_of_it || of_mean > alone.pooled - kMuch) && of_own < kFarLess * of_alone;
+  const bool hardly_an_error = areMany(problem, *fitted.model) && of_own < kNearlyNone * of_alone;
+  return (is_spread || hardly_an_error || of_mean > alone.pooled - kMuch) &&
+         of_own < kFarLess * of_alone;
 }
 
 SimulationFit meanPlantFit(const LinearModel& model, const ModelParameters& point, double offset,

@@ -27,8 +27,8 @@ bool simulatesAsWellAsAlone(const Problem& problem, const LinearModel& model,
                             Journal* journal);
 
 /// Whether the experiments are more than twice as many as the elements of the covariance of what
-/// varies between them.
-bool areMany(const Problem& problem);
+/// varies between them, as they are where nothing does.
+bool areMany(const Problem& problem, const LinearModel& model);
 
 /// Whether the data are simulated far better by each experiment's own plant, whose parameters are
 /// at their posterior means, than by `chosen_alone`: with half of its error. Where a resonance

@@ -229,10 +229,11 @@ ModelParameters findStart(const Problem& problem, const LinearModel& model,
   const auto about = linearisedAtPosteriorMeans(model, problem.data.blocks, problem.data.count(),
                                                 threadsOf(estimation), single, &journal->passes);
   const std::unique_ptr<Likelihood> near = about ? likelihoodOf(problem, *about->model) : nullptr;
-  const Likelihood& own = near ? *near : likelihood;
-  const ModelParameters start = chooseComponents(problem, single, own, journal);
-  if (optima.size() == 1 || start.mixture.components() < 2) return start;
-  return bestMixture(problem, start, optima, own, options);
+  const ModelParameters start =
+      chooseComponents(problem, single, near ? *near : likelihood, journal);
+  if (near) journal->passes += near->passes();
+  if (near || optima.size() == 1 || start.mixture.components() < 2) return start;
+  return bestMixture(problem, start, optima, likelihood, options);
 }
 
 }  // namespace uncertainty_identification

@@ -36,19 +36,25 @@ LinearisedPoint improved(std::shared_ptr<const LinearModel> model, ModelParamete
   OptimisationOptions options = wanted;
   LinearisedPoint now{std::move(model), std::move(point), 0};
   Eigen::MatrixXd points;
+  const auto linearise = [&] {
+    auto about = linearisedAtPosteriorMeans(*now.model, data.blocks, data.count(), threads,
+                                            now.point, passes);
+    if (!about) return;
+    now.model = std::move(about->model);
+    points = std::move(about->points);
+  };
   const bool local = now.model->isLocallyLinear();
   for (int round = 0; round < (local ? kRounds : 1); ++round) {
-    if (auto about = linearisedAtPosteriorMeans(*now.model, data.blocks, data.count(), threads,
-                                                now.point, passes)) {
-      now.model = std::move(about->model);
-      points = std::move(about->points);
-    }
+    linearise();
     const Likelihood likelihood(*now.model, data.blocks, data.count(), threads);
     options.floor = covarianceFloor(now.point.mixture);
     now.point = scoringSteps(likelihood, now.point, options, steps, 1e-2);
-    now.log_likelihood = logLikelihoodAtPoints(*now.model, likelihood, now.point, points);
     *passes += likelihood.passes();
   }
+  linearise();  // the last steps moved the plants
+  const Likelihood likelihood(*now.model, data.blocks, data.count(), threads);
+  now.log_likelihood = logLikelihoodAtPoints(*now.model, likelihood, now.point, points);
+  *passes += likelihood.passes();
   return now;
 }
 

@@ -62,7 +62,8 @@ std::vector<StructureFit> jointOrders(const Problem& problem,
                                       const std::vector<StartingPoint>& points, Journal* journal);
 
 /// Whether the plants may differ by filters: enough of them are known, and the chosen structure is
-/// one, or varies the dead time, or a filter of several taps describes them about as well.
+/// one, or varies the dead time, or a filter of several taps, or coefficients of B that vary
+/// together, describe them about as well.
 bool mayBeFilters(const Problem& problem, const std::vector<StructureFit>& fits,
                   const StructureFit& chosen);
 

@@ -282,6 +282,10 @@ TEST(SampleChecks, AReadingThatStandsStillElsewhereTooIsNoLimit) {
   EXPECT_TRUE(hasLimit(experiments));
   y.segment(200, 6).setConstant(20);
   EXPECT_TRUE(hasLimit(experiments)) << "a limit on both sides";
+  experiments[0].valid.assign(500, 1);
+  std::fill_n(experiments[0].valid.begin() + 400, 20, 0);
+  y.segment(400, 20).setZero();
+  EXPECT_TRUE(hasLimit(experiments)) << "missing samples are no reading";
   y.segment(300, 6).setConstant(1.5);
   EXPECT_FALSE(hasLimit(experiments));
 }
