@@ -1,5 +1,6 @@
 #include "estimation/linearisation.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 
 namespace uncertainty_identification {
