@@ -31,7 +31,7 @@ struct Optimum {
   std::string message;
   int iterations = 0;
   std::vector<TracePoint> trace;
-  bool is_lost = false;  ///< rounding loses the likelihood at the start, where it ends
+  bool is_lost = false;  ///< not finite in the coordinates of the optimisation, which ended at once
 };
 
 /// Algorithm 1 of the paper with its stopping rule (section 5): E-step, equations (26)-(29), then a

@@ -113,8 +113,8 @@ Names numeratorOf(const Names& names) {
   return own;
 }
 
-/// Filters in series with Go: as many as the options state or, where these are automatic, each
-/// number up to the largest that the experiments show, two for each tap.
+/// Filters in series with Go: with as many taps as the options state or, where these are automatic,
+/// with each number up to `max_taps` for which there are two experiments for each tap.
 void addFilters(const Configuration& configuration, BasisKind basis, Constraint constraint,
                 int experiments, std::vector<ErrorStructure>* structures) {
   const ErrorModelOptions& options = configuration.error_model;

@@ -29,8 +29,9 @@ FittedModel fitAround(const Problem& around, const Configuration& asked, Problem
   return fitModel(*problem, journal);
 }
 
-/// Whether a joint fit stands beside the plant that was fitted alone: it simulates as well. One
-/// of few experiments that did not converge must not simulate noticeably worse at all.
+/// Whether a joint fit is kept although there is a plant that was fitted alone: it simulates as
+/// well. A joint fit of few experiments that did not converge must not simulate worse by more than
+/// rounding and chance.
 bool standsBeside(const Problem& problem, const FittedModel& fitted, const FittedPlant& alone,
                   Journal* journal) {
   constexpr double kNoticeable = 1;  // [% of fit]

@@ -27,7 +27,7 @@ bool simulatesAsWellAsAlone(const Problem& problem, const LinearModel& model,
                             Journal* journal);
 
 /// Whether the experiments are more than twice as many as the elements of the covariance of what
-/// varies between them, as they are where nothing does.
+/// varies between them. True where nothing varies.
 bool areMany(const Problem& problem, const LinearModel& model);
 
 /// Whether the data are simulated far better by each experiment's own plant, whose parameters are
