@@ -75,6 +75,7 @@ void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& opt
                           MatrixXd points, FittedModel* fitted, Journal* journal) {
   constexpr int kMostRounds = 50, kStill = 3;
   constexpr double kImmaterial = 0.01;  // [nats]
+  constexpr double kFirst = 0.1;        // of the tolerance
   optimise(problem, options, journal->passes, fitted);
   bool complete = true;  // not with a few steps only
   bool ends = false;
@@ -85,7 +86,9 @@ void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& opt
     if (journal->progress.searchEnds() || optimum.iterations >= options.max_iterations) return;
     Linearisation next =
         nextLinearisation(*fitted->model, *fitted->likelihood, optimum.point, points);
-    const bool arrived = next.move < kFixedPointTolerance || still >= kStill;
+    // The first optimisation may end near its points by chance: once more, unless it hardly moved.
+    const double tolerance = (round == 0 ? kFirst : 1) * kFixedPointTolerance;
+    const bool arrived = next.move < tolerance || still >= kStill;
     if (arrived && complete) return;
     if (ends && complete) {
       optimum.termination = Termination::stalled;

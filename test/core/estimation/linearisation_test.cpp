@@ -19,11 +19,6 @@ namespace {
 
 constexpr std::uint64_t kSeed = 7;
 
-/// Points move by less than kFixedPointTolerance standard deviations of the mixture, 23 times as
-/// many of their posterior ones (a time constant is known to 1 % and spread by 23 %): of all 60
-/// experiments together, half the sum of their squares [nats].
-constexpr double kOfTolerance = 60 * 0.5 * 23 * 23 * kFixedPointTolerance * kFixedPointTolerance;
-
 Truth truth() {
   Truth made = loadTruth(std::string(PROJECT_FOLDER) + "/config/example2_truth.yaml");
   made.experiments = 60;
@@ -77,7 +72,7 @@ TEST(Linearisation, EndsWhereThePointsAreThePosteriorMeans) {
   at_estimate.initial.noise_variance = estimate.noise_variance.value;
   const Estimate evaluated = identified(at_estimate);
   // The fixed-point iteration from zero ends at the same points as the optimisation.
-  EXPECT_NEAR(evaluated.log_likelihood, estimate.log_likelihood, kOfTolerance);
+  EXPECT_NEAR(evaluated.log_likelihood, estimate.log_likelihood, 1e-3);
   for (std::size_t r = 0; r < estimate.experiments.size(); ++r) {
     EXPECT_NEAR(evaluated.experiments[r].error_mean[0], estimate.experiments[r].error_mean[0],
                 kFixedPointTolerance * 0.3);
@@ -100,8 +95,7 @@ TEST(Linearisation, ALikelihoodCountsOnlyAtItsPoints) {
       linearisedAtPosteriorMeans(setup.model(), setup.blocks(), count, 1, point, &passes);
   const Likelihood there(*settled->model, setup.blocks(), count, 1);
   const double held = logLikelihoodAtPoints(*settled->model, there, point, settled->points);
-  EXPECT_NEAR(held, estimate.log_likelihood, kOfTolerance)
-      << "nothing is promised at the fixed point";
+  EXPECT_NEAR(held, estimate.log_likelihood, 1e-3) << "nothing is promised at the fixed point";
 
   const Eigen::MatrixXd zero = setup.model().firstPoints(setup.blocks(), point.parameters, count);
   const auto about_zero = setup.model().linearisedAbout(zero);
@@ -151,7 +145,7 @@ TEST(Linearisation, ValidationExperimentsGetPointsOfTheirOwn) {
   const Estimate estimate =
       Identifier(configuration("example2_parameter_spread")).identify(experiments, experiments);
   EXPECT_NEAR(estimate.validation.log_density_per_experiment * truth().experiments,
-              estimate.log_likelihood, kOfTolerance);
+              estimate.log_likelihood, 1e-3);
 }
 
 TEST(Linearisation, OneExperimentAndHeldPlantsHaveNoSpread) {
