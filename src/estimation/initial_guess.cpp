@@ -138,13 +138,39 @@ void addStarts(const LinearModel& model, const LeastSquaresModel& go,
 
 constexpr std::size_t kArx = 1;  // index of the ARX model in leastSquaresModels()
 
-/// Least-squares models of Go at the dead times about that of the best one. The numerator is as
-/// long as a fraction of a sample needs, and moved to its place in B.
-std::vector<LeastSquaresModel> modelsOfDeadTimes(const LeastSquaresStart& pooled,
-                                                 const Polynomials& sizes, int longest) {
+/// The experiments with the answer of an ARX model of high order in place of what was measured:
+/// free of the noise, whose colour draws the poles of low-order regressions away from the plant's.
+/// Empty where they are too short for it.
+std::vector<Experiment> withoutNoise(const LeastSquaresStart& pooled,
+                                     const std::vector<Experiment>& experiments, int delay,
+                                     int longest_dead_time) {
+  constexpr int kOrder = 15, kSamplesForEach = 20;
+  const int nb = kOrder + longest_dead_time;
+  Index samples = 0;
+  for (const Experiment& experiment : experiments) samples += experiment.samples();
+  if (samples < kSamplesForEach * (nb + kOrder)) return {};
+  LeastSquaresModel high = pooled.arx(nb, kOrder, delay);
+  if (!high.polynomials.b.allFinite() || !high.polynomials.a.allFinite()) return {};
+  high.polynomials.a = stabilised(high.polynomials.a, 0.9995);
+  std::vector<Experiment> clean = experiments;
+  for (Experiment& experiment : clean)
+    experiment.y = simulated(high.polynomials, high.offset, experiment.u);
+  return clean;
+}
+
+std::vector<const Experiment*> pointersTo(const std::vector<Experiment>& experiments) {
+  std::vector<const Experiment*> all;
+  all.reserve(experiments.size());
+  for (const Experiment& experiment : experiments) all.push_back(&experiment);
+  return all;
+}
+
+/// Adds least-squares models of Go at the dead times about that of the best one. The numerator is
+/// as long as a fraction of a sample needs, and moved to its place in B.
+void addModelsOfDeadTimes(const LeastSquaresStart& pooled, const Polynomials& sizes, int longest,
+                          std::vector<LeastSquaresModel>* models) {
   const int na = static_cast<int>(sizes.a.size()), last = sizes.delay + longest;
   const int best = pooled.steiglitzMcBride(na + 1, na, sizes.delay, last).polynomials.delay;
-  std::vector<LeastSquaresModel> models;
   for (int delay = std::max(best - 1, sizes.delay); delay <= std::min(best + 2, last); ++delay) {
     LeastSquaresModel model = pooled.steiglitzMcBride(na + 1, na, delay, delay);
     Polynomials& p = model.polynomials;
@@ -153,9 +179,8 @@ std::vector<LeastSquaresModel> modelsOfDeadTimes(const LeastSquaresStart& pooled
     b.segment(delay - sizes.delay, na + 1) = p.b;
     p.b = b;
     p.delay = sizes.delay;
-    models.push_back(std::move(model));
+    models->push_back(std::move(model));
   }
-  return models;
 }
 
 /// Least-squares models of Go: pooled by Steiglitz-McBride, pooled as ARX, the median of single
@@ -166,12 +191,17 @@ std::vector<LeastSquaresModel> leastSquaresModels(const LinearModel& model,
   const Polynomials sizes = sizesOf(model.nominal());
   const int nb = static_cast<int>(sizes.b.size()), na = static_cast<int>(sizes.a.size());
   const bool with_constant = model.parameterCount() > model.nominal().parameterCount();
-  std::vector<const Experiment*> all;
-  all.reserve(experiments.size());
-  for (const Experiment& experiment : experiments) all.push_back(&experiment);
-  const LeastSquaresStart pooled(all, with_constant);
+  const LeastSquaresStart pooled(pointersTo(experiments), with_constant);
   const int dead_time = longestDeadTime(model.nominal());
-  if (dead_time > 0) return modelsOfDeadTimes(pooled, sizes, dead_time);
+  if (dead_time > 0) {
+    std::vector<LeastSquaresModel> models;
+    addModelsOfDeadTimes(pooled, sizes, dead_time, &models);
+    const std::vector<Experiment> clean = withoutNoise(pooled, experiments, sizes.delay, dead_time);
+    if (!clean.empty())
+      addModelsOfDeadTimes(LeastSquaresStart(pointersTo(clean), with_constant), sizes, dead_time,
+                           &models);
+    return models;
+  }
   std::vector<LeastSquaresModel> models{pooled.steiglitzMcBride(nb, na, sizes.delay, sizes.delay),
                                         pooled.arx(nb, na, sizes.delay)};
   models[kArx].polynomials.a = stabilised(models[kArx].polynomials.a, 0.9995);

@@ -48,23 +48,30 @@ Eigen::Index indexOf(const LinearModel& model, const std::string& name) {
   return found == names.end() ? -1 : found - names.begin();
 }
 
-/// The point with another dead time, and the same with a zero that makes up for the change: to
-/// first order the two act by their difference.
+/// The point with another dead time, and the same with a time constant or a zero that makes up for
+/// the change: to first order they act by their sum and their difference.
 std::vector<ModelParameters> withDeadTime(const LinearModel& model, const ModelParameters& at,
                                           double dead_time) {
-  const Eigen::Index k = indexOf(model, "dead_time"), zero = indexOf(model, "zero1");
+  const Eigen::Index k = indexOf(model, "dead_time");
+  const double change = dead_time - at.parameters[k];
   ModelParameters point = at;
   point.parameters[k] = dead_time;
   if (!model.admissible(point.parameters)) return {};
   std::vector<ModelParameters> points{point};
-  if (zero < 0) return points;
-  point.parameters[zero] += dead_time - at.parameters[k];
-  points.push_back(point);
+  const std::vector<std::string> names = model.nominal().names();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const bool lags = names[i].rfind("tau", 0) == 0, leads = names[i].rfind("zero", 0) == 0;
+    if (!lags && !leads) continue;
+    ModelParameters other = point;
+    other.parameters[static_cast<Eigen::Index>(i)] += lags ? -change : change;
+    if (model.admissible(other.parameters)) points.push_back(std::move(other));
+  }
   return points;
 }
 
-/// The likelihood bends where the dead time crosses a sample, and a climb may end there. Adds the
-/// best of a few points within each of the neighbouring sample intervals. One sweep for each.
+/// The likelihood bends where the dead time crosses a sample, and a climb may end there; between
+/// two samples the error model's mean may make up for another dead time. Adds a few points within
+/// this and each of the neighbouring sample intervals. One sweep for each.
 void addOtherDeadTimes(const LinearModel& model, double sample_time, const Likelihood& likelihood,
                        const ModelParameters& at, const OptimisationOptions& options,
                        std::vector<Finalist>* others) {
@@ -72,14 +79,10 @@ void addOtherDeadTimes(const LinearModel& model, double sample_time, const Likel
   if (k < 0) return;
   const double here = std::floor(at.parameters[k] / sample_time);
   for (const double interval : {here - 1, here, here + 1}) {
-    std::optional<Finalist> best;
     for (const double fraction : {0.1, 0.5, 0.9}) {
-      for (ModelParameters& point : withDeadTime(model, at, (interval + fraction) * sample_time)) {
-        Finalist other = withMixtureFitted(likelihood, std::move(point), options);
-        if (!best || other.log_likelihood > best->log_likelihood) best = std::move(other);
-      }
+      for (ModelParameters& point : withDeadTime(model, at, (interval + fraction) * sample_time))
+        others->push_back(withMixtureFitted(likelihood, std::move(point), options));
     }
-    if (best) others->push_back(std::move(*best));
   }
 }
 

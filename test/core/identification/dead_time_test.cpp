@@ -1,7 +1,8 @@
 // Dead times that are not a whole number of samples are found from the data alone.
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
+#include <random>
 
 #include "model/continuous.h"
 #include "support/core_setup.h"
@@ -22,35 +23,60 @@ struct LatePlant {
   std::vector<Experiment> experiments;
 };
 
-LatePlant latePlant(int time_constants, const VectorXd& theta, int samples) {
+/// Behind white noise, or noise of a first-order C/D whose two coefficients `theta` ends with.
+LatePlant latePlant(int time_constants, const VectorXd& theta, int samples,
+                    bool coloured_noise = false, std::uint64_t seed = 2) {
   NominalModelOptions structure;
   structure.structure = Structure::continuous;
   structure.orders_auto = false;
   structure.time_constants = time_constants;
   structure.dead_time = true;
-  structure.nc = structure.nd = 0;
+  structure.nc = structure.nd = coloured_noise ? 1 : 0;
   const Polynomials p = makeContinuous(structure, kSampleTime)->polynomials(theta);
   test::RandomSystemOptions options;
   options.nb = static_cast<int>(p.b.size());
   options.na = time_constants;
-  options.nc = options.nd = 0;
+  options.nc = options.nd = structure.nc;
   options.components = 1;
   options.experiments = 20;
   options.min_samples = options.max_samples = samples;
   options.input_run_up = 60;
   options.input_deviation = 1;
-  options.noise_variance = 0.01;
+  options.noise_variance = coloured_noise ? 0.1 : 0.01;
   dense::Model truth = test::randomSystem(options, 1).truth;
   truth.b = p.b;
   truth.a = p.a;
+  truth.c = p.c;
+  truth.d = p.d;
   LatePlant plant{test::configurationOf(options), theta,
-                  test::simulateSystem(truth, options, 2).experiments};
+                  test::simulateSystem(truth, options, seed).experiments};
   for (Experiment& experiment : plant.experiments) experiment.sample_time = kSampleTime;
   plant.configuration.nominal_model = structure;
   plant.configuration.estimation.initial_state = InitialState::estimate;
   plant.configuration.estimation.initial_precision = 1e-6;
   plant.configuration.bounds.frequencies = 0;
   return plant;
+}
+
+void expectAsHighAsFromTheTruth(const LatePlant& plant, std::uint64_t seed) {
+  const Estimate found = Identifier(plant.configuration).identify(plant.experiments);
+  Configuration given = plant.configuration;
+  given.initial.theta = plant.theta;
+  const Estimate from_truth = Identifier(given).identify(plant.experiments);
+  EXPECT_GT(found.log_likelihood, from_truth.log_likelihood - 0.1) << "seed " << seed;
+}
+
+/// Go u from rest.
+VectorXd nominalOutput(const LatePlant& plant, const VectorXd& u) {
+  const Polynomials p =
+      makeContinuous(plant.configuration.nominal_model, kSampleTime)->polynomials(plant.theta);
+  VectorXd x = VectorXd::Zero(u.size());
+  for (Eigen::Index t = 0; t < u.size(); ++t) {
+    for (Eigen::Index k = 0; k < p.b.size() && t >= p.delay + k; ++k)
+      x[t] += p.b[k] * u[t - p.delay - k];
+    for (Eigen::Index k = 1; k <= std::min(p.a.size(), t); ++k) x[t] -= p.a[k - 1] * x[t - k];
+  }
+  return x;
 }
 
 class DeadTime : public testing::TestWithParam<double> {};
@@ -93,6 +119,33 @@ TEST(TimeConstants, AreReportedInAscendingOrder) {
     EXPECT_NEAR(parameters[1].value, 0.05, 4 * parameters[1].standard_error);
     EXPECT_NEAR(parameters[2].value, 0.2, 4 * parameters[2].standard_error);
     EXPECT_LT(parameters[2].standard_error, 0.03);
+  }
+}
+
+/// Regressions of low order on the measured outputs find a gain of 0.2 and poles of twice the time.
+TEST(DeadTimes, AreFoundBesideNoiseOfHighFrequency) {
+  const VectorXd theta = vectorOf({1.2, 0.034, 0.08, 0.54 * kSampleTime, -0.85, 0.74});
+  for (std::uint64_t seed = 1; seed <= 12; ++seed)
+    expectAsHighAsFromTheTruth(latePlant(2, theta, 250, true, seed), seed);
+}
+
+/// GDelta = xi (1 - q^-1) delays by -xi samples; with another dead time it may do so again.
+TEST(DeadTimes, AreFoundBesideAnErrorThatDelays) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    LatePlant plant = latePlant(1, vectorOf({1, 0.09, 8.64 * kSampleTime}), 200);
+    std::mt19937_64 engine(seed);
+    std::normal_distribution<double> normal;
+    for (Experiment& experiment : plant.experiments) {
+      for (double& u : experiment.u) u = normal(engine) > 0 ? 1 : -1;
+      experiment.y = nominalOutput(plant, experiment.u);
+      const double xi = -1.1 + 0.1 * normal(engine);
+      VectorXd before = VectorXd::Zero(experiment.y.size());
+      before.tail(before.size() - 1) = experiment.y.head(before.size() - 1);
+      experiment.y += xi * (experiment.y - before);
+      for (double& y : experiment.y) y += 0.01 * normal(engine);
+    }
+    plant.configuration.estimation.initial_state = InitialState::zero;
+    expectAsHighAsFromTheTruth(plant, seed);
   }
 }
 
