@@ -35,21 +35,33 @@ function unfoldForPrint() {
   window.addEventListener('afterprint', () => opened.forEach(node => { node.open = false; }));
 }
 
+const kScrolls = {tabindex: '0', role: 'group', 'aria-label': 'Table that scrolls sideways'};
+
+/// A box that scrolls where its content is wider than the page. The keyboard reaches it only then.
+function sideways(content) {
+  const box = element('div', {class: 'wide'}, content);
+  const observer = new ResizeObserver(() => Object.entries(kScrolls).forEach(([name, value]) =>
+    (box.scrollWidth > box.clientWidth ? box.setAttribute(name, value) : box.removeAttribute(name))));
+  [box, content].forEach(node => observer.observe(node));
+  return box;
+}
+
 /// Columns: {title, number: whether right-aligned}. Rows: lists of texts or nodes.
 function table(columns, rows, isChosen = () => false) {
   const style = column => (column.number ? {class: 'number'} : {});
   const head = element('tr', {}, ...columns.map(column => element('th', style(column), column.title)));
   const body = rows.map((row, index) => element('tr', isChosen(index) ? {class: 'chosen'} : {},
     ...row.map((cell, k) => element('td', style(columns[k]), cell))));
-  return element('table', {}, element('thead', {}, head), element('tbody', {}, ...body));
+  return sideways(element('table', {}, element('thead', {}, head), element('tbody', {}, ...body)));
 }
 
 const kMostRows = 12;
 
 /// A long table is folded, in a box that scrolls.
 function scrolling(content, rows) {
-  if (rows <= kMostRows) return element('div', {class: 'wide'}, content);
-  return element('details', {}, element('summary', {}, `Table of ${counted(rows, 'row')}`), element('div', {class: 'scroll', tabindex: '0'}, content));
+  if (rows <= kMostRows) return content;
+  const title = `Table of ${counted(rows, 'row')}`;
+  return element('details', {}, element('summary', {}, title), element('div', {class: 'scroll', tabindex: '0', role: 'group', 'aria-label': title}, content));
 }
 
 /// Radio buttons. Options: {value, title}; one is selected initially. Calls back with the selected value.

@@ -33,5 +33,5 @@ function showPhysical(parent, result) {
   const meaning = (known ? 'The interval says how accurately the nominal plant is known.' : 'No intervals were computed.') +
     (withSpread ? ' The spread is the standard deviation between runs; a dash: the error model does not vary it.' : '') +
     ` Gains: ${kGainUnit}.`;
-  parent.append(element('h2', {id: 'numbers'}, 'The plant in numbers'), element('div', {class: 'wide numbers'}, table(columns, rows)), paragraph(meaning, 'note'));
+  parent.append(element('h2', {id: 'numbers'}, 'The plant in numbers'), element('div', {class: 'numbers'}, table(columns, rows)), paragraph(meaning, 'note'));
 }
