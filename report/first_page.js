@@ -27,7 +27,7 @@ const kVerdicts = {
 function showTrust(parent, result) {
   const found = objections(result), level = found.length > 0 ? found[0].level : 'green';
   const why = found.length > 0 ? element('ul', {}, ...found.map(({text}) => element('li', {}, asSentence(text)))) :
-    paragraph(`${kEndings[result.termination]}, no experiment was left out and no check raised a warning.`);
+    paragraph(`${kEndings[result.termination]}, all experiments were used and no check raised a warning.`);
   parent.append(element('div', {class: 'trust ' + level, role: 'note'}, element('h2', {}, kVerdicts[level]), why));
 }
 

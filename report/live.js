@@ -38,7 +38,7 @@ function showNow(parent, status) {
       ` ${share}\u00a0%, ${progress.phase}`));
   }
   const waiting = [experiments > 0 ? counted(experiments, 'experiment') : '', requests > 0 ? counted(requests, 'request') : ''].filter(Boolean);
-  const facts = [...running.map(({what, seconds}) => `${what}${seconds >= 1 ? ` for ${number(seconds, 2)} s` : ''}`),
+  const facts = [...running.map(({what, seconds}) => `${what}${seconds >= 1 ? `, ${number(seconds, 2)} s so far` : ''}`),
                  ...(waiting.length > 0 ? [`${listed(waiting)} waiting`] : []), ...(message ? [`Last identification: ${message}`] : [])];
   parent.append(element('ul', {class: 'facts'}, ...facts.map(text => element('li', {}, asSentence(text)))));
   if (problems.length > 0)

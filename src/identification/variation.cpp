@@ -76,8 +76,7 @@ std::string ofFilters(const Estimate& estimate, const ErrorBasis& basis) {
   char frequency[32];
   std::snprintf(frequency, sizeof frequency, "%.3g", at);
   return "the static gain differs by " + percent(deviationAt(basis, covariance, 0)) +
-         " and the frequency response by up to " + percent(largest) + " (at " + frequency +
-         " rad/s)";
+         " and the frequency response by up to " + percent(largest) + " at " + frequency + " rad/s";
 }
 
 /// Whether the spread is as good as none, as at the lower limit of its covariance.
