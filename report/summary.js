@@ -5,7 +5,8 @@ const kStructures = {output_error: 'output-error', arx: 'ARX', armax: 'ARMAX', b
                      continuous: 'continuous-time'};
 const kEndings = {
   converged: 'The estimation converged', iteration_limit: 'The estimation stopped at the iteration limit',
-  stalled: 'The estimation stalled', cancelled: 'The estimation was cancelled', not_run: 'The estimation was not run'};
+  time_limit: 'The estimation stopped at its time limit', stalled: 'The estimation stalled',
+  cancelled: 'The estimation was cancelled', not_run: 'The estimation was not run'};
 
 function hasErrorModel(result) {
   return result.error_model.T.length > 0 && result.error_model.means[0].length > 0;

@@ -83,10 +83,11 @@ def one_experiment(folder):
 
 
 def without_bounds(folder):
-    """The same without bounds; with an experiment left out whose name looks like markup."""
+    """The same without bounds, ended by the time limit; with an experiment left out whose name looks like markup."""
     with open(os.path.join(folder, "one_experiment.json"), encoding="utf-8") as file:
         result = json.load(file)
     result["bounds"] = {}
+    result["termination"] = "time_limit"
     result["experiments"]["rejected"] = [{"id": "</script><b>bold</b>", "reason": "constant input"}]
     base = os.path.join(folder, "without_bounds")
     written(base + ".json", json.dumps(result))
