@@ -65,7 +65,7 @@ function advice(result) {
   if (typical !== null && typical < 5 * slowest)
     return `Longer runs: the slowest time constant is ${number(slowest, 3)} s and a run lasts ${number(typical, 3)} s. Record at least ${number(10 * slowest, 2)} s each, or the gain stays uncertain.`;
   if (runs < 4)
-    return `More runs: ${runs === 1 ? 'one run says' : runs + ' runs say'} little about how the plant differs from run to run. Record at least four, better twenty, under the conditions in which the plant will be used.`;
+    return `More runs: ${runs === 1 ? 'one run says' : runs + ' runs say'} little about how the plant differs from run to run. Record at least eight, better twenty, under the conditions in which the plant will be used.`;
   if (isNumber(fit) && fit < 70 && !residualsPass(result))
     return `Nothing yet: the simulation reproduces ${inPercent(fit, 2)} of a typical run. Run explain on the same data: it tells whether noise or a cause such as friction or a dead zone is missing.`;
   if (ofGain > coarse && ofGain >= ofDynamics)
