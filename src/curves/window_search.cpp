@@ -62,8 +62,10 @@ double WindowSearch::fitOf(double squared_error) const {
 double WindowSearch::baseError() const { return heldOutErrors(kept, result.base.model).sum(); }
 
 bool WindowSearch::needsConfirmation() const {
-  constexpr double kWell = 80;  // [% of fit]
-  return !result.causes.empty() && fitOf(baseError()) > kWell;
+  constexpr double kWell = 80;        // [% of fit]
+  constexpr double kNearlyAll = 0.9;  // of the squared error
+  if (result.causes.empty()) return false;
+  return fitOf(baseError()) > kWell || result.held_error > (1 - kNearlyAll) * baseError();
 }
 
 WindowSearch searchWindows(const std::vector<Experiment>& fitted,

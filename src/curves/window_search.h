@@ -22,7 +22,7 @@ struct WindowSearch {
   double baseError() const;                  ///< squared, of the linear plant in them
 
   /// Whether the causes may be owed to the choice of windows: the linear plant simulates so well
-  /// that little is left to tell causes apart.
+  /// that little is left to tell causes apart, or the causes leave much.
   bool needsConfirmation() const;
 };
 
