@@ -1,7 +1,6 @@
 #include "uncertainty_identification/explanation/explanation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <mutex>
 #include <optional>
 
@@ -13,7 +12,6 @@
 #include "explanation/doubtful_curves.h"
 #include "explanation/estimate_fit.h"
 #include "explanation/gains.h"
-#include "explanation/intervals.h"
 #include "explanation/limits_of_time.h"
 #include "explanation/named_causes.h"
 #include "explanation/order_candidates.h"
@@ -34,6 +32,8 @@
 namespace uncertainty_identification {
 namespace {
 
+const std::string kFailed = "the model of the chosen orders failed: ";
+
 /// One run of explain().
 class Explaining {
  public:
@@ -48,13 +48,13 @@ class Explaining {
                   const std::vector<Experiment>& validation);
 
  private:
-  bool isExcluded(Trait trait) const;
-  std::vector<SpoiltSamples> maskSpoilt(Split* data);
   void searchSimulation(const Split& data);
+  Estimate simplified(const std::vector<Experiment>& experiments, const std::string& reason);
   Estimate identify(const std::vector<Experiment>& experiments);
+  std::vector<SearchOutcome> outcomesOf(const std::vector<Estimate>& candidates, const Split& data,
+                                        const std::vector<SpoiltSamples>& spoilt);
   SearchOutcome bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt);
   FitContext context(const Estimate& estimate);
-  Cause described(const FoundCause& found, const SearchState& state) const;
   std::string describeModels(const SearchState& base, const SearchState& found);
   void describe(const SearchState& base, const SearchState& found);
 
@@ -71,27 +71,6 @@ class Explaining {
   Explanation explanation_;
 };
 
-bool Explaining::isExcluded(Trait trait) const {
-  const auto& excluded = configuration_.explanation.exclude;
-  return std::any_of(excluded.begin(), excluded.end(),
-                     [&](const std::string& name) { return hasTrait(name, trait); });
-}
-
-std::vector<SpoiltSamples> Explaining::maskSpoilt(Split* data) {
-  constexpr double kAny = 0.999;  // masked samples must not count towards limits.max_missing
-  data->train = withoutRest(std::move(data->train));
-  data->held = withoutRest(std::move(data->held));
-  std::vector<SpoiltSamples> spoilt;
-  for (SpoiltSamples& each : checkSamples(data->train))
-    if (!isExcluded(each.trait) && !isExceeded(each, data->held)) spoilt.push_back(std::move(each));
-  for (const SpoiltSamples& each : spoilt) {
-    data->train = withoutSpoiled(std::move(data->train), each);
-    data->held = withoutSpoiled(std::move(data->held), each);
-    if (each.trait != Trait::quantisation) configuration_.limits.max_missing = kAny;
-  }
-  return spoilt;
-}
-
 /// Gives the free simulation a third of the time.
 void Explaining::searchSimulation(const Split& data) {
   const ExplanationOptions& asked = configuration_.explanation;
@@ -104,30 +83,37 @@ void Explaining::searchSimulation(const Split& data) {
   if (explanation_.simulation.ended_early && !progress_.cancelled()) progress_.endSearch();
 }
 
+/// The model of the order of the free simulation, or, if that one failed, of first order.
+Estimate Explaining::simplified(const std::vector<Experiment>& experiments,
+                                const std::string& reason) {
+  NominalModelOptions& nominal = configuration_.nominal_model;
+  nominal = ofOrder(nominal.orders_auto ? explanation_.simulation.order : 1);
+  simplification_ = reason + "; the model has the order " + std::to_string(nominal.na) + " instead";
+  return Identifier(configuration_).identify(experiments, {}, [this](const Progress& at) {
+    return progress_.report(at.phase, 0.3 * at.fraction, at.log_likelihood);
+  });
+}
+
 /// Where curves explain most of the error, a choice of orders would only take part of it up.
 Estimate Explaining::identify(const std::vector<Experiment>& experiments) {
   NominalModelOptions& nominal = configuration_.nominal_model;
   if (nominal.orders_auto && !leading_curves_.empty())
     nominal = ofOrder(explanation_.simulation.order);
   const bool may_simplify = nominal.orders_auto && configuration_.explanation.time_limit > 0;
-  const auto go = [this](const Progress& at, double limit) {
-    return progress_.report(at.phase, 0.3 * at.fraction, at.log_likelihood) &&
-           (limit <= 0 || progress_.seconds() < limit);
-  };
-  const double half = may_simplify ? 0.5 * configuration_.explanation.time_limit : 0;
-  Estimate chosen = Identifier(configuration_).identify(experiments, {}, [&](const Progress& at) {
-    return go(at, half);
-  });
-  if (progress_.cancelled() || !may_simplify || chosen.termination != Termination::cancelled)
-    return chosen;
-  nominal = ofOrder(explanation_.simulation.order);
-  simplification_ =
-      "the choice of orders did not end within half of explanation.time_limit; the "
-      "model has the order " +
-      std::to_string(nominal.na) + " of the free simulation";
-  return Identifier(configuration_).identify(experiments, {}, [&](const Progress& at) {
-    return go(at, 0);
-  });
+  const double half = 0.5 * configuration_.explanation.time_limit;
+  try {
+    Estimate chosen = Identifier(configuration_).identify(experiments, {}, [&](const Progress& at) {
+      return progress_.report(at.phase, 0.3 * at.fraction, at.log_likelihood) &&
+             (!may_simplify || progress_.seconds() < half);
+    });
+    if (progress_.cancelled() || !may_simplify || chosen.termination != Termination::cancelled)
+      return chosen;
+  } catch (const DataError& error) {
+    if (!orders_are_chosen_) throw;
+    return simplified(experiments, kFailed + error.what());
+  }
+  return simplified(experiments,
+                    "the choice of orders did not end within half of explanation.time_limit");
 }
 
 FitContext Explaining::context(const Estimate& estimate) {
@@ -148,16 +134,11 @@ FitContext Explaining::context(const Estimate& estimate) {
   return context;
 }
 
-/// Looks for causes on top of the model. If the orders were not given, it does so on top of several
-/// models, since a model with more poles and zeros may absorb what an effect with fewer parameters
-/// explains on top of a smaller one.
-SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt) {
-  const Estimate chosen = identify(data.train);
-  if (progress_.cancelled()) throw CancelledError("cancelled");
-  const std::vector<Estimate> candidates = orderCandidates(
-      configuration_, chosen, data.train, context(chosen), [this](const Progress& at) {
-        return progress_.report("choosing orders", 0.3, at.log_likelihood) && progress_.inTime();
-      });
+/// What is found on top of each model, until one explains all. Models that cannot be evaluated are
+/// passed over; throws DataError where none can.
+std::vector<SearchOutcome> Explaining::outcomesOf(const std::vector<Estimate>& candidates,
+                                                  const Split& data,
+                                                  const std::vector<SpoiltSamples>& spoilt) {
   std::vector<SearchOutcome> outcomes;
   for (const Estimate& candidate : candidates) {
     try {
@@ -165,13 +146,34 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
                                        data, spoilt, leading_curves_));
     } catch (const DataError&) {
       if (outcomes.empty() && &candidate == &candidates.back()) throw;
-      continue;  // it cannot be evaluated: the others can
+      continue;
     }
     const SearchState& first = outcomes.front().found;
     if (!progress_.inTime() ||
         (!first.causes.empty() &&
          allPassed(checkResiduals(first.fit, first.train, first.heavy_tails))))
       break;
+  }
+  return outcomes;
+}
+
+/// Looks for causes on top of the model. If the orders were not given, it does so on top of several
+/// models, since a model with more poles and zeros may absorb what an effect with fewer parameters
+/// explains on top of a smaller one.
+SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt) {
+  Estimate chosen = identify(data.train);
+  if (progress_.cancelled()) throw CancelledError("cancelled");
+  const std::vector<Estimate> candidates = orderCandidates(
+      configuration_, chosen, data.train, context(chosen), [this](const Progress& at) {
+        return progress_.report("choosing orders", 0.3, at.log_likelihood) && progress_.inTime();
+      });
+  std::vector<SearchOutcome> outcomes;
+  try {
+    outcomes = outcomesOf(candidates, data, spoilt);
+  } catch (const DataError& error) {
+    if (!orders_are_chosen_) throw;
+    chosen = simplified(data.train, kFailed + error.what());
+    outcomes = outcomesOf({chosen}, data, spoilt);
   }
   SearchOutcome* const best = bestOf(&outcomes, configuration_.explanation.acceptance);
   explanation_.warnings = best->estimate.warnings;
@@ -202,7 +204,8 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   leading_curves_ = leadingCurves(explanation_.simulation);
   if (configuration_.explanation.time_limit > 0) thinning_ = thinLongRecords(&data);
   if (!thinning_.empty()) configuration_.sample_time = 0;
-  const std::vector<SpoiltSamples> spoilt = maskSpoilt(&data);
+  const std::vector<SpoiltSamples> spoilt =
+      maskSpoilt(configuration_.explanation.exclude, &data, &configuration_.limits);
   const SearchOutcome best = bestOutcome(data, spoilt);
   describeHeldOut(best.base, &explanation_);
   explanation_.before = best.estimate;
@@ -212,22 +215,6 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   explanation_.candidates = best.tried;
   describe(best.base, best.found);
   return std::move(explanation_);
-}
-
-Cause Explaining::described(const FoundCause& found, const SearchState& state) const {
-  const EffectDescription& description = found.effect->description();
-  Cause cause;
-  cause.name = description.name;
-  cause.variant = description.variant;
-  cause.group = groupOf(description.name);
-  cause.description = description.meaning;
-  cause.advice = description.advice;
-  cause.confidence = progress_.outOfTime() ? std::nan("") : found.confidence;
-  cause.equivalent = found.equivalent;
-  cause.gain = found.gain;
-  cause.parameters = found.parameters.empty() ? parametersOf(state.fit, state.train, found.effect)
-                                              : found.parameters;
-  return cause;
 }
 
 /// Returns a remark on the model with causes; empty: none.
@@ -262,7 +249,7 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
     if (cause.effect->has(Trait::feedback)) explanation_.warnings.push_back(kFeedback);
     const std::string reason = reasonNotToName(cause, found, passed);
     if (reason.empty())
-      explanation_.causes.push_back(described(cause, found));
+      explanation_.causes.push_back(described(cause, found, !progress_.outOfTime()));
     else
       explanation_.warnings.push_back(reason);
   }

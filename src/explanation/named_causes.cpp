@@ -1,7 +1,10 @@
 #include "explanation/named_causes.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "explanation/intervals.h"
+#include "explanation/wording.h"
 #include "uncertainty_identification/effects/catalogue.h"
 
 namespace uncertainty_identification {
@@ -27,6 +30,22 @@ void forgetModelWithCauses(Explanation* explanation) {
     picture.simulated_after = picture.simulated_before;
     picture.deviation_after = picture.deviation_before;
   }
+}
+
+Cause described(const FoundCause& found, const SearchState& state, bool in_time) {
+  const EffectDescription& description = found.effect->description();
+  Cause cause;
+  cause.name = description.name;
+  cause.variant = description.variant;
+  cause.group = groupOf(description.name);
+  cause.description = description.meaning;
+  cause.advice = description.advice;
+  cause.confidence = in_time ? found.confidence : std::nan("");
+  cause.equivalent = found.equivalent;
+  cause.gain = found.gain;
+  cause.parameters = found.parameters.empty() ? parametersOf(state.fit, state.train, found.effect)
+                                              : found.parameters;
+  return cause;
 }
 
 }  // namespace uncertainty_identification

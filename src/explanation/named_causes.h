@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "explanation/search_outcome.h"
 #include "uncertainty_identification/explanation/explanation.h"
 
 namespace uncertainty_identification {
@@ -16,5 +17,9 @@ std::string namesOf(const std::vector<Cause>& causes);
 
 /// Makes the model with causes the one without.
 void forgetModelWithCauses(Explanation* explanation);
+
+/// A cause that the likelihood found. Without a probability where the search had no time for
+/// others.
+Cause described(const FoundCause& found, const SearchState& state, bool in_time);
 
 }  // namespace uncertainty_identification

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "data/unmeasured_start.h"
 #include "explanation/held_samples.h"
+#include "uncertainty_identification/effects/catalogue.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -250,6 +252,27 @@ std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,
     experiment.valid = std::move(valid);
   }
   return experiments;
+}
+
+std::vector<SpoiltSamples> maskSpoilt(const std::vector<std::string>& excluded, Split* data,
+                                      LimitOptions* limits) {
+  constexpr double kAny = 0.999;  // masked samples must not count towards limits.max_missing
+  const auto is_excluded = [&](Trait trait) {
+    return std::any_of(excluded.begin(), excluded.end(),
+                       [&](const std::string& name) { return hasTrait(name, trait); });
+  };
+  data->train = withoutRest(std::move(data->train));
+  data->held = withoutRest(std::move(data->held));
+  std::vector<SpoiltSamples> spoilt;
+  for (SpoiltSamples& each : checkSamples(data->train))
+    if (!is_excluded(each.trait) && !isExceeded(each, data->held))
+      spoilt.push_back(std::move(each));
+  for (const SpoiltSamples& each : spoilt) {
+    data->train = withoutSpoiled(std::move(data->train), each);
+    data->held = withoutSpoiled(std::move(data->held), each);
+    if (each.trait != Trait::quantisation) limits->max_missing = kAny;
+  }
+  return spoilt;
 }
 
 }  // namespace uncertainty_identification

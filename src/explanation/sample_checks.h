@@ -1,7 +1,9 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "explanation/split.h"
 #include "uncertainty_identification/data/experiment.h"
 #include "uncertainty_identification/effects/effect.h"
 #include "uncertainty_identification/explanation/explanation.h"
@@ -31,5 +33,10 @@ bool isExceeded(const SpoiltSamples& limit, const std::vector<Experiment>& other
 /// repeat the sample before. Quantisation spoils no single sample.
 std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,
                                        const SpoiltSamples& defect);
+
+/// Masks the defects found in the experiments to fit to, but those that are excluded by name or
+/// that held-out ones disprove, and returns them. Masked samples then count to no limit.
+std::vector<SpoiltSamples> maskSpoilt(const std::vector<std::string>& excluded, Split* data,
+                                      LimitOptions* limits);
 
 }  // namespace uncertainty_identification
