@@ -10,7 +10,7 @@ function showCandidates(parent, candidates) {
   parent.append(element('h3', {}, 'Candidates compared'),
     paragraph(`Chosen: ${listed(chosen)}. A lower BIC and a higher held-out fit are better.`),
     scrolling(table([{title: 'Choice'}, {title: 'Candidate'}, {title: 'Parameters', number: true}, {title: 'Log-likelihood', number: true},
-                     {title: 'BIC', number: true}, {title: 'Held-out fit [%]', number: true}, {title: element('span', {class: 'unseen'}, 'Choice made')}],
+                     {title: 'BIC', number: true}, {title: 'Held-out fit [%]', number: true}, {title: element('span', {class: 'unseen'}, 'Chosen')}],
       candidates.map(({choice: of, description, parameters, log_likelihood: likelihood, bic, validation_fit: fit, chosen: best}) =>
         [of, description, count(parameters), fixed(likelihood, 2), fixed(bic, 2), isNumber(fit) ? fixed(fit, 2) : kNone, best ? '\u2713 chosen' : '']),
       index => candidates[index].chosen), candidates.length));

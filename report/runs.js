@@ -44,7 +44,7 @@ function showRuns(parent, result) {
   parent.append(element('h2', {id: 'runs'}, 'Measured against simulated'),
     paragraph('Black: measured. Orange: the nominal model, simulated from the input alone; the fit is 100\u00a0% if the two are equal and 0\u00a0% if ' +
       'the simulation is no better than the mean.' +
-      (banded ? ` Shaded: ${percent(banded.level)} of new experiments lie there at all times, since runs differ and are noisy ` +
+      (banded ? ` Shaded: ${percent(banded.level)} of new experiments lie there at all times; it is wide because runs differ and are noisy ` +
         '(calibrated on experiments to which the model was not fitted).' : '')));
   if (fitted.length > 0) showRow(parent, fitted, 'Used for fitting');
   if (held.length > 0) showRow(parent, held, 'Validation');

@@ -62,10 +62,11 @@ double WindowSearch::fitOf(double squared_error) const {
 double WindowSearch::baseError() const { return heldOutErrors(kept, result.base.model).sum(); }
 
 bool WindowSearch::needsConfirmation() const {
-  constexpr double kWell = 80;        // [% of fit]
-  constexpr double kNearlyAll = 0.9;  // of the squared error
+  constexpr double kWell = 80;   // [% of fit]
+  constexpr double kMuch = 0.1;  // of the squared error
   if (result.causes.empty()) return false;
-  return fitOf(baseError()) > kWell || result.held_error > (1 - kNearlyAll) * baseError();
+  const double base = baseError();
+  return fitOf(base) > kWell || result.held_error > kMuch * base;
 }
 
 WindowSearch searchWindows(const std::vector<Experiment>& fitted,

@@ -32,8 +32,6 @@
 namespace uncertainty_identification {
 namespace {
 
-const std::string kFailed = "the model of the chosen orders failed: ";
-
 /// One run of explain().
 class Explaining {
  public:
@@ -49,8 +47,8 @@ class Explaining {
 
  private:
   void searchSimulation(const Split& data);
-  Estimate simplified(const std::vector<Experiment>& experiments, const std::string& reason);
   Estimate identify(const std::vector<Experiment>& experiments);
+  bool lowersOrder();
   std::vector<SearchOutcome> outcomesOf(const std::vector<Estimate>& candidates, const Split& data,
                                         const std::vector<SpoiltSamples>& spoilt);
   SearchOutcome bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt);
@@ -83,37 +81,45 @@ void Explaining::searchSimulation(const Split& data) {
   if (explanation_.simulation.ended_early && !progress_.cancelled()) progress_.endSearch();
 }
 
-/// The model of the order of the free simulation, or, if that one failed, of first order.
-Estimate Explaining::simplified(const std::vector<Experiment>& experiments,
-                                const std::string& reason) {
-  NominalModelOptions& nominal = configuration_.nominal_model;
-  nominal = ofOrder(nominal.orders_auto ? explanation_.simulation.order : 1);
-  simplification_ = reason + "; the model has the order " + std::to_string(nominal.na) + " instead";
-  return Identifier(configuration_).identify(experiments, {}, [this](const Progress& at) {
-    return progress_.report(at.phase, 0.3 * at.fraction, at.log_likelihood);
-  });
-}
-
 /// Where curves explain most of the error, a choice of orders would only take part of it up.
 Estimate Explaining::identify(const std::vector<Experiment>& experiments) {
   NominalModelOptions& nominal = configuration_.nominal_model;
   if (nominal.orders_auto && !leading_curves_.empty())
     nominal = ofOrder(explanation_.simulation.order);
   const bool may_simplify = nominal.orders_auto && configuration_.explanation.time_limit > 0;
-  const double half = 0.5 * configuration_.explanation.time_limit;
-  try {
-    Estimate chosen = Identifier(configuration_).identify(experiments, {}, [&](const Progress& at) {
-      return progress_.report(at.phase, 0.3 * at.fraction, at.log_likelihood) &&
-             (!may_simplify || progress_.seconds() < half);
-    });
-    if (progress_.cancelled() || !may_simplify || chosen.termination != Termination::cancelled)
-      return chosen;
-  } catch (const DataError& error) {
-    if (!orders_are_chosen_) throw;
-    return simplified(experiments, kFailed + error.what());
-  }
-  return simplified(experiments,
-                    "the choice of orders did not end within half of explanation.time_limit");
+  const auto go = [this](const Progress& at, double limit) {
+    return progress_.report(at.phase, 0.3 * at.fraction, at.log_likelihood) &&
+           (limit <= 0 || progress_.seconds() < limit);
+  };
+  const double half = may_simplify ? 0.5 * configuration_.explanation.time_limit : 0;
+  Estimate chosen = Identifier(configuration_).identify(experiments, {}, [&](const Progress& at) {
+    return go(at, half);
+  });
+  if (progress_.cancelled() || !may_simplify || chosen.termination != Termination::cancelled)
+    return chosen;
+  nominal = ofOrder(explanation_.simulation.order);
+  simplification_ =
+      "the choice of orders did not end within half of explanation.time_limit; the "
+      "model has the order " +
+      std::to_string(nominal.na) + " of the free simulation";
+  return Identifier(configuration_).identify(experiments, {}, [&](const Progress& at) {
+    return go(at, 0);
+  });
+}
+
+/// Goes down to the order of the free simulation or, from there, to first order. False where the
+/// orders were stated or are the least.
+bool Explaining::lowersOrder() {
+  NominalModelOptions& nominal = configuration_.nominal_model;
+  if (!orders_are_chosen_ || (!nominal.orders_auto && nominal.na == 1)) return false;
+  const std::string failed =
+      nominal.orders_auto ? "that was chosen" : "of order " + std::to_string(nominal.na);
+  nominal = ofOrder(nominal.orders_auto ? explanation_.simulation.order : 1);
+  simplification_ = "the model " + failed +
+                    " cannot be evaluated on the experiments that it was identified from; "
+                    "one of order " +
+                    std::to_string(nominal.na) + " is used instead";
+  return true;
 }
 
 FitContext Explaining::context(const Estimate& estimate) {
@@ -161,19 +167,21 @@ std::vector<SearchOutcome> Explaining::outcomesOf(const std::vector<Estimate>& c
 /// models, since a model with more poles and zeros may absorb what an effect with fewer parameters
 /// explains on top of a smaller one.
 SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt) {
-  Estimate chosen = identify(data.train);
-  if (progress_.cancelled()) throw CancelledError("cancelled");
-  const std::vector<Estimate> candidates = orderCandidates(
-      configuration_, chosen, data.train, context(chosen), [this](const Progress& at) {
-        return progress_.report("choosing orders", 0.3, at.log_likelihood) && progress_.inTime();
-      });
+  Estimate chosen;
   std::vector<SearchOutcome> outcomes;
-  try {
-    outcomes = outcomesOf(candidates, data, spoilt);
-  } catch (const DataError& error) {
-    if (!orders_are_chosen_) throw;
-    chosen = simplified(data.train, kFailed + error.what());
-    outcomes = outcomesOf({chosen}, data, spoilt);
+  while (outcomes.empty()) {
+    try {
+      chosen = identify(data.train);
+      if (progress_.cancelled()) throw CancelledError("cancelled");
+      const auto going_on = [this](const Progress& at) {
+        return progress_.report("choosing orders", 0.3, at.log_likelihood) && progress_.inTime();
+      };
+      outcomes =
+          outcomesOf(orderCandidates(configuration_, chosen, data.train, context(chosen), going_on),
+                     data, spoilt);
+    } catch (const DataError&) {
+      if (!lowersOrder()) throw;
+    }
   }
   SearchOutcome* const best = bestOf(&outcomes, configuration_.explanation.acceptance);
   explanation_.warnings = best->estimate.warnings;

@@ -174,15 +174,22 @@ TEST(Continuous, UnboundedCoordinatesRoundTripAndStayAdmissible) {
 }
 
 TEST(Continuous, JacobianMatchesDifferences) {
-  const auto model = makeContinuous(options(1, 1, 1, true), kSampleTime);
-  const VectorXd theta = vectorOf({-1.5, 0.05, 30, 0.4, 0.01, 0.033});
-  const auto polynomials = [&](const VectorXd& at) { return model->polynomials(at).stacked(); };
-  const Eigen::MatrixXd expected = test::differences(polynomials, theta);
-  for (Eigen::Index j = 0; j < theta.size(); ++j) {
-    EXPECT_LT((model->jacobian(theta).col(j) - expected.col(j)).norm(),
-              1e-7 * expected.col(j).norm())
-        << model->names()[static_cast<std::size_t>(j)];
-  }
+  const auto expectDifferences = [](const NominalModelOptions& of, const VectorXd& theta) {
+    const auto model = makeContinuous(of, kSampleTime);
+    const auto polynomials = [&](const VectorXd& at) { return model->polynomials(at).stacked(); };
+    const Eigen::MatrixXd expected = test::differences(polynomials, theta);
+    for (Eigen::Index j = 0; j < theta.size(); ++j) {
+      EXPECT_LT((model->jacobian(theta).col(j) - expected.col(j)).norm(),
+                1e-7 * expected.col(j).norm())
+          << of.time_constants << " time constants, "
+          << model->names()[static_cast<std::size_t>(j)];
+    }
+  };
+  expectDifferences(options(1, 0, 0, false), vectorOf({2, 0.05}));
+  expectDifferences(options(2, 0, 0, true), vectorOf({2, 0.05, 0.2, 0.033}));
+  expectDifferences(options(0, 1, 1, false), vectorOf({2, 30, 0.4, 0.01}));
+  expectDifferences(options(1, 1, 1, true), vectorOf({-1.5, 0.05, 30, 0.4, 0.01, 0.033}));
+  expectDifferences(options(3, 1, 1, true), vectorOf({-1.5, 0.05, 0.1, 0.3, 30, 0.4, 0.01, 0.033}));
 }
 
 TEST(Continuous, JacobianHasItsRowsWhereAllOfThePlantIsFixed) {
