@@ -34,8 +34,9 @@ bool isExceeded(const SpoiltSamples& limit, const std::vector<Experiment>& other
 std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,
                                        const SpoiltSamples& defect);
 
-/// Masks the defects found in the experiments to fit to, but those that are excluded by name or
-/// that held-out ones disprove, and returns them. Masked samples then count to no limit.
+/// Masks the samples that are spoilt in the experiments to fit to and in the held-out ones, and
+/// returns the defects: all that are neither excluded by name nor disproved by held-out
+/// experiments. `limits` then allows any share of masked samples.
 std::vector<SpoiltSamples> maskSpoilt(const std::vector<std::string>& excluded, Split* data,
                                       LimitOptions* limits);
 

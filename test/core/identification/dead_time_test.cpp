@@ -1,9 +1,9 @@
 // Dead times that are not a whole number of samples are found from the data alone.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <random>
 
+#include "estimation/least_squares_models.h"
 #include "model/continuous.h"
 #include "support/core_setup.h"
 #include "uncertainty_identification/identifier.h"
@@ -66,19 +66,6 @@ void expectAsHighAsFromTheTruth(const LatePlant& plant, std::uint64_t seed) {
   EXPECT_GT(found.log_likelihood, from_truth.log_likelihood - 0.1) << "seed " << seed;
 }
 
-/// Go u from rest.
-VectorXd nominalOutput(const LatePlant& plant, const VectorXd& u) {
-  const Polynomials p =
-      makeContinuous(plant.configuration.nominal_model, kSampleTime)->polynomials(plant.theta);
-  VectorXd x = VectorXd::Zero(u.size());
-  for (Eigen::Index t = 0; t < u.size(); ++t) {
-    for (Eigen::Index k = 0; k < p.b.size() && t >= p.delay + k; ++k)
-      x[t] += p.b[k] * u[t - p.delay - k];
-    for (Eigen::Index k = 1; k <= std::min(p.a.size(), t); ++k) x[t] -= p.a[k - 1] * x[t - k];
-  }
-  return x;
-}
-
 class DeadTime : public testing::TestWithParam<double> {};
 
 TEST_P(DeadTime, IsFoundWithinItsStandardError) {
@@ -133,11 +120,13 @@ TEST(DeadTimes, AreFoundBesideNoiseOfHighFrequency) {
 TEST(DeadTimes, AreFoundBesideAnErrorThatDelays) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     LatePlant plant = latePlant(1, vectorOf({1, 0.09, 8.64 * kSampleTime}), 200);
+    const Polynomials go =
+        makeContinuous(plant.configuration.nominal_model, kSampleTime)->polynomials(plant.theta);
     std::mt19937_64 engine(seed);
     std::normal_distribution<double> normal;
     for (Experiment& experiment : plant.experiments) {
       for (double& u : experiment.u) u = normal(engine) > 0 ? 1 : -1;
-      experiment.y = nominalOutput(plant, experiment.u);
+      experiment.y = simulated(go, 0, experiment.u);
       const double xi = -1.1 + 0.1 * normal(engine);
       VectorXd before = VectorXd::Zero(experiment.y.size());
       before.tail(before.size() - 1) = experiment.y.head(before.size() - 1);
