@@ -160,16 +160,41 @@ std::vector<ShapeValue> valuesOf(const Curve& curve, const Eigen::VectorXd& para
   return all;
 }
 
+/// Lower and upper 0.2 % of the measured changes of the output from sample to sample.
+std::pair<double, double> measuredRates(const SimulationData& data) {
+  constexpr double kTail = 0.002;
+  std::vector<double> rates;
+  for (const SimulationWindow& window : data.windows)
+    for (Eigen::Index k = 1; k < window.y.size(); ++k)
+      if (window.measured[k] > 0 && window.measured[k - 1] > 0)
+        rates.push_back(window.y[k] - window.y[k - 1]);
+  if (rates.empty()) return {0, 0};
+  std::sort(rates.begin(), rates.end());
+  const auto tail = static_cast<std::size_t>(kTail * static_cast<double>(rates.size()));
+  return {rates[tail], rates[rates.size() - 1 - tail]};
+}
+
+/// Between which values of its argument a curve is drawn: where data were, not all that the linear
+/// plant simulates, which may move much further without the curve.
+std::pair<double, double> drawnRange(const Curve& curve, const CurveModel& model,
+                                     const SimulationData& data) {
+  const Eigen::VectorXd& samples = curve.samples();
+  const std::pair<double, double> simulated{samples[0], samples[samples.size() - 1]};
+  if (curve.place() != Place::rate && curve.place() != Place::rate_gain) return simulated;
+  const auto [low, high] = measuredRates(data);
+  if (!(low < high)) return simulated;
+  return {std::max(simulated.first, low / model.rate_scale),
+          std::min(simulated.second, high / model.rate_scale)};
+}
+
 CurvePicture pictureOf(const Curve& curve, const Eigen::VectorXd& parameters,
                        const Eigen::MatrixXd& covariance, const PlaceOf& at, const Scale& signal,
-                       double value_unit) {
+                       double value_unit, const std::pair<double, double>& range) {
   constexpr int kPoints = 41;
   CurvePicture picture;
   picture.of = signalOf(at);
   picture.unit = isFactor(at.place) ? "1" : at.place == Place::sensor ? "output" : "input";
-  const Eigen::VectorXd& samples = curve.samples();
-  const Eigen::VectorXd z =
-      Eigen::VectorXd::LinSpaced(kPoints, samples[0], samples[samples.size() - 1]);
+  const Eigen::VectorXd z = Eigen::VectorXd::LinSpaced(kPoints, range.first, range.second);
   const bool is_characteristic = isCharacteristic(at.place);
   const auto drawn = [&](const Eigen::VectorXd& of) {
     return is_characteristic ? curve.characteristic(z, of) : curve.at(z, of);
@@ -247,7 +272,8 @@ SimulationCause describeCurve(const FoundCurve& found, const WindowFit& fit,
         {found.place.place == Place::rate_limit ? "limit_per_second" : "half_width",
          std::abs(parameters[0]) * scale, std::sqrt(std::max(covariance(0, 0), 0.0)) * scale});
   } else {
-    cause.curve = pictureOf(curve, parameters, covariance, found.place, signal, unit);
+    cause.curve = pictureOf(curve, parameters, covariance, found.place, signal, unit,
+                            drawnRange(curve, model, data));
     if (curve.shape()) cause.values = valuesOf(curve, parameters, covariance, signal, unit);
     dropUnreachedLimit(&cause);
   }

@@ -19,8 +19,8 @@ namespace uncertainty_identification {
 namespace {
 
 constexpr int kFewestSamples = 200;
-constexpr int kFewestSteps = 4;
-constexpr const char* kFewSteps = "the input makes fewer than four steps";
+constexpr int kFewestSteps = 6;
+constexpr const char* kFewSteps = "the input makes fewer than six steps";
 
 std::string sentenceOf(const WindowPlan& plan, const WindowSearch& search, std::size_t records) {
   const std::size_t windows =
@@ -43,8 +43,8 @@ int changesOf(const Eigen::VectorXd& signal) {
                    (signal.tail(count - 1).array() != signal.head(count - 1).array()).count());
 }
 
-/// Whether the inputs of all records together make few steps. Steps of two or three sizes show that
-/// the answers differ, but many curves follow so few answers.
+/// Whether the inputs of all records together make few steps. Steps of a few sizes show that the
+/// answers differ, but many curves follow so few answers, and so do gains that differ by chance.
 bool areFewSteps(const std::vector<Experiment>& fitted, const std::vector<Experiment>& held) {
   int steps = 0;
   for (const auto* records : {&fitted, &held})

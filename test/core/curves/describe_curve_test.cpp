@@ -136,5 +136,30 @@ TEST(DescribeCurve, TellsNoLimitThatTheSignalNeverReached) {
   EXPECT_EQ(limitsOfInput(1.5, 4).description, "the input acts through a lower limit");
 }
 
+/// The linear plant simulates rates from -4 to 4 of its units, 0.1 per sample each; the output was
+/// measured to move by at most 0.2 per sample, but for one missing sample.
+TEST(DescribeCurve, DrawsFrictionAtRatesThatWereMeasured) {
+  SimulationData data;
+  SimulationWindow window;
+  window.y = 0.2 * Eigen::ArrayXd::LinSpaced(2000, 0, 40).sin().matrix() * 2000 / 40;
+  window.measured = Eigen::ArrayXd::Ones(2000);
+  window.y[100] = 1e6;
+  window.measured[100] = 0;
+  data.windows.push_back(window);
+  WindowFit fit;
+  fit.model.rate_scale = 0.1;
+  fit.model.curves = {Curve(Place::rate, shapeNamed("coulomb"),
+                            Eigen::VectorXd::LinSpaced(100, -4, 4), /*zero=*/0)};
+  fit.model.theta.resize(5);
+  fit.model.theta << -0.8, 0.2, 0, -0.1, 0.1;
+  fit.covariance = 1e-4 * Eigen::MatrixXd::Identity(5, 5);
+  FoundCurve found;
+  found.place.place = Place::rate;
+  found.shape = "coulomb";
+  const CurvePicture drawn = describeCurve(found, fit, data).curve;
+  EXPECT_NEAR(drawn.signal.front(), -0.2, 0.001);
+  EXPECT_NEAR(drawn.signal.back(), 0.2, 0.001);
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

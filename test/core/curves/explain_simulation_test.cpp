@@ -79,14 +79,14 @@ std::vector<Experiment> stepsOfSizes(const std::vector<double>& sizes) {
   return all;
 }
 
-TEST(ExplainSimulation, NamesNoCurveByThreeSteps) {
+TEST(ExplainSimulation, NamesNoCurveByFiveSteps) {
   WorkerPool pool(1);
   const auto by = [&](const std::vector<double>& sizes) {
     return explainSimulation(stepsOfSizes(sizes), {}, {}, &pool);
   };
-  EXPECT_EQ(by({0.5, 1, 2}).skipped, "the input makes fewer than four steps");
-  EXPECT_TRUE(by({0.5, 1, 2}).causes.empty());
-  EXPECT_TRUE(by({0.5, 1, 1.5, 2}).skipped.empty());
+  EXPECT_EQ(by({0.5, 1, 1.25, 1.5, 2}).skipped, "the input makes fewer than six steps");
+  EXPECT_TRUE(by({0.5, 1, 1.25, 1.5, 2}).causes.empty());
+  EXPECT_TRUE(by({0.5, 1, 1.25, 1.5, 1.75, 2}).skipped.empty());
 }
 
 /// Runs of a damper after Bouc and Wen: the force of a spring that yields, driven by the velocity.

@@ -36,7 +36,7 @@ SimulationCauses compared(const std::vector<Experiment>& held) {
 
 TEST(FewSteps, ShowHowAHeldOutRecordDiffers) {
   const SimulationCauses other = compared({stepTo(3, 3)});
-  EXPECT_TRUE(test::mentions(other.skipped, "fewer than four steps"));
+  EXPECT_TRUE(test::mentions(other.skipped, "fewer than six steps"));
   EXPECT_TRUE(other.causes.empty());
   EXPECT_LT(other.fit_before, 80);
   EXPECT_GT(other.held_out_error_ratio, 10);
@@ -49,7 +49,7 @@ TEST(FewSteps, ShowHowAHeldOutRecordDiffers) {
 
 TEST(FewSteps, AreNotSimulatedWhereNothingIsHeldOut) {
   const SimulationCauses alone = compared({});
-  EXPECT_TRUE(test::mentions(alone.skipped, "fewer than four steps"));
+  EXPECT_TRUE(test::mentions(alone.skipped, "fewer than six steps"));
   EXPECT_EQ(alone.preparation, "");
   EXPECT_TRUE(std::isnan(alone.fit_before)) << "not 0 %, which nobody measured";
 }

@@ -240,7 +240,7 @@ TEST(SimulationAnswer, ACauseThatNothingConfirmsHasToSimulateAsALinearPlantDoes)
     found.held_out.clear();
     found.before.simulation_fit_percent = without_causes;
     found.simulation = {};
-    found.simulation.skipped = "the input makes fewer than four steps";
+    found.simulation.skipped = "the input makes fewer than six steps";
     joinSimulation(&found);
     return found;
   };
