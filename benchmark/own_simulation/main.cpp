@@ -1,5 +1,5 @@
 // How often explain names what is wrong with a user's simulation (docs/own_simulation.md,
-// Measured). usage: own_simulation_benchmark [SEEDS [FIRST_SEED [PERCENT]]]
+// Measured). usage: own_simulation_benchmark [SEEDS [FIRST_SEED [PERCENT [SIMULATION]]]]
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -10,10 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "fmu/fmu_simulation.h"
 #include "own_simulation/examine.h"
 #include "own_simulation/linear_simulation.h"
 #include "own_simulation/logged_simulation.h"
+#include "support/fmu_builder.h"
 #include "support/own_machine.h"
+#include "support/temporary_folder.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -23,7 +26,9 @@ constexpr int kHeld = 6;
 struct Study {
   int seeds = 5;
   int first_seed = 1;
-  double share = 0.05;  ///< of the output's variance that a flaw changes
+  double share = 0.05;     ///< of the output's variance that a flaw changes
+  std::string simulation;  ///< "model", "pendulum" or "motor"; empty: all
+  bool includes(const std::string& name) const { return simulation.empty() || simulation == name; }
 };
 
 using Curve = std::function<Eigen::VectorXd(const Eigen::VectorXd& signal, double size)>;
@@ -292,6 +297,25 @@ void measure(const std::string& name, Simulation& own, const std::vector<Flaw>& 
   }
 }
 
+/// A motor with Coulomb friction as a functional mock-up unit.
+void measureMotor(const Study& study) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "motor.fmu";
+  test::buildFmu(path, {});
+  const auto motor = loadFmu(
+      path, {"voltage", "speed", {{"constant", 0.5}, {"friction", 0.15}, {"inertia", 0.02}}, 10});
+  const std::vector<SimulationParameter> parameters = motor->parameters();
+  const std::map<std::string, std::vector<std::string>> also{
+      {"constant", {"sim_gain"}},
+      {"friction", {"plant_coulomb", "act_deadzone"}},
+      {"inertia", {"sim_time_constant", "sim_time_constants"}}};
+  std::vector<Flaw> flaws;
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    addParameter(parameters[k].name, static_cast<int>(k), also.at(parameters[k].name), &flaws);
+  for (const Flaw& each : commonFlaws()) flaws.push_back(each);
+  measure("motor (FMU)", *motor, flaws, study);
+}
+
 }  // namespace
 
 int run(const Study& study) {
@@ -313,8 +337,9 @@ int run(const Study& study) {
   std::printf(
       "way                flaw             first, among those named; median share of what "
       "the truth gains\n");
-  measure("model", *second, of_second, study);
-  measure("pendulum", pendulum, of_pendulum, study);
+  if (study.includes("model")) measure("model", *second, of_second, study);
+  if (study.includes("pendulum")) measure("pendulum", pendulum, of_pendulum, study);
+  if (study.includes("motor")) measureMotor(study);
   return 0;
 }
 
@@ -325,5 +350,6 @@ int main(int argc, char** argv) {
   if (argc > 1) study.seeds = std::atoi(argv[1]);
   if (argc > 2) study.first_seed = std::atoi(argv[2]);
   if (argc > 3) study.share = std::atof(argv[3]) / 100;
+  if (argc > 4) study.simulation = argv[4];
   return uncertainty_identification::run(study);
 }

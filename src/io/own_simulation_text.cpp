@@ -30,7 +30,7 @@ std::string curvesText(const OwnSimulationFindings& findings) {
   const SimulationCauses& structure = findings.structure;
   std::string text;
   if (!structure.skipped.empty())
-    text += "\nCurves were not searched: " + structure.skipped + ".\n";
+    text += "\nThe search for curves was limited: " + structure.skipped + ".\n";
   for (const SimulationCause& cause : structure.causes) {
     text += "\n" + cause.what.name + ": " + cause.description + "\n";
     for (const ShapeValue& value : cause.values)

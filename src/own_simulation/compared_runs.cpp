@@ -92,6 +92,11 @@ const Eigen::VectorXd& SimulationRuns::output(const ComparedRun& run,
   return kept_[key] = std::move(y);
 }
 
+void SimulationRuns::allow(int most) {
+  most_ = most;
+  ended_early_ = false;
+}
+
 bool SimulationRuns::affords(std::size_t further) {
   const bool cancelled = keep_going_ && !keep_going_(count_);
   if (cancelled || (simulation_.canRerun() && count_ + static_cast<int>(further) > most_))

@@ -46,13 +46,15 @@ class SimulationRuns {
   /// Whether so many further runs are allowed. Once false, or cancelled, endedEarly() stays true.
   bool affords(std::size_t further);
   bool endedEarly() const { return ended_early_; }
+  /// Allows so many runs in all, and to go on.
+  void allow(int most);
   int count() const { return count_; }
 
  private:
   using Key = std::pair<const Experiment*, std::vector<double>>;
 
   Simulation& simulation_;
-  const int most_;
+  int most_;
   std::function<bool(int)> keep_going_;
   const std::vector<SimulationParameter> parameters_ = simulation_.parameters();
   const Eigen::VectorXd own_values_ = valuesOf(parameters_);

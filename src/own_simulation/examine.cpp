@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "own_simulation/curves_around.h"
 #include "own_simulation/describe_change.h"
 #include "own_simulation/extension.h"
 #include "own_simulation/linear_surrogate.h"
@@ -73,6 +74,12 @@ std::string sentenceOf(const OwnSimulationFindings& found) {
     return text + structureText(found) + ". Without the curve the best would be " + changes + " (" +
            percentText(found.fit_after) + "), which may only stand for it";
   return text + "; with " + changes + after + structureText(found);
+}
+
+std::string skippedText(double linear_fit, bool can_rerun) {
+  return "a linear model fits only " + percentText(linear_fit) + " of the simulation itself, so " +
+         (can_rerun ? "that curves were looked for before and behind it, but not inside it"
+                    : "that no curve can be placed in it");
 }
 
 Eigen::VectorXd comparedPart(const ComparedRun& run, const Eigen::VectorXd& signal) {
@@ -196,6 +203,54 @@ void tellChanges(const SimulationComparison& best, const ComparisonTask& task,
                                  is_surrogate ? *surrogate.linear : simulation, is_surrogate);
 }
 
+/// Curves that the simulation lacks.
+struct LackingCurves {
+  SimulationCauses found;
+  /// With the first of them around the simulation, where it stands there and this is much better.
+  std::optional<CurvedComparison> around;
+  int simulations = 0;
+  bool ended_early = false;
+};
+
+/// Puts the first curve around the simulation; drops those that were only tried there if another
+/// change does as well.
+void compareAround(Simulation& simulation, const SimulationComparison& own,
+                   const ComparisonTask& task, bool only_tried_around, LackingCurves* curves) {
+  constexpr double kBetter = 0.9;  // squared error with the curve, over that without it
+  if (curves->found.causes.empty()) return;
+  curves->around = compareWithCurve(simulation, curves->found.causes.front(), task,
+                                    task.most - own.runs.count() - curves->simulations);
+  if (!curves->around) return;
+  curves->simulations += curves->around->simulations;
+  curves->ended_early = curves->ended_early || curves->around->endedEarly();
+  const bool is_better = curves->around->comparison &&
+                         curves->around->comparison->heldError() < kBetter * own.heldError();
+  if (is_better) return;
+  curves->around.reset();
+  if (only_tried_around) curves->found.causes.clear();
+}
+
+LackingCurves searchCurves(Simulation& simulation, const SimulationComparison& own,
+                           const ComparisonTask& task, const std::vector<Experiment>& fitted,
+                           const std::vector<Experiment>& held, const ExamineOptions& options) {
+  constexpr double kLinear = 98;  // [%] of a simulation by its linear model, which then suffices
+  LackingCurves curves;
+  OwnStructure inside = searchStructure(own.changed, parametersAmong(own.result.fit.changes),
+                                        fitted, held, options.max_causes, options.progress);
+  curves.found = std::move(inside.found);
+  const bool tries_around =
+      curves.found.causes.empty() && inside.linear_fit < kLinear && simulation.canRerun();
+  if (tries_around) {
+    curves.found =
+        searchCurvesAround(simulation, task, task.most - own.runs.count(), &curves.simulations);
+    curves.ended_early = curves.found.ended_early;
+  }
+  if (inside.linear_fit < kLeastSurrogateFit)
+    curves.found.skipped = skippedText(inside.linear_fit, simulation.canRerun());
+  compareAround(simulation, own, task, tries_around, &curves);
+  return curves;
+}
+
 }  // namespace
 
 bool OwnSimulationFindings::curveLeads() const {
@@ -207,39 +262,35 @@ bool OwnSimulationFindings::curveLeads() const {
 
 OwnSimulationFindings examine(Simulation& simulation, const std::vector<Experiment>& fitted,
                               const std::vector<Experiment>& held, const ExamineOptions& options) {
-  constexpr double kBetter = 0.9;  // squared error with the curve, over that without it
   std::string doing = "running your simulation";
   const ComparisonTask task = taskOf(simulation, fitted, held, options, &doing);
   // Without parameters of its own, a linear model of it says what other ones would change.
   LinearSurrogate surrogate;
   if (simulation.parameters().empty()) surrogate = fitSurrogate(simulation, fitted);
   Simulation& compared = surrogate.simulation ? *surrogate.simulation : simulation;
-  const SimulationComparison own(compared, task, task.most);
+  // Half of the runs are kept for curves: where one is lacking, changes in its place need many.
+  const int most = options.structure ? std::max(task.most / 2, task.fewest()) : task.most;
+  SimulationComparison own(compared, task, most);
+  LackingCurves curves;
+  if (options.structure) curves = searchCurves(compared, own, task, fitted, held, options);
+  const bool is_around = curves.around.has_value();
+  if (own.runs.endedEarly() && !is_around) own.goOn(task, task.most - curves.simulations);
+  const SimulationComparison& best = is_around ? *curves.around->comparison : own;
 
   OwnSimulationFindings found;
-  if (options.structure && !own.runs.endedEarly())
-    found.structure = searchStructure(own.changed, parametersAmong(own.result.fit.changes), fitted,
-                                      held, options.max_causes, options.progress);
-  std::optional<CurvedComparison> curved;
-  if (!found.structure.causes.empty())
-    curved = compareWithCurve(compared, found.structure.causes.front(), task,
-                              task.most - own.runs.count());
-  found.has_curve_around =
-      curved && curved->comparison && curved->comparison->heldError() < kBetter * own.heldError();
-  const SimulationComparison& best = found.has_curve_around ? *curved->comparison : own;
-
   found.simulation = simulation.description();
   found.can_rerun = simulation.canRerun();
+  found.structure = std::move(curves.found);
+  found.has_curve_around = is_around;
   found.fit_before = task.held.fitOf(own.result.held_before.sum());
   found.fit_after = task.held.fitOf(best.heldError());
   for (const Experiment& each : held) found.held_out.push_back(each.id);
   tellChanges(best, task, surrogate, simulation, &found);
-  if (found.has_curve_around) found.extension.curve = curved->curve;
+  if (is_around) found.extension.curve = curves.around->curve;
   found.runs = picturesOf(task.held, own.changed, best.changed, best.result.fit.changes);
   found.surrogate_fit = surrogate.fit;
-  if (simulation.canRerun())
-    found.simulations = own.runs.count() + (curved ? curved->simulations : 0);
-  found.ended_early = own.runs.endedEarly() || (curved && curved->endedEarly());
+  if (simulation.canRerun()) found.simulations = own.runs.count() + curves.simulations;
+  found.ended_early = best.runs.endedEarly() || curves.ended_early;
   found.sentence = sentenceOf(found);
   return found;
 }

@@ -1,6 +1,5 @@
 #include "own_simulation/own_structure.h"
 
-#include <cstdio>
 #include <iterator>
 
 #include "curves/explain_simulation.h"
@@ -40,29 +39,22 @@ std::vector<Experiment> linearPart(const std::vector<Experiment>& measured,
 
 }  // namespace
 
-SimulationCauses searchStructure(const ChangedSimulation& simulation, const Changes& changes,
-                                 const std::vector<Experiment>& fitted,
-                                 const std::vector<Experiment>& held, int max_causes,
-                                 const std::function<bool(const std::string& doing)>& progress) {
-  SimulationCauses found;
+OwnStructure searchStructure(const ChangedSimulation& simulation, const Changes& changes,
+                             const std::vector<Experiment>& fitted,
+                             const std::vector<Experiment>& held, int max_causes,
+                             const std::function<bool(const std::string& doing)>& progress) {
   const std::vector<Experiment> answers = answersOf(simulation, changes, fitted);
   const LinearFit linear = fitLinear(answers, "");
-  if (!linear.simulation || linear.fit < kLeastSurrogateFit) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "a linear model fits only %.1f %% of the simulation itself, so that no curve can "
-                  "be placed in it",
-                  linear.fit);
-    found.skipped = text;
-    return found;
-  }
+  if (!linear.simulation || linear.fit < kLeastSurrogateFit) return {{}, linear.fit};
   SimulationSearchOptions options;
   options.max_causes = max_causes;
   options.progress = progress;
   WorkerPool pool(1);
-  return explainSimulation(
-      linearPart(fitted, answers, *linear.simulation),
-      linearPart(held, answersOf(simulation, changes, held), *linear.simulation), options, &pool);
+  return {
+      explainSimulation(linearPart(fitted, answers, *linear.simulation),
+                        linearPart(held, answersOf(simulation, changes, held), *linear.simulation),
+                        options, &pool),
+      linear.fit};
 }
 
 }  // namespace uncertainty_identification

@@ -10,6 +10,11 @@ SimulationComparison::SimulationComparison(Simulation& simulation, const Compari
       changed(runs, task.fitted),
       result(searchChanges(changed, task.fitted, task.held, task.limits)) {}
 
+void SimulationComparison::goOn(const ComparisonTask& task, int most) {
+  runs.allow(most);
+  result = searchChanges(changed, task.fitted, task.held, task.limits);
+}
+
 std::optional<CurvedComparison> compareWithCurve(Simulation& simulation,
                                                  const SimulationCause& cause,
                                                  const ComparisonTask& task, int most) {

@@ -30,6 +30,9 @@ struct SimulationComparison {
   /// `most`: runs in all. The task and the simulation must outlive it.
   SimulationComparison(Simulation& simulation, const ComparisonTask& task, int most);
 
+  /// The same search with so many runs in all: what it has run is kept.
+  void goOn(const ComparisonTask& task, int most);
+
   double heldError() const { return result.held_after.sum(); }
 };
 

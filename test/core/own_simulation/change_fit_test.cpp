@@ -24,7 +24,8 @@ class ChangeFitting : public testing::Test {
   const ComparedData& record(const Eigen::Vector3d& values, const MachineOptions& options = {}) {
     experiments_ = recordMachine(*simulation_, values, options);
     data_ = comparedData(experiments_, 0, 1);
-    changed_ = std::make_unique<ChangedSimulation>(runs_, data_);
+    runs_ = std::make_unique<SimulationRuns>(*simulation_, 100000, nullptr);  // which keeps outputs
+    changed_ = std::make_unique<ChangedSimulation>(*runs_, data_);
     return data_;
   }
 
@@ -33,7 +34,7 @@ class ChangeFitting : public testing::Test {
   }
 
   std::unique_ptr<Simulation> simulation_ = lag();
-  SimulationRuns runs_{*simulation_, 100000, {}};
+  std::unique_ptr<SimulationRuns> runs_;
   std::vector<Experiment> experiments_;
   ComparedData data_;
   std::unique_ptr<ChangedSimulation> changed_;

@@ -1,0 +1,87 @@
+#include "own_simulation/shaped_simulation.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "own_simulation/linear_surrogate.h"
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr double kMiddle = 0.5;  ///< of an experiment, where a drifting gain is 1
+
+void addShapes(Place place, double unit, const std::vector<std::string>& names,
+               std::vector<PlacedShape>* all) {
+  for (const Shape& shape : shapes()) {
+    if (std::find(names.begin(), names.end(), shape.name) == names.end()) continue;
+    for (const std::vector<double>& own : shape.starts) {
+      PlacedShape placed{place, &shape, unit, Eigen::VectorXd::Zero(shape.count())};
+      std::copy(own.begin(), own.end(), placed.start.data() + (shape.is_whole ? 0 : 1));
+      all->push_back(placed);
+    }
+  }
+}
+
+/// Time over an experiment.
+Eigen::VectorXd shareOf(Eigen::Index samples) { return Eigen::VectorXd::LinSpaced(samples, 0, 1); }
+
+}  // namespace
+
+std::vector<PlacedShape> shapesAround(double input, double output, bool acts_on_input) {
+  std::vector<PlacedShape> all;
+  if (acts_on_input) {
+    addShapes(Place::input, input,
+              {"dead_zone", "saturation", "asymmetric_slope", "square", "cubic"}, &all);
+    addShapes(Place::time_gain, 1, {"linear"}, &all);
+  }
+  addShapes(Place::sensor, output, {"dead_zone", "saturation", "square", "cubic"}, &all);
+  return all;
+}
+
+Eigen::VectorXd shaped(const PlacedShape& placed, const Eigen::VectorXd& signal,
+                       const Eigen::VectorXd& parameters) {
+  const Shape& shape = *placed.shape;
+  const double* own = parameters.data() + (shape.is_whole ? 0 : 1);
+  if (placed.place == Place::time_gain)
+    return signal.unaryExpr(
+        [&](double t) { return 1 + parameters[0] * shape.value(t - kMiddle, own); });
+  return signal.unaryExpr([&](double each) {
+    const double value = placed.unit * shape.value(each / placed.unit, own);
+    return shape.is_whole ? value : each + parameters[0] * value;
+  });
+}
+
+KeptSimulation::KeptSimulation(Simulation& simulation)
+    : simulation_(simulation), own_values_(ownValuesOf(simulation)) {}
+
+Eigen::VectorXd KeptSimulation::run(const SimulationInput& input,
+                                    const Eigen::VectorXd& /*values*/) {
+  const std::vector<double> key(input.u.data(), input.u.data() + input.u.size());
+  const auto known = outputs_.find(key);
+  if (known != outputs_.end()) return known->second;
+  return outputs_[key] = simulation_.run(input, own_values_);
+}
+
+ShapedSimulation::ShapedSimulation(Simulation& simulation, PlacedShape placed)
+    : simulation_(simulation), placed_(std::move(placed)), own_values_(ownValuesOf(simulation)) {}
+
+std::vector<SimulationParameter> ShapedSimulation::parameters() const {
+  std::vector<SimulationParameter> all;
+  for (const double start : placed_.start) all.push_back({"", start, ""});
+  return all;
+}
+
+Eigen::VectorXd ShapedSimulation::run(const SimulationInput& input, const Eigen::VectorXd& values) {
+  if (placed_.place == Place::sensor)
+    return shaped(placed_, simulation_.run(input, own_values_), values);
+  SimulationInput changed = input;
+  changed.u =
+      placed_.place == Place::time_gain
+          ? Eigen::VectorXd(shaped(placed_, shareOf(input.u.size()), values).cwiseProduct(input.u))
+          : shaped(placed_, input.u, values);
+  if (changed.measured_u.size() == 0) changed.measured_u = input.u;
+  return simulation_.run(changed, own_values_);
+}
+
+}  // namespace uncertainty_identification
