@@ -112,7 +112,7 @@ bool isCurve(const Cause& cause) {
 /// must show have to be clear there; of others, and where no simulation is useful, the log density
 /// has to gain with 95 %.
 void dropUnconfirmed(Explanation* explanation) {
-  constexpr double kUseful = 30;  // [%] fit
+  constexpr double kUseful = 50;  // [%] fit; below it identify does not trust a model
   const auto is_unconfirmed = [&](const Cause& cause) {
     if (isOfSamples(cause) || !cause.gain) return false;
     const bool useful = cause.gain->nrmse_fit_percent.after >= kUseful;
