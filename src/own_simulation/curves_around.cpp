@@ -125,7 +125,8 @@ std::vector<Candidate> SearchAround::screened() {
   std::vector<PlacedShape> all = shapesToTry();
   for (auto begin = all.begin(); begin != all.end();) {
     const auto end = std::find_if(begin, all.end(), [&](const PlacedShape& each) {
-      return each.shape != begin->shape || each.place != begin->place;
+      return each.shape != begin->shape || each.place != begin->place ||
+             each.is_mirrored != begin->is_mirrored;
     });
     std::vector<Candidate> starts;
     for (auto each = begin; each != end; ++each)
@@ -208,11 +209,15 @@ SimulationCause describe(const Candidate& candidate, const ComparedData& data) {
 std::vector<PlaceAndShape> tiesOf(const std::vector<Candidate>& candidates) {
   constexpr double kNear = 1.05, kSignificant = 2;
   std::vector<PlaceAndShape> ties;
+  const PlaceAndShape first = placeAndShapeOf(candidates.front().placed());
   const Eigen::VectorXd& best = candidates.front().fit.left_out_of;
-  for (auto each = std::next(candidates.begin()); each != candidates.end(); ++each)
-    if (each->fit.leftOut() < kNear * best.sum() ||
-        pairedT(each->fit.left_out_of, best) < kSignificant)
-      ties.push_back(placeAndShapeOf(each->placed()));
+  for (auto each = std::next(candidates.begin()); each != candidates.end(); ++each) {
+    const PlaceAndShape other = placeAndShapeOf(each->placed());
+    const bool is_mirror = other.place == first.place && other.shape == first.shape;
+    if (!is_mirror && (each->fit.leftOut() < kNear * best.sum() ||
+                       pairedT(each->fit.left_out_of, best) < kSignificant))
+      ties.push_back(other);
+  }
   return ties;
 }
 

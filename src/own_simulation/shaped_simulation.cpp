@@ -16,10 +16,13 @@ void addShapes(Place place, double unit, const std::vector<std::string>& names,
   for (const Shape& shape : shapes()) {
     if (std::find(names.begin(), names.end(), shape.name) == names.end()) continue;
     for (const std::vector<double>& own : shape.starts) {
-      PlacedShape placed{place, &shape, unit, Eigen::VectorXd::Zero(shape.count())};
+      PlacedShape placed{place, &shape, unit, false, Eigen::VectorXd::Zero(shape.count())};
       std::copy(own.begin(), own.end(), placed.start.data() + (shape.is_whole ? 0 : 1));
       all->push_back(placed);
     }
+    if (shape.name != "asymmetric_slope") continue;
+    all->push_back(all->back());
+    all->back().is_mirrored = true;
   }
 }
 
@@ -46,8 +49,9 @@ Eigen::VectorXd shaped(const PlacedShape& placed, const Eigen::VectorXd& signal,
   if (placed.place == Place::time_gain)
     return signal.unaryExpr(
         [&](double t) { return 1 + parameters[0] * shape.value(t - kMiddle, own); });
+  const double unit = placed.is_mirrored ? -placed.unit : placed.unit;
   return signal.unaryExpr([&](double each) {
-    const double value = placed.unit * shape.value(each / placed.unit, own);
+    const double value = unit * shape.value(each / unit, own);
     return shape.is_whole ? value : each + parameters[0] * value;
   });
 }

@@ -14,7 +14,8 @@ namespace uncertainty_identification {
 struct PlacedShape {
   Place place = Place::input;  ///< or sensor, time_gain
   const Shape* shape = nullptr;
-  double unit = 1;  ///< root mean square of the signal, in whose units the shape counts
+  double unit = 1;           ///< root mean square of the signal, in whose units the shape counts
+  bool is_mirrored = false;  ///< turned half round zero: another gain for the negative sign
   /// To begin with: the shape's own parameters, behind an amplitude of 0 unless the shape is whole.
   Eigen::VectorXd start;
 };

@@ -152,7 +152,7 @@ TEST_F(LatencyTest, RecordingDoesNotWaitForTheWorker) {
   ros::param::set("/identification/store_directory", folder.path());
   ros::param::set("/identification/live_page/port", port);
   Truth truth = loadTruth(std::string(PROJECT_FOLDER) + "/config/example1_truth.yaml");
-  truth.experiments = 400;
+  truth.experiments = 1000;  // to be identified for longer than a phase is recorded
   truth.samples = {2000};
   std::filesystem::create_directory(folder / "saved");
   const auto many = simulate(truth, 1);

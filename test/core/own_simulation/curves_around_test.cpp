@@ -94,6 +94,15 @@ TEST(CurvesAround, ALimitOfTheInput) {
   expectValue(saturated, "limit", 1.2);
 }
 
+TEST(CurvesAround, AnotherGainForEitherSign) {
+  for (const double sign : {1.0, -1.0}) {
+    const auto weaker = [sign](double u) { return sign * u > 0 ? 0.7 * u : u; };
+    const OwnSimulationFindings asymmetric = found(withInput(eachBy(weaker)));
+    expectCurve(asymmetric, "act_asymmetry");
+    EXPECT_NEAR(asymmetric.structure.causes.at(0).values.at(0).value, -0.3, 0.01);
+  }
+}
+
 TEST(CurvesAround, AGainThatDrifts) {
   const auto drifting = [](const Eigen::VectorXd& u) -> Eigen::VectorXd {
     return u.cwiseProduct(Eigen::VectorXd::LinSpaced(u.size(), 0.8, 1.2));
