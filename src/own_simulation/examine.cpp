@@ -7,12 +7,10 @@
 #include <optional>
 #include <utility>
 
-#include "own_simulation/curves_around.h"
 #include "own_simulation/describe_change.h"
 #include "own_simulation/extension.h"
+#include "own_simulation/lacking_curves.h"
 #include "own_simulation/linear_surrogate.h"
-#include "own_simulation/own_structure.h"
-#include "own_simulation/simulation_comparison.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
@@ -74,12 +72,6 @@ std::string sentenceOf(const OwnSimulationFindings& found) {
     return text + structureText(found) + ". Without the curve the best would be " + changes + " (" +
            percentText(found.fit_after) + "), which may only stand for it";
   return text + "; with " + changes + after + structureText(found);
-}
-
-std::string skippedText(double linear_fit, bool can_rerun) {
-  return "a linear model fits only " + percentText(linear_fit) + " of the simulation itself, so " +
-         (can_rerun ? "that curves were looked for before and behind it, but not inside it"
-                    : "that no curve can be placed in it");
 }
 
 Eigen::VectorXd comparedPart(const ComparedRun& run, const Eigen::VectorXd& signal) {
@@ -180,15 +172,6 @@ ComparisonTask taskOf(const Simulation& simulation, const std::vector<Experiment
   return task;
 }
 
-/// The changes of parameters.
-Changes parametersAmong(Changes changes) {
-  changes.erase(
-      std::remove_if(changes.begin(), changes.end(),
-                     [](const Change& each) { return each.kind != ChangeKind::parameter; }),
-      changes.end());
-  return changes;
-}
-
 /// Causes and corrections.
 void tellChanges(const SimulationComparison& best, const ComparisonTask& task,
                  const LinearSurrogate& surrogate, const Simulation& simulation,
@@ -201,54 +184,6 @@ void tellChanges(const SimulationComparison& best, const ComparisonTask& task,
   if (is_surrogate) nameBySurrogate(&found->causes);
   found->extension = extensionOf(best.changed, changes, sample_time,
                                  is_surrogate ? *surrogate.linear : simulation, is_surrogate);
-}
-
-/// Curves that the simulation lacks.
-struct LackingCurves {
-  SimulationCauses found;
-  /// With the first of them around the simulation, where it stands there and this is much better.
-  std::optional<CurvedComparison> around;
-  int simulations = 0;
-  bool ended_early = false;
-};
-
-/// Puts the first curve around the simulation; drops those that were only tried there if another
-/// change does as well.
-void compareAround(Simulation& simulation, const SimulationComparison& own,
-                   const ComparisonTask& task, bool only_tried_around, LackingCurves* curves) {
-  constexpr double kBetter = 0.9;  // squared error with the curve, over that without it
-  if (curves->found.causes.empty()) return;
-  curves->around = compareWithCurve(simulation, curves->found.causes.front(), task,
-                                    task.most - own.runs.count() - curves->simulations);
-  if (!curves->around) return;
-  curves->simulations += curves->around->simulations;
-  curves->ended_early = curves->ended_early || curves->around->endedEarly();
-  const bool is_better = curves->around->comparison &&
-                         curves->around->comparison->heldError() < kBetter * own.heldError();
-  if (is_better) return;
-  curves->around.reset();
-  if (only_tried_around) curves->found.causes.clear();
-}
-
-LackingCurves searchCurves(Simulation& simulation, const SimulationComparison& own,
-                           const ComparisonTask& task, const std::vector<Experiment>& fitted,
-                           const std::vector<Experiment>& held, const ExamineOptions& options) {
-  constexpr double kLinear = 98;  // [%] of a simulation by its linear model, which then suffices
-  LackingCurves curves;
-  OwnStructure inside = searchStructure(own.changed, parametersAmong(own.result.fit.changes),
-                                        fitted, held, options.max_causes, options.progress);
-  curves.found = std::move(inside.found);
-  const bool tries_around =
-      curves.found.causes.empty() && inside.linear_fit < kLinear && simulation.canRerun();
-  if (tries_around) {
-    curves.found =
-        searchCurvesAround(simulation, task, task.most - own.runs.count(), &curves.simulations);
-    curves.ended_early = curves.found.ended_early;
-  }
-  if (inside.linear_fit < kLeastSurrogateFit)
-    curves.found.skipped = skippedText(inside.linear_fit, simulation.canRerun());
-  compareAround(simulation, own, task, tries_around, &curves);
-  return curves;
 }
 
 }  // namespace
@@ -272,7 +207,7 @@ OwnSimulationFindings examine(Simulation& simulation, const std::vector<Experime
   const int most = options.structure ? std::max(task.most / 2, task.fewest()) : task.most;
   SimulationComparison own(compared, task, most);
   LackingCurves curves;
-  if (options.structure) curves = searchCurves(compared, own, task, fitted, held, options);
+  if (options.structure) curves = searchLackingCurves(compared, own, task, fitted, held, options);
   const bool is_around = curves.around.has_value();
   if (own.runs.endedEarly() && !is_around) own.goOn(task, task.most - curves.simulations);
   const SimulationComparison& best = is_around ? *curves.around->comparison : own;

@@ -11,11 +11,19 @@ namespace {
 
 constexpr double kMiddle = 0.5;  ///< of an experiment, where a drifting gain is 1
 
+/// Values of the parameters to begin with. Limits that are seldom reached change little, and are
+/// not found from lower ones.
+std::vector<std::vector<double>> startsOf(const Shape& shape) {
+  std::vector<std::vector<double>> starts = shape.starts;
+  if (shape.name == "saturation") starts.insert(starts.end(), {{2.0}, {2.5}, {3.0}});
+  return starts;
+}
+
 void addShapes(Place place, double unit, const std::vector<std::string>& names,
                std::vector<PlacedShape>* all) {
   for (const Shape& shape : shapes()) {
     if (std::find(names.begin(), names.end(), shape.name) == names.end()) continue;
-    for (const std::vector<double>& own : shape.starts) {
+    for (const std::vector<double>& own : startsOf(shape)) {
       PlacedShape placed{place, &shape, unit, false, Eigen::VectorXd::Zero(shape.count())};
       std::copy(own.begin(), own.end(), placed.start.data() + (shape.is_whole ? 0 : 1));
       all->push_back(placed);

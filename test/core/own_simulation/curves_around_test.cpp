@@ -70,7 +70,7 @@ void expectCurve(const OwnSimulationFindings& found, const std::string& name) {
   EXPECT_TRUE(found.has_curve_around) << found.sentence;
   EXPECT_EQ(found.structure.causes[0].what.name, name) << found.sentence;
   EXPECT_GT(found.fit_after, 96) << "the noise is left: 30 dB";
-  EXPECT_LT(found.fit_before, 95);
+  EXPECT_LT(found.fit_before, found.fit_after - 2);
 }
 
 void expectValue(const OwnSimulationFindings& found, const std::string& name, double truth) {
@@ -87,11 +87,14 @@ TEST(CurvesAround, ADeadZoneBesideFrictionThatCouldStandForIt) {
   EXPECT_TRUE(dead.causes.empty()) << dead.sentence;
 }
 
+/// 3.1 is reached by the input in a twenty-fifth of the time.
 TEST(CurvesAround, ALimitOfTheInput) {
-  const auto limited = [](double u) { return std::min(std::max(u, -1.2), 1.2); };
-  const OwnSimulationFindings saturated = found(withInput(eachBy(limited)));
-  expectCurve(saturated, "act_saturation");
-  expectValue(saturated, "limit", 1.2);
+  for (const double limit : {1.2, 3.1}) {
+    const auto limited = [limit](double u) { return std::min(std::max(u, -limit), limit); };
+    const OwnSimulationFindings saturated = found(withInput(eachBy(limited)));
+    expectCurve(saturated, "act_saturation");
+    expectValue(saturated, "limit", limit);
+  }
 }
 
 TEST(CurvesAround, AnotherGainForEitherSign) {
