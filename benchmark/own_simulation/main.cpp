@@ -351,5 +351,9 @@ int main(int argc, char** argv) {
   if (argc > 2) study.first_seed = std::atoi(argv[2]);
   if (argc > 3) study.share = std::atof(argv[3]) / 100;
   if (argc > 4) study.simulation = argv[4];
+  if (!study.includes("model") && !study.includes("pendulum") && !study.includes("motor")) {
+    std::fprintf(stderr, "there is no simulation '%s': model, pendulum or motor\n", argv[4]);
+    return 2;
+  }
   return uncertainty_identification::run(study);
 }

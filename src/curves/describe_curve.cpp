@@ -71,17 +71,6 @@ double valueUnit(Place place, const SignalScales& scales) {
   return isFactor(place) ? 1 : place == Place::sensor ? scales.y.unit : scales.u.unit;
 }
 
-/// Degree by which a shape's amplitude changes with the unit of its argument.
-double degreeOf(const Shape& shape, const Eigen::VectorXd& parameters) {
-  static const std::map<std::string, double> kDegrees{
-      {"linear", 1},           {"square", 2},     {"cubic", 3},
-      {"signed_square", 2},    {"polynomial", 2}, {"root", 0.5},
-      {"asymmetric_slope", 1}, {"magnitude", 1},  {"hinge", 1}};
-  if (shape.name == "power") return std::min(std::max(parameters[1], 0.2), 6.0);
-  const auto degree = kDegrees.find(shape.name);
-  return degree == kDegrees.end() ? 0 : degree->second;
-}
-
 /// Whether what enters is known only as what the linear plant simulates, which a whole shape of a
 /// sensor shrinks to its slope.
 bool isShrunk(const Curve& curve) {
@@ -115,7 +104,7 @@ Eigen::VectorXd inUnits(const Curve& curve, const Eigen::VectorXd& parameters, c
   const Eigen::Index first = shape.is_whole ? 0 : 1;
   if (first == 1)
     found[0] = parameters[0] / curve.normalisation(parameters).scale * value_unit /
-               std::pow(signal.unit, degreeOf(shape, parameters));
+               std::pow(signal.unit, degreeOf(shape, parameters.data() + first));
   for (std::size_t k = 0; k < shape.parameters.size(); ++k) {
     double& each = found[first + static_cast<Eigen::Index>(k)];
     if (shape.parameters[k].unit == ShapeUnit::of_signal)
@@ -182,9 +171,9 @@ std::pair<double, double> drawnRange(const Curve& curve, const CurveModel& model
   const std::pair<double, double> simulated{samples[0], samples[samples.size() - 1]};
   if (curve.place() != Place::rate && curve.place() != Place::rate_gain) return simulated;
   const auto [low, high] = measuredRates(data);
-  if (!(low < high)) return simulated;
-  return {std::max(simulated.first, low / model.rate_scale),
-          std::min(simulated.second, high / model.rate_scale)};
+  const std::pair<double, double> both{std::max(simulated.first, low / model.rate_scale),
+                                       std::min(simulated.second, high / model.rate_scale)};
+  return both.first < both.second ? both : simulated;
 }
 
 CurvePicture pictureOf(const Curve& curve, const Eigen::VectorXd& parameters,

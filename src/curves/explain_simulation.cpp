@@ -43,15 +43,6 @@ int changesOf(const Eigen::VectorXd& signal) {
                    (signal.tail(count - 1).array() != signal.head(count - 1).array()).count());
 }
 
-/// Whether the inputs of all records together make few steps. Steps of a few sizes show that the
-/// answers differ, but many curves follow so few answers, and so do gains that differ by chance.
-bool areFewSteps(const std::vector<Experiment>& fitted, const std::vector<Experiment>& held) {
-  int steps = 0;
-  for (const auto* records : {&fitted, &held})
-    for (const Experiment& record : *records) steps += std::max(1, changesOf(record.u));
-  return steps < kFewestSteps;
-}
-
 bool isConstant(const Scale& signal) {
   return !(signal.unit > 1e-9 * (1 + std::abs(signal.offset)));
 }
@@ -155,6 +146,13 @@ void describe(const PlannedSearch& searched, const std::vector<Experiment>& fitt
 }
 
 }  // namespace
+
+bool areFewSteps(const std::vector<Experiment>& fitted, const std::vector<Experiment>& held) {
+  int steps = 0;
+  for (const auto* records : {&fitted, &held})
+    for (const Experiment& record : *records) steps += std::max(1, changesOf(record.u));
+  return steps < kFewestSteps;
+}
 
 SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
                                    const std::vector<Experiment>& held,

@@ -18,6 +18,10 @@ struct SimulationSearchOptions {
       progress;  ///< returns false to cancel; may be empty
 };
 
+/// Whether the inputs of all records together make few steps. Steps of a few sizes show that the
+/// answers differ, but many curves follow so few answers, and so do gains that differ by chance.
+bool areFewSteps(const std::vector<Experiment>& fitted, const std::vector<Experiment>& held);
+
 /// Looks for what the free simulation of a small linear plant gets wrong: curves at places of the
 /// simulation, fitted to windows of `fitted`, accepted and measured on windows of `held`. Where
 /// `held` is empty, the last third of the windows is held out. Throws nothing: data that are too

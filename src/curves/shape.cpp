@@ -194,6 +194,16 @@ const Shape& shapeOf(const std::string& name) {
 
 }  // namespace
 
+double degreeOf(const Shape& shape, const double* parameters) {
+  static const std::map<std::string, double> kDegrees{
+      {"linear", 1},           {"square", 2},     {"cubic", 3},
+      {"signed_square", 2},    {"polynomial", 2}, {"root", 0.5},
+      {"asymmetric_slope", 1}, {"magnitude", 1},  {"hinge", 1}};
+  if (shape.name == "power") return std::min(std::max(parameters[0], 0.2), 6.0);
+  const auto degree = kDegrees.find(shape.name);
+  return degree == kDegrees.end() ? 0 : degree->second;
+}
+
 const std::vector<Shape>& shapes() {
   static const std::vector<Shape> all = [] {
     std::vector<Shape> found = wholeShapes();

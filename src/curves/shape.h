@@ -32,6 +32,10 @@ struct Shape {
   int count() const { return static_cast<int>(parameters.size()) + (is_whole ? 0 : 1); }
 };
 
+/// Degree by which the amplitude of a shape changes with the unit of its argument; `parameters` are
+/// the shape's own.
+double degreeOf(const Shape& shape, const double* parameters);
+
 /// All shapes.
 const std::vector<Shape>& shapes();
 

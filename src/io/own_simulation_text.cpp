@@ -29,8 +29,7 @@ std::vector<std::string> rowOf(const OwnCause& cause, const OwnValue& value) {
 std::string curvesText(const OwnSimulationFindings& findings) {
   const SimulationCauses& structure = findings.structure;
   std::string text;
-  if (!structure.skipped.empty())
-    text += "\nThe search for curves was limited: " + structure.skipped + ".\n";
+  if (!structure.skipped.empty()) text += "\nAbout curves: " + structure.skipped + ".\n";
   for (const SimulationCause& cause : structure.causes) {
     text += "\n" + cause.what.name + ": " + cause.description + "\n";
     for (const ShapeValue& value : cause.values)

@@ -98,10 +98,9 @@ void SimulationRuns::allow(int most) {
 }
 
 bool SimulationRuns::affords(std::size_t further) {
-  const bool cancelled = keep_going_ && !keep_going_(count_);
-  if (cancelled || (simulation_.canRerun() && count_ + static_cast<int>(further) > most_))
-    ended_early_ = true;
-  return !ended_early_;
+  cancelled_ = cancelled_ || (keep_going_ && !keep_going_(count_));
+  if (simulation_.canRerun() && count_ + static_cast<int>(further) > most_) ended_early_ = true;
+  return !endedEarly();
 }
 
 }  // namespace uncertainty_identification

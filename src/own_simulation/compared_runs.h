@@ -45,8 +45,9 @@ class SimulationRuns {
 
   /// Whether so many further runs are allowed. Once false, or cancelled, endedEarly() stays true.
   bool affords(std::size_t further);
-  bool endedEarly() const { return ended_early_; }
-  /// Allows so many runs in all, and to go on.
+  bool endedEarly() const { return ended_early_ || cancelled_; }
+  bool cancelled() const { return cancelled_; }
+  /// Allows so many runs in all, and to go on unless it was cancelled.
   void allow(int most);
   int count() const { return count_; }
 
@@ -61,7 +62,7 @@ class SimulationRuns {
   std::map<Key, Eigen::VectorXd> kept_;
   std::size_t kept_samples_ = 0;
   int count_ = 0;
-  bool ended_early_ = false;
+  bool ended_early_ = false, cancelled_ = false;
 
   static Eigen::VectorXd valuesOf(const std::vector<SimulationParameter>& parameters);
 };

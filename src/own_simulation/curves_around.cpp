@@ -8,8 +8,9 @@
 #include <utility>
 
 #include "curves/fit_comparison.h"
+#include "own_simulation/answered_data.h"
 #include "own_simulation/describe_shape.h"
-#include "uncertainty_identification/errors.h"
+#include "own_simulation/logged_simulation.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -43,36 +44,42 @@ struct Candidate {
   }
 };
 
-/// The search, and how many runs it took.
+/// The search.
 class SearchAround {
  public:
   SearchAround(Simulation& simulation, const ComparisonTask& task, int most)
-      : simulation_(simulation), kept_(simulation), task_(task), most_(most) {}
+      : counted_(simulation), task_(task), most_(most) {}
 
   SimulationCauses run();
-  int count() const { return kept_.count() + changed_; }
+  int count() const { return counted_.count(); }
 
  private:
   int left() const;
-  std::vector<PlacedShape> shapesToTry();
+  const ComparedData& dataFor(const PlacedShape& placed) const;
+  std::vector<PlacedShape> shapesToTry() const;
   template <class Fit>
   void tryOut(const PlacedShape& placed, const ComparedData& data, const Fit& fit,
               std::vector<Candidate>* found);
   std::vector<Candidate> screened();
   std::vector<Candidate> fitted(const std::vector<Candidate>& screened);
 
-  Simulation& simulation_;
-  KeptSimulation kept_;  ///< it as it is
+  CountedSimulation counted_;
+  const std::unique_ptr<Simulation> logged_ = makeLoggedSimulation(Answered::kSignal, "its answer");
+  std::unique_ptr<Answered> answers_, held_answers_;
   const ComparisonTask& task_;
   const int most_;
-  int changed_ = 0;  ///< runs with another input
   bool ended_early_ = false;
 };
 
-/// Runs that are left for fitting, besides those of the simulation as it is and of the best curve
-/// for what is held out.
+/// Runs that are left for fitting, besides those of the best curve for what is held out, and of the
+/// comparison with the curve.
 int SearchAround::left() const {
-  return most_ - changed_ - task_.fewest() - static_cast<int>(task_.held.runs.size());
+  return most_ - count() - static_cast<int>(task_.held.runs.size()) - 2 * task_.fewest();
+}
+
+/// What a shape is fitted to.
+const ComparedData& SearchAround::dataFor(const PlacedShape& placed) const {
+  return placed.place == Place::sensor ? answers_->data() : task_.fitted;
 }
 
 double rootMeanSquare(double squares, Eigen::Index samples) {
@@ -80,47 +87,38 @@ double rootMeanSquare(double squares, Eigen::Index samples) {
                   std::numeric_limits<double>::min());
 }
 
-std::vector<PlacedShape> SearchAround::shapesToTry() {
-  SimulationRuns runs(kept_, most_, task_.keep_going);
+std::vector<PlacedShape> SearchAround::shapesToTry() const {
   double of_u = 0, of_y = 0;
   Eigen::Index samples = 0;
-  for (const ComparedRun& run : task_.fitted.runs) {
+  for (const ComparedRun& run : answers_->data().runs) {
     of_u += run.experiment->u.squaredNorm();
-    of_y += runs.output(run, runs.ownValues()).squaredNorm();
+    of_y += run.experiment->signals.at(Answered::kSignal).squaredNorm();
     samples += run.experiment->samples();
   }
-  return shapesAround(rootMeanSquare(of_u, samples), rootMeanSquare(of_y, samples),
-                      simulation_.canRerun());
+  return shapesAround(rootMeanSquare(of_u, samples), rootMeanSquare(of_y, samples));
 }
 
-/// Adds the shape with its fit, unless there are no runs left, or the simulation cannot be run with
-/// it, which says nothing about the machine.
+/// Adds the shape with its fit, unless there are no runs left for it.
 template <class Fit>
 void SearchAround::tryOut(const PlacedShape& placed, const ComparedData& data, const Fit& fit,
                           std::vector<Candidate>* found) {
   const bool is_behind = placed.place == Place::sensor;
   const auto fewest =
       static_cast<int>(data.runs.size()) * static_cast<int>(1 + placed.start.size());
-  ended_early_ = ended_early_ || (!is_behind && left() < fewest) ||
-                 (task_.keep_going && !task_.keep_going(count()));
-  if (ended_early_) return;
-  Simulation& simulation = is_behind ? kept_ : simulation_;
-  try {
-    Candidate candidate(simulation, placed, data, left(), task_.keep_going);
-    candidate.fit = fit(candidate);
-    if (!is_behind) changed_ += candidate.runs->count();
-    if (std::isfinite(candidate.fit.leftOut())) found->push_back(std::move(candidate));
-  } catch (const DataError&) {
-    return;
-  }
+  const bool is_cancelled = task_.keep_going && !task_.keep_going(count());
+  ended_early_ = ended_early_ || is_cancelled || (!is_behind && left() < fewest);
+  if (is_cancelled || (!is_behind && left() < fewest)) return;
+  Simulation& simulation = is_behind ? *logged_ : counted_;
+  Candidate candidate(simulation, placed, data, left(), task_.keep_going);
+  candidate.fit = fit(candidate);
+  ended_early_ = ended_early_ || candidate.runs->endedEarly();
+  if (std::isfinite(candidate.fit.leftOut())) found->push_back(std::move(candidate));
 }
 
 /// All shapes, each from its best start and by one linearised step, for a few experiments; the best
 /// first.
 std::vector<Candidate> SearchAround::screened() {
   constexpr std::size_t kFew = 6;
-  ComparedData few = task_.fitted;
-  if (few.runs.size() > kFew) few.runs.resize(kFew);
   std::vector<Candidate> found;
   std::vector<PlacedShape> all = shapesToTry();
   for (auto begin = all.begin(); begin != all.end();) {
@@ -128,6 +126,8 @@ std::vector<Candidate> SearchAround::screened() {
       return each.shape != begin->shape || each.place != begin->place ||
              each.is_mirrored != begin->is_mirrored;
     });
+    ComparedData few = dataFor(*begin);
+    if (few.runs.size() > kFew) few.runs.resize(kFew);
     std::vector<Candidate> starts;
     for (auto each = begin; each != end; ++each)
       tryOut(
@@ -159,13 +159,15 @@ std::vector<Candidate> SearchAround::screened() {
 std::vector<Candidate> SearchAround::fitted(const std::vector<Candidate>& screened) {
   constexpr std::size_t kBest = 4;
   std::vector<Candidate> found;
-  for (std::size_t k = 0; k < std::min(kBest, screened.size()); ++k)
+  for (std::size_t k = 0; k < std::min(kBest, screened.size()); ++k) {
+    const ComparedData& data = dataFor(screened[k].placed());
     tryOut(
-        screened[k].placed(), task_.fitted,
+        screened[k].placed(), data,
         [&](const Candidate& candidate) {
-          return fitChanges(*candidate.changed, task_.fitted, candidate.changes());
+          return fitChanges(*candidate.changed, data, candidate.changes());
         },
         &found);
+  }
   std::stable_sort(found.begin(), found.end(), [](const Candidate& left, const Candidate& right) {
     return left.fit.leftOut() < right.fit.leftOut();
   });
@@ -186,21 +188,24 @@ Eigen::MatrixXd covarianceOf(const Candidate& candidate) {
 }
 
 /// Between which values the signal lies that goes into the shape.
-std::pair<double, double> rangeOf(const Candidate& candidate, const ComparedData& data) {
-  if (candidate.placed().place == Place::time_gain) return {0, 1};
+std::pair<double, double> rangeOf(const PlacedShape& placed, const ComparedData& answers) {
+  if (placed.place == Place::time_gain) return {0, 1};
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const ComparedRun& run : data.runs) {
-    const Eigen::VectorXd& signal =
-        candidate.placed().place == Place::input ? run.experiment->u : run.experiment->y;
-    const Eigen::ArrayXd seen = (run.weight > 0).select(signal.array(), signal.mean());
-    low = std::min(low, seen.minCoeff());
-    high = std::max(high, seen.maxCoeff());
+  for (const ComparedRun& run : answers.runs) {
+    const Eigen::VectorXd& signal = placed.place == Place::input
+                                        ? run.experiment->u
+                                        : run.experiment->signals.at(Answered::kSignal);
+    for (Eigen::Index k = 0; k < signal.size(); ++k) {
+      if (!(run.weight[k] > 0)) continue;
+      low = std::min(low, signal[k]);
+      high = std::max(high, signal[k]);
+    }
   }
   return {low, high};
 }
 
 SimulationCause describe(const Candidate& candidate, const ComparedData& data) {
-  const auto [low, high] = rangeOf(candidate, data);
+  const auto [low, high] = rangeOf(candidate.placed(), data);
   return describeShape(candidate.placed(), candidate.changed->values(candidate.fit.changes),
                        covarianceOf(candidate), low, high);
 }
@@ -224,18 +229,22 @@ std::vector<PlaceAndShape> tiesOf(const std::vector<Candidate>& candidates) {
 SimulationCauses SearchAround::run() {
   SimulationCauses found;
   task_.limits.tell("trying curves before and behind your simulation");
-  found.ended_early = left() <= 0;
+  found.ended_early = left() < task_.fewest() || (task_.keep_going && !task_.keep_going(0));
   if (found.ended_early) return found;
-  const std::vector<Candidate> candidates = fitted(screened());
-  found.ended_early = ended_early_;
-  if (candidates.empty()) return found;
-  SimulationRuns runs(kept_, most_, task_.keep_going);
+  SimulationRuns runs(counted_, most_, task_.keep_going);
+  answers_ = std::make_unique<Answered>(task_.fitted, &runs);
+  held_answers_ = std::make_unique<Answered>(task_.held, &runs);
   const ChangedSimulation plain(runs, task_.fitted);
   const ChangeFit without = fitChanges(plain, task_.fitted, gainAndOffset());
+  const std::vector<Candidate> candidates = fitted(screened());
+  found.ended_early = ended_early_;
+  if (candidates.empty() || !std::isfinite(without.leftOut())) return found;
   const Candidate& best = candidates.front();
+  const bool is_behind = best.placed().place == Place::sensor;
   const Eigen::VectorXd held_without = errorsOf(plain, task_.held, without.changes),
-                        held_with = errorsOf(*best.changed, task_.held, best.fit.changes);
-  if (best.placed().place != Place::sensor) changed_ += static_cast<int>(task_.held.runs.size());
+                        held_with =
+                            errorsOf(*best.changed, is_behind ? held_answers_->data() : task_.held,
+                                     best.fit.changes);
   found.fit_before = found.fit_after = task_.held.fitOf(held_without.sum());
   const ChangeSearchLimits& limits = task_.limits;
   const auto gains = [](const Eigen::VectorXd& before, const Eigen::VectorXd& after, double share,
@@ -246,7 +255,7 @@ SimulationCauses SearchAround::run() {
       !gains(held_without, held_with, limits.least_gain, limits.least_held_t))
     return found;
   found.fit_after = task_.held.fitOf(held_with.sum());
-  found.causes.push_back(describe(best, task_.fitted));
+  found.causes.push_back(describe(best, answers_->data()));
   found.causes.back().ties = tiesOf(candidates);
   found.causes.back().fit_before = found.fit_before;
   found.causes.back().fit_after = found.fit_after;

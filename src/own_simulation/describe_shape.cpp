@@ -10,13 +10,16 @@ namespace {
 
 constexpr double kNormal90 = 1.6449;  // quantile of 95 %
 
-/// Parameters of the shape in the units of the data.
-Eigen::VectorXd inUnits(const PlacedShape& placed, Eigen::VectorXd parameters) {
-  const int first = placed.shape->is_whole ? 0 : 1;
-  for (std::size_t k = 0; k < placed.shape->parameters.size(); ++k)
-    if (placed.shape->parameters[k].unit == ShapeUnit::of_signal)
-      parameters[first + static_cast<Eigen::Index>(k)] *= placed.unit;
-  return parameters;
+/// What parameters of a shape are multiplied by in the units of the data.
+Eigen::VectorXd unitsOf(const PlacedShape& placed, const Eigen::VectorXd& parameters) {
+  const Shape& shape = *placed.shape;
+  const int first = shape.is_whole ? 0 : 1;
+  Eigen::VectorXd units = Eigen::VectorXd::Ones(parameters.size());
+  if (first == 1) units[0] = std::pow(placed.unit, 1 - degreeOf(shape, parameters.data() + first));
+  for (std::size_t k = 0; k < shape.parameters.size(); ++k)
+    if (shape.parameters[k].unit == ShapeUnit::of_signal)
+      units[first + static_cast<Eigen::Index>(k)] = placed.unit;
+  return units;
 }
 
 CurvePicture pictureOf(const PlacedShape& placed, const Eigen::VectorXd& parameters,
@@ -58,17 +61,21 @@ PlaceAndShape placeAndShapeOf(const PlacedShape& placed) {
 
 SimulationCause describeShape(const PlacedShape& placed, const Eigen::VectorXd& parameters,
                               const Eigen::MatrixXd& covariance, double low, double high) {
+  const Shape& shape = *placed.shape;
   SimulationCause cause;
   cause.what = placeAndShapeOf(placed);
-  cause.description = inWords({placed.place, ""}, placed.shape->name);
+  cause.description = inWords({placed.place, ""}, shape.name);
+  if (shape.name == "asymmetric_slope")
+    cause.description += placed.is_mirrored ? ", below it" : ", above it";
   cause.advice = adviceFor(placed.place);
-  const Eigen::VectorXd values = inUnits(placed, parameters),
-                        errors = inUnits(placed, covariance.diagonal().cwiseMax(0).cwiseSqrt());
-  const int own = placed.shape->is_whole ? 0 : 1;
-  for (int k = 0; k < values.size(); ++k)
-    cause.values.push_back(
-        {k < own ? "amplitude" : placed.shape->parameters[static_cast<std::size_t>(k - own)].name,
-         k < own ? values[k] : std::abs(values[k]), errors[k]});
+  const Eigen::VectorXd units = unitsOf(placed, parameters),
+                        errors = covariance.diagonal().cwiseMax(0).cwiseSqrt();
+  const int own = shape.is_whole ? 0 : 1;
+  if (own == 1)
+    cause.values.push_back({"amplitude", units[0] * (parameters[0] - 1), units[0] * errors[0]});
+  for (int k = own; k < parameters.size(); ++k)
+    cause.values.push_back({shape.parameters[static_cast<std::size_t>(k - own)].name,
+                            units[k] * std::abs(parameters[k]), units[k] * errors[k]});
   cause.curve = pictureOf(placed, parameters, covariance, low, high);
   return cause;
 }

@@ -207,9 +207,11 @@ OwnSimulationFindings examine(Simulation& simulation, const std::vector<Experime
   const int most = options.structure ? std::max(task.most / 2, task.fewest()) : task.most;
   SimulationComparison own(compared, task, most);
   LackingCurves curves;
-  if (options.structure) curves = searchLackingCurves(compared, own, task, fitted, held, options);
+  if (options.structure && !own.runs.cancelled())
+    curves = searchLackingCurves(compared, own, task, fitted, held, options);
   const bool is_around = curves.around.has_value();
-  if (own.runs.endedEarly() && !is_around) own.goOn(task, task.most - curves.simulations);
+  if (own.runs.endedEarly() && curves.found.causes.empty())
+    own.goOn(task, task.most - curves.simulations);
   const SimulationComparison& best = is_around ? *curves.around->comparison : own;
 
   OwnSimulationFindings found;

@@ -24,7 +24,7 @@ void addShapes(Place place, double unit, const std::vector<std::string>& names,
   for (const Shape& shape : shapes()) {
     if (std::find(names.begin(), names.end(), shape.name) == names.end()) continue;
     for (const std::vector<double>& own : startsOf(shape)) {
-      PlacedShape placed{place, &shape, unit, false, Eigen::VectorXd::Zero(shape.count())};
+      PlacedShape placed{place, &shape, unit, false, Eigen::VectorXd::Ones(shape.count())};
       std::copy(own.begin(), own.end(), placed.start.data() + (shape.is_whole ? 0 : 1));
       all->push_back(placed);
     }
@@ -34,18 +34,13 @@ void addShapes(Place place, double unit, const std::vector<std::string>& names,
   }
 }
 
-/// Time over an experiment.
-Eigen::VectorXd shareOf(Eigen::Index samples) { return Eigen::VectorXd::LinSpaced(samples, 0, 1); }
-
 }  // namespace
 
-std::vector<PlacedShape> shapesAround(double input, double output, bool acts_on_input) {
+std::vector<PlacedShape> shapesAround(double input, double output) {
   std::vector<PlacedShape> all;
-  if (acts_on_input) {
-    addShapes(Place::input, input,
-              {"dead_zone", "saturation", "asymmetric_slope", "square", "cubic"}, &all);
-    addShapes(Place::time_gain, 1, {"linear"}, &all);
-  }
+  addShapes(Place::input, input, {"dead_zone", "saturation", "asymmetric_slope", "square", "cubic"},
+            &all);
+  addShapes(Place::time_gain, 1, {"linear"}, &all);
   addShapes(Place::sensor, output, {"dead_zone", "saturation", "square", "cubic"}, &all);
   return all;
 }
@@ -54,25 +49,15 @@ Eigen::VectorXd shaped(const PlacedShape& placed, const Eigen::VectorXd& signal,
                        const Eigen::VectorXd& parameters) {
   const Shape& shape = *placed.shape;
   const double* own = parameters.data() + (shape.is_whole ? 0 : 1);
+  const double amplitude = parameters[0] - 1;
   if (placed.place == Place::time_gain)
     return signal.unaryExpr(
-        [&](double t) { return 1 + parameters[0] * shape.value(t - kMiddle, own); });
+        [&](double t) { return 1 + amplitude * shape.value(t - kMiddle, own); });
   const double unit = placed.is_mirrored ? -placed.unit : placed.unit;
   return signal.unaryExpr([&](double each) {
     const double value = unit * shape.value(each / unit, own);
-    return shape.is_whole ? value : each + parameters[0] * value;
+    return shape.is_whole ? value : each + amplitude * value;
   });
-}
-
-KeptSimulation::KeptSimulation(Simulation& simulation)
-    : simulation_(simulation), own_values_(ownValuesOf(simulation)) {}
-
-Eigen::VectorXd KeptSimulation::run(const SimulationInput& input,
-                                    const Eigen::VectorXd& /*values*/) {
-  const std::vector<double> key(input.u.data(), input.u.data() + input.u.size());
-  const auto known = outputs_.find(key);
-  if (known != outputs_.end()) return known->second;
-  return outputs_[key] = simulation_.run(input, own_values_);
 }
 
 ShapedSimulation::ShapedSimulation(Simulation& simulation, PlacedShape placed)
@@ -80,20 +65,22 @@ ShapedSimulation::ShapedSimulation(Simulation& simulation, PlacedShape placed)
 
 std::vector<SimulationParameter> ShapedSimulation::parameters() const {
   std::vector<SimulationParameter> all;
-  for (const double start : placed_.start) all.push_back({"", start, ""});
+  for (Eigen::Index k = 0; k < placed_.start.size(); ++k) all.push_back({"", placed_.start[k], ""});
   return all;
 }
 
 Eigen::VectorXd ShapedSimulation::run(const SimulationInput& input, const Eigen::VectorXd& values) {
+  constexpr double kFarOff = 1e100;
   if (placed_.place == Place::sensor)
     return shaped(placed_, simulation_.run(input, own_values_), values);
   SimulationInput changed = input;
-  changed.u =
-      placed_.place == Place::time_gain
-          ? Eigen::VectorXd(shaped(placed_, shareOf(input.u.size()), values).cwiseProduct(input.u))
-          : shaped(placed_, input.u, values);
+  changed.u = shaped(placed_, input.u, values);
+  if (placed_.place == Place::time_gain)
+    changed.u = shaped(placed_, Eigen::VectorXd::LinSpaced(input.u.size(), 0, 1), values)
+                    .cwiseProduct(input.u);
   if (changed.measured_u.size() == 0) changed.measured_u = input.u;
-  return simulation_.run(changed, own_values_);
+  const Eigen::VectorXd y = simulation_.run(changed, own_values_);
+  return y.allFinite() ? y : Eigen::VectorXd::Constant(y.size(), kFarOff);
 }
 
 }  // namespace uncertainty_identification

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <map>
 #include <vector>
 
 #include "curves/shape.h"
@@ -15,41 +14,22 @@ struct PlacedShape {
   Place place = Place::input;  ///< or sensor, time_gain
   const Shape* shape = nullptr;
   double unit = 1;           ///< root mean square of the signal, in whose units the shape counts
-  bool is_mirrored = false;  ///< turned half round zero: another gain for the negative sign
-  /// To begin with: the shape's own parameters, behind an amplitude of 0 unless the shape is whole.
+  bool is_mirrored = false;  ///< turned half round zero: another gain below zero, not above it
+  /// To begin with: the shape's own parameters, behind 1 + its amplitude unless the shape is whole.
   Eigen::VectorXd start;
 };
 
 /// The shapes that are tried around a simulation, each with all its starts. `input` and `output`
-/// are the root mean squares of its signals; `acts_on_input`: whether it can be run with another
-/// input.
-std::vector<PlacedShape> shapesAround(double input, double output, bool acts_on_input);
+/// are the root mean squares of its signals.
+std::vector<PlacedShape> shapesAround(double input, double output);
 
 /// What comes out of the shape: the signal, or the factor, that replaces `signal`.
 Eigen::VectorXd shaped(const PlacedShape& placed, const Eigen::VectorXd& signal,
                        const Eigen::VectorXd& parameters);
 
-/// A simulation, which must outlive it, at its own values, each input of which is run once.
-class KeptSimulation : public Simulation {
- public:
-  explicit KeptSimulation(Simulation& simulation);
-
-  std::string description() const override { return simulation_.description(); }
-  std::vector<SimulationParameter> parameters() const override { return {}; }
-  bool canRerun() const override { return false; }
-  Eigen::VectorXd run(const SimulationInput& input, const Eigen::VectorXd& values) override;
-
-  /// How often the simulation was run.
-  int count() const { return static_cast<int>(outputs_.size()); }
-
- private:
-  Simulation& simulation_;
-  const Eigen::VectorXd own_values_;
-  std::map<std::vector<double>, Eigen::VectorXd> outputs_;  ///< by the input
-};
-
 /// A simulation, which must outlive it, with a shape around it. Its parameters are those of the
-/// shape; those of the simulation keep their own values.
+/// shape; those of the simulation keep their own values. Where the simulation gives numbers that
+/// are not finite for the changed input, the output is as far off as can be.
 class ShapedSimulation : public Simulation {
  public:
   ShapedSimulation(Simulation& simulation, PlacedShape placed);

@@ -184,7 +184,7 @@ TEST(OwnSimulationText, BeginsWithTheAnswer) {
 
 TEST(OwnSimulationText, TellsTheCurvesThatTheSimulationLacks) {
   OwnSimulationFindings found = exampleFindings();
-  EXPECT_NE(ownSimulationText(found).find("Curves were not searched: not searched."),
+  EXPECT_NE(ownSimulationText(found).find("About curves: not searched."),
             std::string::npos);
   found.structure = {};
   found.structure.causes = test::exampleExplanation().simulation.causes;

@@ -9,7 +9,6 @@
 
 #include "own_simulation/examine.h"
 #include "support/own_machine.h"
-#include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -24,8 +23,9 @@ class StickingMotor : public Simulation {
   }
   bool canRerun() const override { return true; }
   Eigen::VectorXd run(const SimulationInput& input, const Eigen::VectorXd& values) override {
+    ++runs;
     if (refuses_small_inputs && (input.u.array() == 0).any())
-      throw DataError("the input must not be zero");
+      return Eigen::VectorXd::Constant(input.u.size(), std::nan(""));
     constexpr int kSteps = 20;
     const double step = input.sample_time / kSteps / 0.2;
     Eigen::VectorXd y(input.u.size());
@@ -38,6 +38,7 @@ class StickingMotor : public Simulation {
     return y;
   }
   bool refuses_small_inputs = false;
+  int runs = 0;
 };
 
 using CurveOfInput = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
@@ -49,14 +50,18 @@ CurveOfInput eachBy(const std::function<double(double)>& curve) {
 
 double deadZone(double u) { return u > 0.4 ? u - 0.4 : u < -0.4 ? u + 0.4 : 0; }
 
-OwnSimulationFindings found(const MachineOptions& options, int max_simulations = 2000) {
-  StickingMotor motor;
-  std::vector<Experiment> all = recordWithFactor(motor, -1, 1, options);
+/// The last six experiments are held out.
+OwnSimulationFindings examined(StickingMotor& motor, std::vector<Experiment> all,
+                               const ExamineOptions& options = {}) {
   const std::vector<Experiment> held(all.end() - 6, all.end());
   all.resize(all.size() - 6);
-  ExamineOptions how;
-  how.max_simulations = max_simulations;
-  return examine(motor, all, held, how);
+  motor.runs = 0;
+  return examine(motor, all, held, options);
+}
+
+OwnSimulationFindings found(const MachineOptions& options) {
+  StickingMotor motor;
+  return examined(motor, recordWithFactor(motor, -1, 1, options));
 }
 
 MachineOptions withInput(const CurveOfInput& curve) {
@@ -102,7 +107,11 @@ TEST(CurvesAround, AnotherGainForEitherSign) {
     const auto weaker = [sign](double u) { return sign * u > 0 ? 0.7 * u : u; };
     const OwnSimulationFindings asymmetric = found(withInput(eachBy(weaker)));
     expectCurve(asymmetric, "act_asymmetry");
-    EXPECT_NEAR(asymmetric.structure.causes.at(0).values.at(0).value, -0.3, 0.01);
+    const SimulationCause& cause = asymmetric.structure.causes.at(0);
+    EXPECT_NEAR(cause.values.at(0).value, -0.3, 0.01);
+    EXPECT_NE(cause.description.find(sign > 0 ? "zero, above it" : "zero, below it"),
+              std::string::npos)
+        << cause.description;
   }
 }
 
@@ -120,7 +129,9 @@ TEST(CurvesAround, ACurveOfTheSensor) {
   options.output_change = [](const Eigen::VectorXd& y, int) -> Eigen::VectorXd {
     return y + 0.02 * y.array().cube().matrix();
   };
-  expectCurve(found(options), "sens_wiener");
+  const OwnSimulationFindings cubic = found(options);
+  expectCurve(cubic, "sens_wiener");
+  EXPECT_NEAR(cubic.structure.causes.at(0).values.at(0).value, 0.02, 0.002);
 }
 
 TEST(CurvesAround, NothingAroundAPerfectSimulation) {
@@ -135,12 +146,71 @@ TEST(CurvesAround, NothingAroundAPerfectSimulation) {
   }
 }
 
-TEST(CurvesAround, NeverRunsMoreOftenThanItMay) {
-  for (const int most : {40, 200, 700}) {
-    const OwnSimulationFindings limited = found(withInput(eachBy(deadZone)), most);
-    EXPECT_LE(limited.simulations, most);
-    EXPECT_TRUE(limited.ended_early) << most;
+TEST(CurvesAround, ALimitOfTheSensor) {
+  MachineOptions options;
+  options.output_change = [](const Eigen::VectorXd& y, int) -> Eigen::VectorXd {
+    return y.cwiseMin(1.5).cwiseMax(-1.5);
+  };
+  const OwnSimulationFindings clipped = found(options);
+  expectCurve(clipped, "sens_clip");
+  expectValue(clipped, "limit", 1.5);
+}
+
+TEST(CurvesAround, MissingSamplesAreNotCompared) {
+  StickingMotor motor;
+  std::vector<Experiment> all = recordWithFactor(motor, -1, 1, withInput(eachBy(deadZone)));
+  for (Experiment& each : all) {
+    each.valid.assign(static_cast<std::size_t>(each.samples()), 1);
+    for (int k = 40; k < 60; ++k) {
+      each.valid[static_cast<std::size_t>(k)] = 0;
+      each.y[k] = std::nan("");
+    }
   }
+  expectCurve(examined(motor, all), "act_deadzone");
+}
+
+TEST(CurvesAround, NeverRunsMoreOftenThanItMay) {
+  StickingMotor motor;
+  const auto all = recordWithFactor(motor, -1, 1, withInput(eachBy(deadZone)));
+  for (const bool refuses : {false, true}) {
+    motor.refuses_small_inputs = refuses;
+    for (const int most : {40, 200, 700, 2000}) {
+      ExamineOptions options;
+      options.max_simulations = most;
+      const OwnSimulationFindings limited = examined(motor, all, options);
+      EXPECT_LE(motor.runs, most);
+      EXPECT_EQ(limited.simulations, motor.runs);
+      if (most < 2000) EXPECT_TRUE(limited.ended_early) << most;
+    }
+  }
+}
+
+TEST(CurvesAround, EndsWhenItIsCancelled) {
+  StickingMotor motor;
+  const auto all = recordWithFactor(motor, -1, 1, withInput(eachBy(deadZone)));
+  for (const int at : {100, 1010, 1100, 1300}) {
+    ExamineOptions options;
+    int after = 0;
+    options.progress = [&](const std::string&) { return motor.runs < at || (++after, false); };
+    EXPECT_TRUE(examined(motor, all, options).ended_early) << at;
+    EXPECT_LT(motor.runs, at + 60) << "no more than one pass over the experiments and its slopes";
+  }
+}
+
+TEST(CurvesAround, NoneByFewSteps) {
+  StickingMotor motor;
+  MachineOptions options = withInput(eachBy(deadZone));
+  std::vector<Experiment> all = recordWithFactor(motor, -1, 1, options);
+  all.resize(5);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    all[k].u.setConstant(1 + 0.5 * static_cast<double>(k));
+    SimulationInput input = inputOf(all[k]);
+    input.u = input.u.unaryExpr(&deadZone);
+    all[k].y = motor.run(input, Eigen::Vector2d(2, 1));
+  }
+  const std::vector<Experiment> held(all.end() - 1, all.end());
+  all.pop_back();
+  EXPECT_TRUE(examine(motor, all, held, {}).structure.causes.empty());
 }
 
 TEST(CurvesAround, AnInputThatTheSimulationRefusesSaysNothing) {
@@ -149,11 +219,9 @@ TEST(CurvesAround, AnInputThatTheSimulationRefusesSaysNothing) {
   options.output_change = [](const Eigen::VectorXd& y, int) -> Eigen::VectorXd {
     return y + 0.02 * y.array().cube().matrix();
   };
-  std::vector<Experiment> all = recordWithFactor(motor, -1, 1, options);
+  const std::vector<Experiment> all = recordWithFactor(motor, -1, 1, options);
   motor.refuses_small_inputs = true;  // a dead zone makes some
-  const std::vector<Experiment> held(all.end() - 6, all.end());
-  all.resize(all.size() - 6);
-  expectCurve(examine(motor, all, held, {}), "sens_wiener");
+  expectCurve(examined(motor, all), "sens_wiener");
 }
 
 }  // namespace
