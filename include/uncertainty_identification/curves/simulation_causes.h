@@ -54,8 +54,8 @@ struct SimulatedWindow {
 /// The result of searching the free simulation.
 struct SimulationCauses {
   std::string preparation;  ///< what was done with the records, in a sentence; empty: not searched
-  std::string skipped;      ///< why no curves were looked for, or not at all places; empty: they were
-  int order = 0;            ///< of the linear plant without causes
+  std::string skipped;  ///< why no curves were looked for, or not at all places; empty: they were
+  int order = 0;        ///< of the linear plant without causes
   std::vector<SimulationCause> causes;
   std::string refused;  ///< what simulates better but does not predict better, and why it is not
                         ///< named, in a sentence; empty: nothing

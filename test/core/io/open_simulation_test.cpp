@@ -184,8 +184,7 @@ TEST(OwnSimulationText, BeginsWithTheAnswer) {
 
 TEST(OwnSimulationText, TellsTheCurvesThatTheSimulationLacks) {
   OwnSimulationFindings found = exampleFindings();
-  EXPECT_NE(ownSimulationText(found).find("About curves: not searched."),
-            std::string::npos);
+  EXPECT_NE(ownSimulationText(found).find("About curves: not searched."), std::string::npos);
   found.structure = {};
   found.structure.causes = test::exampleExplanation().simulation.causes;
   found.structure.fit_before = 94;
