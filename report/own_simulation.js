@@ -40,11 +40,29 @@ function curveLeads({structure, has_curve_around: around, fit_after: fitAfter}) 
   return !around && structure.causes.length > 0 && halves(structure.fit_before) && halves(fitAfter);
 }
 
+// Curves that it lacks: before, in and behind it.
+function showOwnCurves(parent, {causes, skipped}) {
+  for (const cause of causes) {
+    const values = cause.values.map(({name, value, standard_error: error}) => {
+      const told = withError(value, error);
+      return `${name.replace(/_/g, ' ')} ${told.value} \u00b1 ${told.error}`;
+    });
+    parent.append(element('h3', {}, `${cause.name}: ${cause.description}`));
+    if (values.length > 0) parent.append(paragraph(asSentence(listed(values))));
+    if (cause.ties.length > 0)
+      parent.append(paragraph(`Or ${listed(cause.ties.map(tie => `${tie.name} (${placeAndShape(tie)})`))}: the data cannot tell.`));
+    parent.append(element('p', {class: 'advice'}, element('b', {}, 'What to do: '), asSentence(cause.advice)));
+    if (cause.curve.signal.length > 0) characteristicFigure(parent, cause);
+  }
+  if (skipped) parent.append(paragraph(`About curves: ${skipped}.`));
+}
+
 function showOwnSimulation(parent, found) {
   const changed = found.causes.length > 0 || found.has_curve_around;
   parent.append(element('p', {class: 'verdict'}, asSentence(found.sentence)),
     paragraph(`Black: measured. Orange: ${found.simulation}.${changed ? ' Blue: the same with what it lacks.' : ''}`));
   ownRow(parent, found.runs, changed);
+  showOwnCurves(parent, found.structure);
   if (found.causes.length === 0) return;
   parent.append(ownTable(found));
   if (curveLeads(found)) {
