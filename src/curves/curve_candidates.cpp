@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <complex>
 #include <iterator>
+#include <string>
 #include <utility>
 
 #include "curves/fit_comparison.h"
@@ -75,6 +76,15 @@ bool isPossible(const CurveCandidate& candidate) {
          (sumsUp(candidate.fit.model) && sumsUp(candidate.naming.fit.model));
 }
 
+void tellOf(const std::vector<ScreenedPlace>& screened, std::size_t k,
+            const CurveSearchContext& context) {
+  if (!context.tell) return;
+  std::string place = nameOf(screened[k].place.place);
+  std::replace(place.begin(), place.end(), '_', ' ');
+  context.tell("comparing curves: " + place + ", " + std::to_string(k + 1) + " of " +
+               std::to_string(screened.size()));
+}
+
 void addCurves(const SimulationData& data, const WindowFit& now, const CandidateLimits& limits,
                const CurveSearchContext& context, std::vector<CurveCandidate>* all) {
   constexpr int kShapes = 5;
@@ -84,6 +94,7 @@ void addCurves(const SimulationData& data, const WindowFit& now, const Candidate
   context.pool->forEach(static_cast<int>(screened.size()), [&](int index) {
     const auto k = static_cast<std::size_t>(index);
     if (!context.going_on()) return;
+    tellOf(screened, k, context);
     CurveCandidate& whole = found[2 * k];
     whole.kind = CandidateKind::curve;
     whole.place = screened[k].place;

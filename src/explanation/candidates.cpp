@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "explanation/from_white_noise.h"
 #include "math/information_criterion.h"
@@ -56,6 +57,12 @@ void keepFitted(std::vector<FittedEffect>* candidates) {
                     candidates->end());
 }
 
+void reportFitted(const std::vector<FittedEffect>& candidates, std::size_t k, std::size_t count,
+                  const FitContext& context) {
+  context.report_fitted(candidates[k].effect->label() + ", " + std::to_string(k + 1) + " of " +
+                        std::to_string(count));
+}
+
 }  // namespace
 
 std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
@@ -66,6 +73,7 @@ std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
   const bool some_gain = !candidates.empty() && candidates.front().score > 0;
   keepPromising(checks_pass, some_gain, &candidates);
   inParallel(context, candidates.size(), [&](std::size_t k) {
+    reportFitted(candidates, k, candidates.size(), context);
     FitEffort few_steps;
     few_steps.steps = 4;
     few_steps.restart = needsRestart(*candidates[k].effect, some_gain);
@@ -80,7 +88,9 @@ std::vector<FittedEffect> fittedEffects(const Fit& base, const FitData& data,
   }
   if (some_gain) merge(fittedFromWhiteNoise(base, data, effects, context), &candidates);
   sortByScore(&candidates);
-  inParallel(context, std::min(kConverged, candidates.size()), [&](std::size_t k) {
+  const std::size_t best = std::min(kConverged, candidates.size());
+  inParallel(context, best, [&](std::size_t k) {
+    reportFitted(candidates, k, best, context);
     FitEffort to_convergence;
     to_convergence.steps = 15;
     to_convergence.restart = some_gain && k < kRestarted;

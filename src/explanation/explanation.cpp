@@ -63,8 +63,9 @@ class Explaining {
   Following following_;                      ///< of the signals that the model is fitted to
   std::vector<std::string> leading_curves_;  ///< the only effects that the likelihood tries, if any
   std::string thinning_, simplification_;    ///< of long records and orders, as warnings tell them
-  std::mutex sharing_;                       // guards share_searched_, which any thread sets
+  std::mutex sharing_;                       // guards the next two, which any thread sets
   double share_searched_ = 0;                ///< share of the search that is done, 0 to 1
+  std::string fitting_;                      ///< what the search fits, as its progress tells
   WorkerPool pool_;
   Explanation explanation_;
 };
@@ -127,7 +128,7 @@ FitContext Explaining::context(const Estimate& estimate) {
   context.pool = &pool_;
   context.going_on = [this, reached = estimate.log_likelihood] {
     const std::lock_guard<std::mutex> lock(sharing_);  // called from all threads
-    return progress_.report("searching causes", 0.3 + 0.6 * share_searched_, reached) &&
+    return progress_.report("searching causes" + fitting_, 0.3 + 0.6 * share_searched_, reached) &&
            progress_.inTime();
   };
   context.options.on_iterate = [going_on = context.going_on](const TracePoint&) {
@@ -136,6 +137,10 @@ FitContext Explaining::context(const Estimate& estimate) {
   context.report_searched = [this](double share) {
     const std::lock_guard<std::mutex> lock(sharing_);
     share_searched_ = std::max(share_searched_, share);
+  };
+  context.report_fitted = [this](const std::string& what) {
+    const std::lock_guard<std::mutex> lock(sharing_);
+    fitting_ = ": fitting " + what;
   };
   return context;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "explanation/fit.h"
 #include "math/worker_pool.h"
@@ -17,6 +18,8 @@ struct FitContext {
   WorkerPool* pool = nullptr;
   std::function<bool()> going_on;  ///< false once the search is cancelled; called from any thread
   std::function<void(double)> report_searched;  ///< is told the share of the search done, 0 to 1
+  /// Is told what is fitted, such as "sens_lag, 3 of 12"; called from any thread.
+  std::function<void(const std::string&)> report_fitted;
 };
 
 /// Optimises all parameters from the fit's point to convergence.

@@ -110,6 +110,7 @@ bool Search::accept(SearchState* state, const FittedEffect& candidate,
                     const std::vector<FittedEffect>& ranked) {
   constexpr double kImprobable = 0.05;
   if (isResidualDistribution(*candidate.effect)) return acceptDistribution(state, candidate);
+  context_.report_fitted(candidate.effect->label());
   const std::string& name = candidate.effect->name();
   const bool is_component = candidate.effect->has(Trait::new_component);
   if (is_component && !beatsSimulation(*state, candidate)) return false;

@@ -125,6 +125,7 @@ FitContext contextOf(const Estimate& estimate, std::uint64_t seed) {
   context.seed = seed;
   context.going_on = [] { return true; };
   context.report_searched = [](double) {};
+  context.report_fitted = [](const std::string&) {};
   return context;
 }
 

@@ -97,16 +97,17 @@ TEST(Explain, GivesNoProbabilityWhereNotAllCausesWereTried) {
   EXPECT_TRUE(std::isnan(found.causes[0].confidence));
 }
 
-/// One fit may take longer than the whole time limit: it must ask whether to go on as well.
+/// One fit may take longer than the whole time limit: it must tell what it is, and be cancelled.
 TEST(Explain, ReportsWithinEachFit) {
   Configuration all = configuration();
   all.explanation.time_limit = 0;
-  int reports = 0;
+  int reports = 0, of_curves = 0;
   const Explanation found = explain(all, clean(), {}, [&](const Progress& now) {
-    reports += now.phase == "searching causes" ? 1 : 0;
-    return true;
+    reports += now.phase.rfind("searching causes: fitting ", 0) == 0 ? 1 : 0;
+    return of_curves += now.phase.rfind("comparing curves: input, ", 0) == 0 ? 1 : 0, true;
   });
   EXPECT_GT(reports, 4 * static_cast<int>(found.candidates.size()));
+  EXPECT_GT(of_curves, 0);
 }
 
 TEST(Explain, ExcludesCurvesThatAreNoEffectsOfTheCatalogue) {
