@@ -46,7 +46,7 @@ bool isControllersAnswer(const SimulationData& data, const SimulationData& held,
 CurveSearchResult searchCurves(const SimulationData& data, const SimulationData& held,
                                const CurveSearchLimits& limits, const CurveSearchContext& context) {
   if (context.tell) context.tell("fitting the smallest plant");
-  const LinearPlants linear = fitLinearPlants(data, limits.candidates.max_order, context);
+  const LinearPlants linear = fitLinearPlants(data, held, limits.candidates.max_order, context);
   const auto from = [&](const WindowFit& base) {
     return searchFrom(base, data, held, linear, limits, context);
   };
@@ -65,8 +65,7 @@ CurveSearchResult searchCurves(const SimulationData& data, const SimulationData&
   const auto fitOfBest = [&] {
     return heldOutFit(held, Eigen::VectorXd::Constant(1, best.held_error));
   };
-  if (best.causes.empty() && best.base.model.order > 1 && fitOfBest() < limits.good_fit &&
-      context.going_on()) {
+  if (best.base.model.order > 1 && fitOfBest() < limits.good_fit && context.going_on()) {
     CurveSearchResult found = from(linear.of_order.front());
     if (!found.causes.empty() && standsForOrders(found, best)) {
       found.base = std::move(best.base);

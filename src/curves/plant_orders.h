@@ -19,12 +19,15 @@ struct LinearPlants {
   /// Those that the search begins with: the smallest that leaving windows out cannot tell from a
   /// larger one, and that with one order more. To be chosen, a higher order must lower the root
   /// mean square of what is left out by 30 %: curves are sought on top of it, and higher orders
-  /// compete with them.
+  /// compete with them. Nor must it simulate held-out windows worse: the initial states of windows
+  /// may take up what high orders leave.
   std::vector<WindowFit> starts;
   std::vector<WindowFit> of_order;  ///< the best of orders 1, 2, ...
 };
 
-LinearPlants fitLinearPlants(const SimulationData& data, int max_order,
+/// Fits all orders up to `max_order`, and up to 8 as long as each pair of orders lowers the error
+/// by much, as the modes of a flexible structure do. `held` may be `data`.
+LinearPlants fitLinearPlants(const SimulationData& data, const SimulationData& held, int max_order,
                              const CurveSearchContext& context);
 
 /// The model with one order more, with a direct term, and with more dead time. On top of a model

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <vector>
 
+#include "curves/free_simulation.h"
 #include "curves/initial_states.h"
 #include "curves/window_fit.h"
 #include "math/polynomial.h"
@@ -33,34 +35,55 @@ Eigen::VectorXd pulledIn(const Eigen::VectorXd& a) {
   return polynomial.tail(a.size()).real();
 }
 
-struct Regression {
-  Eigen::MatrixXd regressors;
-  Eigen::VectorXd output;
-};
+/// Takes the free response of 1/A, which filtering from rest leaves in the rows of a window, out of
+/// them: where the plant is lightly damped, it lasts as long as the window. `samples` are those of
+/// the rows.
+void removeFreeResponse(const Eigen::VectorXd& a, const std::vector<int>& samples,
+                        Eigen::Ref<Eigen::MatrixXd> rows) {
+  constexpr double kNothing = 1e-6;  // of an impulse
+  if (samples.empty()) return;
+  const Eigen::VectorXd response = filteredBy(a, Eigen::VectorXd::Unit(samples.back() + 1, 0));
+  Eigen::MatrixXd free = Eigen::MatrixXd::Zero(rows.rows(), a.size());
+  for (Eigen::Index row = 0; row < rows.rows(); ++row) {
+    const int t = samples[static_cast<std::size_t>(row)];
+    for (int k = 0; k < std::min(t + 1, static_cast<int>(a.size())); ++k)
+      free(row, k) = response[t - k];
+  }
+  if (free.cwiseAbs().maxCoeff() < kNothing) return;
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposition;
+  decomposition.setThreshold(kNothing);
+  decomposition.compute(free);
+  const Eigen::MatrixXd basis = decomposition.householderQ() *
+                                Eigen::MatrixXd::Identity(free.rows(), decomposition.rank());
+  rows -= basis * (basis.transpose() * rows);
+}
 
-/// y = -a y(k-i) + b u(k-i-delay) [+ b_0 u(k-delay)] + constant, all filtered by 1/A.
-Regression regressionOf(const SimulationData& data, int order, bool direct, int delay,
-                        const Eigen::VectorXd& a, int first) {
+/// y = -a y(k-i) + b u(k-i-delay) [+ b_0 u(k-delay)] + constant, all filtered by 1/A; y is in the
+/// last column.
+Eigen::MatrixXd regressionOf(const SimulationData& data, int order, bool direct, int delay,
+                             const Eigen::VectorXd& a, int first) {
   const int columns = 2 * order + (direct ? 1 : 0) + 1;
-  Regression made{Eigen::MatrixXd(data.samples, columns), Eigen::VectorXd(data.samples)};
+  Eigen::MatrixXd made(data.samples, columns + 1);
   Eigen::Index row = 0;
   for (const SimulationWindow& window : data.windows) {
     const Eigen::VectorXd y = filteredBy(a, window.y), u = filteredBy(a, window.u),
                           one = filteredBy(a, Eigen::VectorXd::Ones(window.samples()));
+    std::vector<int> samples;
     for (int k = std::max(first, order); k < window.samples(); ++k) {
-      if (window.measured[k] == 0 || row == made.output.size()) continue;
+      if (window.measured[k] == 0 || row == made.rows()) continue;
       for (int i = 0; i < order; ++i) {
-        made.regressors(row, i) = -y[k - 1 - i];
-        made.regressors(row, order + i) = u[std::max(k - 1 - i - delay, 0)];
+        made(row, i) = -y[k - 1 - i];
+        made(row, order + i) = u[std::max(k - 1 - i - delay, 0)];
       }
-      if (direct) made.regressors(row, 2 * order) = u[std::max(k - delay, 0)];
-      made.regressors(row, columns - 1) = one[k];
-      made.output[row++] = y[k];
+      if (direct) made(row, 2 * order) = u[std::max(k - delay, 0)];
+      made(row, columns - 1) = one[k];
+      made(row++, columns) = y[k];
+      samples.push_back(k);
     }
+    const auto rows = static_cast<Eigen::Index>(samples.size());
+    if (!a.isZero(0)) removeFreeResponse(a, samples, made.middleRows(row - rows, rows));
   }
-  made.regressors.conservativeResize(row, columns);
-  made.output.conservativeResize(row);
-  return made;
+  return made.topRows(row);
 }
 
 /// A constant at the output as a bias of the plant's input.
@@ -79,15 +102,17 @@ CurveModel linearStart(const SimulationData& data, int order, bool direct, int d
   Eigen::VectorXd a = Eigen::VectorXd::Zero(order);
   for (int k = 0; k < iterations; ++k) {
     const int first = k == 0 ? order : std::min(3 * order + 2, data.longest / 4);
-    const Regression regression = regressionOf(data, order, direct, delay, a, first);
-    if (regression.output.size() <= regression.regressors.cols()) break;
+    const Eigen::MatrixXd regression = regressionOf(data, order, direct, delay, a, first);
+    const Eigen::Index columns = regression.cols() - 1;
+    if (regression.rows() <= columns) break;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
     decomposition.setThreshold(1e-9);
     CurveModel model;
     model.order = order;
     model.direct = direct;
     model.delay = delay;
-    model.theta = decomposition.compute(regression.regressors).solve(regression.output);
+    model.theta =
+        decomposition.compute(regression.leftCols(columns)).solve(regression.col(columns));
     if (!model.theta.allFinite()) break;
     a = pulledIn(model.theta.head(order));
     model.theta.head(order) = a;
@@ -100,6 +125,31 @@ CurveModel linearStart(const SimulationData& data, int order, bool direct, int d
     }
   }
   return best;
+}
+
+CurveModel withMode(const SimulationData& data, const CurveModel& model) {
+  SimulationData left = data;
+  const std::vector<CurveTable> tables = tablesOf(model);
+  for (std::size_t w = 0; w < left.windows.size(); ++w)
+    left.windows[w].y -=
+        simulateFreely(model, tables, data.windows[w], model.initial[w], false).y;
+  const CurveModel mode = linearStart(left, 2, false, model.delay);
+  const int n = model.order;
+  const Eigen::VectorXd a = withLeadingOne(model.theta.head(n)), of_mode = withLeadingOne(mode.theta.head(2));
+  Eigen::VectorXd b(n + 1), b_of_mode(3);
+  b << model.directGain(), model.theta.segment(n, n);
+  b_of_mode << 0, mode.theta.segment(2, 2);
+  b = product(b, of_mode) + product(b_of_mode, a);
+  CurveModel sum;
+  sum.order = n + 2;
+  sum.direct = model.direct;
+  sum.delay = model.delay;
+  sum.theta.resize(2 * sum.order + (sum.direct ? 1 : 0) + 1);
+  sum.theta.head(sum.order) = product(a, of_mode).tail(sum.order);
+  sum.theta.segment(sum.order, sum.order) = b.tail(sum.order);
+  if (sum.direct) sum.theta[2 * sum.order] = b[0];
+  sum.theta[sum.biasIndex()] = model.theta[model.biasIndex()];
+  return sum;
 }
 
 CurveModel withCancellingPair(const CurveModel& model, double pole) {
