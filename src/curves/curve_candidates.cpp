@@ -42,7 +42,8 @@ void keepMostPromising(int places, std::vector<ScreenedPlace>* screened) {
   int others = 0;  // than a loop's error
   for (ScreenedPlace& each : *screened) {
     const Place place = each.place.place;
-    const bool is_usual = place == Place::input || place == Place::position || place == Place::rate;
+    const bool is_usual = place == Place::input || place == Place::position ||
+                          place == Place::rate || place == Place::loop_error;
     const bool is_too_rare = place == Place::hysteresis && others > 0;
     if (!is_usual && (others >= places || is_too_rare)) continue;
     others += place != Place::loop_error;

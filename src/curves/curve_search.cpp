@@ -11,12 +11,15 @@ namespace uncertainty_identification {
 namespace {
 
 /// Whether the search from one order more ends better: with a tenth less left out, or as well with
-/// fewer causes.
-bool isBetter(const CurveSearchResult& other, const CurveSearchResult& than) {
+/// fewer causes. More causes have to leave out less by a share of what the plant without causes
+/// does, as each cause of a search has to.
+bool isBetter(const CurveSearchResult& other, const CurveSearchResult& than, double least_share) {
   const double ratio = other.fit.left_out / than.fit.left_out;
   if (other.held_error > 1.05 * than.held_error) return false;
   if (other.causes.size() < than.causes.size()) return ratio < 1.1;
-  return ratio < (other.causes.size() > than.causes.size() ? 0.7 : 0.9);
+  if (other.causes.size() == than.causes.size()) return ratio < 0.9;
+  return ratio < 0.7 &&
+         than.fit.left_out - other.fit.left_out > least_share * than.base.left_out;
 }
 
 /// Whether causes on top of a plant of first order explain unseen windows far better than high
@@ -56,10 +59,16 @@ CurveSearchResult searchCurves(const SimulationData& data, const SimulationData&
     if (best.base.parameters() == 0) {
       best = std::move(found);
       if (best.causes.empty()) break;  // one order more only tells which of several places it is
-    } else if (isBetter(found, best)) {
+    } else if (isBetter(found, best, limits.least_share)) {
       found.base = std::move(best.base);
       best = std::move(found);
     }
+  }
+  // Modes stand against causes, and bring none of their own.
+  if (linear.modal && context.going_on()) {
+    CurveSearchResult found = from(*linear.modal);
+    if (found.causes.size() <= best.causes.size() && isBetter(found, best, limits.least_share))
+      best = std::move(found);
   }
   // High orders without a cause may only stand for one.
   const auto fitOfBest = [&] {

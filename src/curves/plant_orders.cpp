@@ -1,9 +1,10 @@
 #include "curves/plant_orders.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "curves/fit_comparison.h"
 #include "curves/held_out.h"
@@ -12,8 +13,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kFall = 0.7;      ///< of an error, which is much
-constexpr double kNotWorse = 1.1;  ///< error of held-out windows
+constexpr double kFall = 0.7;  ///< of an error, which is much
 
 /// Number of states and direct terms, by which models are ordered.
 double sizeOf(const WindowFit& fit) { return fit.model.order + (fit.model.direct ? 0.5 : 0.0); }
@@ -58,64 +58,79 @@ WindowFit withScannedDelay(const SimulationData& data, WindowFit fit,
   return later.left_out < 0.75 * fit.left_out ? later : fit;
 }
 
-/// The linear model with one order more than the last, from starts of its own and from those of
-/// one and two orders less.
-WindowFit nextOrder(const SimulationData& data, const std::vector<WindowFit>& lower, bool direct,
-                    const CurveSearchContext& context) {
-  const int order = static_cast<int>(lower.size()) + 1;
-  WindowFit best = fitFreely(data, linearStart(data, order, direct, 0), context.limits(15));
-  const auto tryFrom = [&](CurveModel start) {
-    WindowFit other = fitFreely(data, std::move(start), context.limits(15));
-    if (other.squared_error < best.squared_error) best = std::move(other);
+/// Plants of orders up to 8, each from the one with a mode less: as many as lower the error by much.
+/// Fitted all at once from least squares, the modes of a flexible structure end in local optima.
+std::vector<WindowFit> fitModes(const SimulationData& data, std::vector<WindowFit> fits,
+                                const CurveSearchContext& context) {
+  constexpr std::size_t kHighest = 8;
+  const auto gains = [&] {  // the last mode, to an even number of orders
+    const std::size_t modes = fits.size() / 2;
+    return fits[2 * modes - 1].squared_error < kFall * fits[2 * modes - 3].squared_error;
   };
-  if (order > 1) tryFrom(withCancellingPair(lower.back().model, 0.5));
-  if (order > 2) tryFrom(withMode(data, lower[lower.size() - 2].model));
-  return direct ? best : withScannedDelay(data, std::move(best), context);
+  while (fits.size() < 4 || (fits.size() < kHighest && gains())) {
+    WindowFit next =
+        fitFreely(data, withMode(data, fits[fits.size() - 2].model), context.limits(15));
+    WindowFit other =
+        fitFreely(data, withCancellingPair(fits.back().model, 0.5), context.limits(15));
+    fits.push_back(other.squared_error < next.squared_error ? std::move(other) : std::move(next));
+  }
+  return fits;
 }
 
-/// Whether the last pair of orders lowered the error of an even number of them by much: of a
-/// structure with many modes each does.
-bool lastModeGains(const std::vector<WindowFit>& fits) {
-  const std::size_t modes = fits.size() / 2;
-  return fits[2 * modes - 1].squared_error < kFall * fits[2 * modes - 3].squared_error;
+/// The smallest of the plants with more modes beside which none halves the error; nothing where
+/// none halves that of `fit`. Held-out windows must gain as much: the initial states of windows may
+/// take up what high orders leave.
+std::optional<WindowFit> withMoreModes(const WindowFit& fit, const std::vector<WindowFit>& modes,
+                                       const SimulationData& held) {
+  constexpr double kHalf = 0.5;
+  std::optional<WindowFit> best;
+  double left_out = fit.left_out, held_out = heldOutErrors(held, fit.model).sum();
+  for (const WindowFit& each : modes) {
+    const double error = heldOutErrors(held, each.model).sum();
+    if (!(each.left_out < kHalf * left_out && error < kHalf * held_out)) continue;
+    left_out = each.left_out;
+    held_out = error;
+    best = each;
+  }
+  return best;
 }
 
 }  // namespace
 
 LinearPlants fitLinearPlants(const SimulationData& data, const SimulationData& held, int max_order,
                              const CurveSearchContext& context) {
-  constexpr std::size_t kHighest = 8;
-  std::array<std::vector<WindowFit>, 2> fits;  // without and with a direct term
-  context.pool->forEach(2, [&](int direct) {
-    std::vector<WindowFit>& of = fits[static_cast<std::size_t>(direct)];
-    while (of.size() < static_cast<std::size_t>(max_order) ||
-           (of.size() < kHighest && lastModeGains(of)))
-      of.push_back(nextOrder(data, of, direct != 0, context));
-  });
-  const auto& [plain, direct] = fits;
-  const WindowFit* chosen = &plain.front();
-  double held_error = heldOutErrors(held, chosen->model).sum();
-  const auto chooseIfBetter = [&](const WindowFit& fit) {
-    const double orders = std::max(1.0, std::floor(sizeOf(fit)) - chosen->model.order);
-    if (!(fit.left_out < chosen->left_out * std::pow(kFall, 2 * orders)) ||
-        !(pairedT(chosen->left_out_of, fit.left_out_of) > 1))
-      return;
-    const double error = heldOutErrors(held, fit.model).sum();
-    if (error > kNotWorse * held_error) return;
-    chosen = &fit;
-    held_error = error;
+  std::vector<WindowFit> fits(static_cast<std::size_t>(2 * max_order));
+  const auto at = [&](int order, bool direct) -> WindowFit& {
+    return fits[static_cast<std::size_t>(2 * (order - 1) + (direct ? 1 : 0))];
   };
-  LinearPlants found;
-  for (std::size_t k = 0; k < std::max(plain.size(), direct.size()); ++k) {
-    if (k < plain.size()) chooseIfBetter(plain[k]);
-    if (k < direct.size()) chooseIfBetter(direct[k]);
-    const bool is_direct =
-        k >= plain.size() || (k < direct.size() && direct[k].left_out < 0.9 * plain[k].left_out);
-    found.of_order.push_back(is_direct ? direct[k] : plain[k]);
+  context.pool->forEach(2, [&](int direct) {
+    for (int order = 1; order <= max_order; ++order) {
+      WindowFit& best = at(order, direct != 0);
+      best = fitFreely(data, linearStart(data, order, direct != 0, 0), context.limits(15));
+      if (order > 1) {
+        WindowFit other = fitFreely(data, withCancellingPair(at(order - 1, direct != 0).model, 0.5),
+                                    context.limits(15));
+        if (other.squared_error < best.squared_error) best = std::move(other);
+      }
+      if (direct == 0) best = withScannedDelay(data, std::move(best), context);
+    }
+  });
+  const WindowFit* chosen = &fits.front();
+  for (const WindowFit& fit : fits) {
+    const double orders = std::max(1.0, std::floor(sizeOf(fit)) - chosen->model.order);
+    if (fit.left_out < chosen->left_out * std::pow(kFall, 2 * orders) &&
+        pairedT(chosen->left_out_of, fit.left_out_of) > 1)
+      chosen = &fit;
   }
+  LinearPlants found;
+  const std::vector<WindowFit> modes = fitModes(data, {at(1, false), at(2, false)}, context);
   found.starts.push_back(*chosen);
-  if (chosen->model.order < max_order)
-    found.starts.push_back(plain[static_cast<std::size_t>(chosen->model.order)]);
+  if (chosen->model.order < max_order) found.starts.push_back(at(chosen->model.order + 1, false));
+  found.modal = withMoreModes(*chosen, modes, held);
+  for (int order = 1; order <= max_order; ++order) {
+    const WindowFit &plain = at(order, false), &direct = at(order, true);
+    found.of_order.push_back(direct.left_out < 0.9 * plain.left_out ? direct : plain);
+  }
   return found;
 }
 

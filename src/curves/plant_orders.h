@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "curves/search_context.h"
@@ -19,14 +20,15 @@ struct LinearPlants {
   /// Those that the search begins with: the smallest that leaving windows out cannot tell from a
   /// larger one, and that with one order more. To be chosen, a higher order must lower the root
   /// mean square of what is left out by 30 %: curves are sought on top of it, and higher orders
-  /// compete with them. Nor must it simulate held-out windows worse: the initial states of windows
-  /// may take up what high orders leave.
+  /// compete with them.
   std::vector<WindowFit> starts;
+  /// One of up to 8 orders whose modes halve the squared error of the first start, of held-out
+  /// windows as well; absent where there is none.
+  std::optional<WindowFit> modal;
   std::vector<WindowFit> of_order;  ///< the best of orders 1, 2, ...
 };
 
-/// Fits all orders up to `max_order`, and up to 8 as long as each pair of orders lowers the error
-/// by much, as the modes of a flexible structure do. `held` may be `data`.
+/// `held` may be `data`.
 LinearPlants fitLinearPlants(const SimulationData& data, const SimulationData& held, int max_order,
                              const CurveSearchContext& context);
 

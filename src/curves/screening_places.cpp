@@ -129,7 +129,9 @@ bool changesSign(const SimulationData& data) {
 std::vector<PlaceOf> placesFor(const SimulationData& data, const CurveModel& model) {
   std::vector<PlaceOf> all{{Place::input, ""}, {Place::position, ""}};
   if (model.order > 1) all.push_back({Place::output_state, ""});
-  if (model.curves.empty() && comesToRest(model, data.longest))
+  // The linear plant of a loop at its limit is slower, and its gain may be any.
+  if (model.curves.empty() && !model.direct &&
+      isStable(model.theta.head(model.order), std::exp(-1.0 / data.longest)))
     all.push_back({Place::loop_error, ""});
   if (changesSign(data)) all.push_back({Place::hysteresis, ""});
   for (const Place place : {Place::rate, Place::position_gain, Place::input_times_position,
@@ -213,12 +215,11 @@ CurveModel startBehind(const SimulationData& data, const CurveModel& linear, Pla
 
 }  // namespace
 
-bool comesToRest(const CurveModel& model, double within) {
+bool comesToRest(const CurveModel& model) {
   constexpr double kLeast = 0.2, kMost = 5;  // standard deviations of y for one of u
-  constexpr double kTimeConstants = 2;
   const double gain = 1 / std::abs(model.inverseGain());
   return !model.direct && gain > kLeast && gain < kMost &&
-         isStable(model.theta.head(model.order), std::exp(-kTimeConstants / within));
+         isStable(model.theta.head(model.order));
 }
 
 CurveModel extended(const SimulationData& data, const WindowFit& fit, const PlaceOf& place,

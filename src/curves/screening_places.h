@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,8 +15,8 @@ struct PlaceOf {
 };
 
 /// Whether a plant comes to rest at a value that depends on the input, as a loop that follows the
-/// input does: its slowest time constant is at most half of `within` [samples].
-bool comesToRest(const CurveModel& model, double within = std::numeric_limits<double>::infinity());
+/// input does.
+bool comesToRest(const CurveModel& model);
 
 /// The model of `fit` with a free curve at `place`, zero, or with a width or limit of `width`.
 CurveModel extended(const SimulationData& data, const WindowFit& fit, const PlaceOf& place,

@@ -154,7 +154,11 @@ CurveSearch::Round CurveSearch::takeBest(std::vector<CurveCandidate> all,
     if (takePlant(all.front())) return Round::plant;
     all.erase(all.begin());
   }
-  return Round::nothing;
+  // A plant behind curves that do not convince: with it, one of them may.
+  const auto plant = std::find_if(all.begin(), all.end(), [](const CurveCandidate& each) {
+    return each.kind != CandidateKind::curve;
+  });
+  return plant != all.end() && takePlant(*plant) ? Round::plant : Round::nothing;
 }
 
 /// Where plants differ from experiment to experiment, these differences may hide a curve: it is

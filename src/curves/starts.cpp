@@ -5,7 +5,6 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <vector>
 
 #include "curves/free_simulation.h"
 #include "curves/initial_states.h"
@@ -35,55 +34,34 @@ Eigen::VectorXd pulledIn(const Eigen::VectorXd& a) {
   return polynomial.tail(a.size()).real();
 }
 
-/// Takes the free response of 1/A, which filtering from rest leaves in the rows of a window, out of
-/// them: where the plant is lightly damped, it lasts as long as the window. `samples` are those of
-/// the rows.
-void removeFreeResponse(const Eigen::VectorXd& a, const std::vector<int>& samples,
-                        Eigen::Ref<Eigen::MatrixXd> rows) {
-  constexpr double kNothing = 1e-6;  // of an impulse
-  if (samples.empty()) return;
-  const Eigen::VectorXd response = filteredBy(a, Eigen::VectorXd::Unit(samples.back() + 1, 0));
-  Eigen::MatrixXd free = Eigen::MatrixXd::Zero(rows.rows(), a.size());
-  for (Eigen::Index row = 0; row < rows.rows(); ++row) {
-    const int t = samples[static_cast<std::size_t>(row)];
-    for (int k = 0; k < std::min(t + 1, static_cast<int>(a.size())); ++k)
-      free(row, k) = response[t - k];
-  }
-  if (free.cwiseAbs().maxCoeff() < kNothing) return;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposition;
-  decomposition.setThreshold(kNothing);
-  decomposition.compute(free);
-  const Eigen::MatrixXd basis = decomposition.householderQ() *
-                                Eigen::MatrixXd::Identity(free.rows(), decomposition.rank());
-  rows -= basis * (basis.transpose() * rows);
-}
+struct Regression {
+  Eigen::MatrixXd regressors;
+  Eigen::VectorXd output;
+};
 
-/// y = -a y(k-i) + b u(k-i-delay) [+ b_0 u(k-delay)] + constant, all filtered by 1/A; y is in the
-/// last column.
-Eigen::MatrixXd regressionOf(const SimulationData& data, int order, bool direct, int delay,
-                             const Eigen::VectorXd& a, int first) {
+/// y = -a y(k-i) + b u(k-i-delay) [+ b_0 u(k-delay)] + constant, all filtered by 1/A.
+Regression regressionOf(const SimulationData& data, int order, bool direct, int delay,
+                        const Eigen::VectorXd& a, int first) {
   const int columns = 2 * order + (direct ? 1 : 0) + 1;
-  Eigen::MatrixXd made(data.samples, columns + 1);
+  Regression made{Eigen::MatrixXd(data.samples, columns), Eigen::VectorXd(data.samples)};
   Eigen::Index row = 0;
   for (const SimulationWindow& window : data.windows) {
     const Eigen::VectorXd y = filteredBy(a, window.y), u = filteredBy(a, window.u),
                           one = filteredBy(a, Eigen::VectorXd::Ones(window.samples()));
-    std::vector<int> samples;
     for (int k = std::max(first, order); k < window.samples(); ++k) {
-      if (window.measured[k] == 0 || row == made.rows()) continue;
+      if (window.measured[k] == 0 || row == made.output.size()) continue;
       for (int i = 0; i < order; ++i) {
-        made(row, i) = -y[k - 1 - i];
-        made(row, order + i) = u[std::max(k - 1 - i - delay, 0)];
+        made.regressors(row, i) = -y[k - 1 - i];
+        made.regressors(row, order + i) = u[std::max(k - 1 - i - delay, 0)];
       }
-      if (direct) made(row, 2 * order) = u[std::max(k - delay, 0)];
-      made(row, columns - 1) = one[k];
-      made(row++, columns) = y[k];
-      samples.push_back(k);
+      if (direct) made.regressors(row, 2 * order) = u[std::max(k - delay, 0)];
+      made.regressors(row, columns - 1) = one[k];
+      made.output[row++] = y[k];
     }
-    const auto rows = static_cast<Eigen::Index>(samples.size());
-    if (!a.isZero(0)) removeFreeResponse(a, samples, made.middleRows(row - rows, rows));
   }
-  return made.topRows(row);
+  made.regressors.conservativeResize(row, columns);
+  made.output.conservativeResize(row);
+  return made;
 }
 
 /// A constant at the output as a bias of the plant's input.
@@ -102,17 +80,15 @@ CurveModel linearStart(const SimulationData& data, int order, bool direct, int d
   Eigen::VectorXd a = Eigen::VectorXd::Zero(order);
   for (int k = 0; k < iterations; ++k) {
     const int first = k == 0 ? order : std::min(3 * order + 2, data.longest / 4);
-    const Eigen::MatrixXd regression = regressionOf(data, order, direct, delay, a, first);
-    const Eigen::Index columns = regression.cols() - 1;
-    if (regression.rows() <= columns) break;
+    const Regression regression = regressionOf(data, order, direct, delay, a, first);
+    if (regression.output.size() <= regression.regressors.cols()) break;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
     decomposition.setThreshold(1e-9);
     CurveModel model;
     model.order = order;
     model.direct = direct;
     model.delay = delay;
-    model.theta =
-        decomposition.compute(regression.leftCols(columns)).solve(regression.col(columns));
+    model.theta = decomposition.compute(regression.regressors).solve(regression.output);
     if (!model.theta.allFinite()) break;
     a = pulledIn(model.theta.head(order));
     model.theta.head(order) = a;
