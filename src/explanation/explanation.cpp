@@ -212,13 +212,17 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   requireKnown(configuration_.explanation.exclude, experiments);
   Split data = split(configuration_, experiments, validation);
   const std::vector<RejectedExperiment> rejected = leaveOutUnusable(configuration_, &data);
+  const std::optional<SpoiltSamples> stray =
+      maskStray(configuration_.explanation.exclude, configuration_.limits.max_stray, &data);
+  configuration_.limits.max_stray = 0;  // those that are left are none
   following_ = followingOf(data.train);
   searchSimulation(data);
   leading_curves_ = leadingCurves(explanation_.simulation);
   if (configuration_.explanation.time_limit > 0) thinning_ = thinLongRecords(&data);
   if (!thinning_.empty()) configuration_.sample_time = 0;
-  const std::vector<SpoiltSamples> spoilt =
+  std::vector<SpoiltSamples> spoilt =
       maskSpoilt(configuration_.explanation.exclude, &data, &configuration_.limits);
+  if (stray) spoilt.push_back(*stray);
   const SearchOutcome best = bestOutcome(data, spoilt);
   describeHeldOut(best.base, &explanation_);
   explanation_.before = best.estimate;

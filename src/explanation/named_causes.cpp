@@ -10,6 +10,7 @@
 namespace uncertainty_identification {
 
 bool isOfSamples(const Cause& cause) {
+  if (cause.seen_in_samples) return true;
   const auto traits = {Trait::quantisation, Trait::held_samples, Trait::output_limit,
                        Trait::feedback};
   return std::any_of(traits.begin(), traits.end(),
@@ -43,6 +44,7 @@ Cause described(const FoundCause& found, const SearchState& state, bool in_time)
   cause.confidence = in_time ? found.confidence : std::nan("");
   cause.equivalent = found.equivalent;
   cause.gain = found.gain;
+  cause.seen_in_samples = found.score == 0;
   cause.parameters = found.parameters.empty() ? parametersOf(state.fit, state.train, found.effect)
                                               : found.parameters;
   return cause;

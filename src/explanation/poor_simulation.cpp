@@ -112,7 +112,7 @@ std::string shortcomingWithoutStructure(const Explanation& explanation,
 
 /// Whether what a simulation lacks looks like this cause.
 bool isOfResiduals(const Cause& cause) {
-  return cause.group == "noise" || hasTrait(cause.name, Trait::outliers);
+  return cause.group == "noise" || (hasTrait(cause.name, Trait::outliers) && !isOfSamples(cause));
 }
 
 /// Withdraws what was found in the residuals of a simulation that lacks much. What the samples show

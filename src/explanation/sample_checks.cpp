@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "data/stray_readings.h"
 #include "data/unmeasured_start.h"
 #include "explanation/held_samples.h"
 #include "uncertainty_identification/effects/catalogue.h"
@@ -188,6 +189,11 @@ double visitsNextTo(Iterator first, Iterator end) {
   return counts[1 + (counts.size() - 1) / 2];
 }
 
+bool isExcluded(const std::vector<std::string>& excluded, Trait trait) {
+  return std::any_of(excluded.begin(), excluded.end(),
+                     [&](const std::string& name) { return hasTrait(name, trait); });
+}
+
 }  // namespace
 
 std::vector<Experiment> withoutRest(std::vector<Experiment> experiments) {
@@ -254,18 +260,27 @@ std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,
   return experiments;
 }
 
+std::optional<SpoiltSamples> maskStray(const std::vector<std::string>& excluded, double most,
+                                       Split* data) {
+  if (isExcluded(excluded, Trait::outliers)) return std::nullopt;
+  const StrayReadings stray = strayReadings(data->train, most),
+                      stray_held = strayReadings(data->held, most);
+  data->train = without(stray, std::move(data->train));
+  data->held = without(stray_held, std::move(data->held));
+  if (stray.count == 0) return std::nullopt;
+  return SpoiltSamples{
+      Trait::outliers,
+      {exact("share", "1", stray.share), exact("distance", "unit of y", stray.size)}};
+}
+
 std::vector<SpoiltSamples> maskSpoilt(const std::vector<std::string>& excluded, Split* data,
                                       LimitOptions* limits) {
   constexpr double kAny = 0.999;  // masked samples must not count towards limits.max_missing
-  const auto is_excluded = [&](Trait trait) {
-    return std::any_of(excluded.begin(), excluded.end(),
-                       [&](const std::string& name) { return hasTrait(name, trait); });
-  };
   data->train = withoutRest(std::move(data->train));
   data->held = withoutRest(std::move(data->held));
   std::vector<SpoiltSamples> spoilt;
   for (SpoiltSamples& each : checkSamples(data->train))
-    if (!is_excluded(each.trait) && !isExceeded(each, data->held))
+    if (!isExcluded(excluded, each.trait) && !isExceeded(each, data->held))
       spoilt.push_back(std::move(each));
   for (const SpoiltSamples& each : spoilt) {
     data->train = withoutSpoiled(std::move(data->train), each);

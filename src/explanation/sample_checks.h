@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace uncertainty_identification {
 
 /// A defect of the sensor that spoils samples.
 struct SpoiltSamples {
-  Trait trait;  ///< of the effect: quantisation, output_limit or held_samples
+  Trait trait;  ///< of the effect: quantisation, output_limit, held_samples or outliers
   std::vector<CauseParameter> parameters;
 };
 
@@ -33,6 +34,11 @@ bool isExceeded(const SpoiltSamples& limit, const std::vector<Experiment>& other
 /// repeat the sample before. Quantisation spoils no single sample.
 std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,
                                        const SpoiltSamples& defect);
+
+/// Masks single readings that stray from their neighbours (data/stray_readings.h), of which there is
+/// no more than the share `most`; absent where there are none, or they are excluded by name.
+std::optional<SpoiltSamples> maskStray(const std::vector<std::string>& excluded, double most,
+                                       Split* data);
 
 /// Masks the samples that are spoilt in the experiments to fit to and in the held-out ones, and
 /// returns the defects: all that are neither excluded by name nor disproved by held-out

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "data/experiment_checks.h"
+#include "data/stray_readings.h"
 #include "data/thinning.h"
 #include "data/unmeasured_start.h"
 #include "identification/steps.h"
@@ -29,6 +30,13 @@ int thinningOf(const Configuration& configuration, const std::vector<Experiment>
 
 }  // namespace
 
+std::vector<Experiment> withoutStray(std::vector<Experiment> experiments, double most,
+                                     const std::string& role, Journal* journal) {
+  const StrayReadings stray = strayReadings(experiments, most);
+  if (stray.count > 0) journal->warnings.push_back(role + strayText(stray, experiments));
+  return without(stray, std::move(experiments));
+}
+
 CheckedData checkData(const Configuration& configuration,
                       const std::vector<Experiment>& experiments, Journal* journal) {
   journal->progress.report(Phase::check, 0);
@@ -46,6 +54,8 @@ CheckedData checkData(const Configuration& configuration,
     throw DataError(experiments.empty()
                         ? "no experiments were given"
                         : "no usable experiment is left:" + reasonsOf(checked.rejected));
+  data.experiments =
+      withoutStray(std::move(data.experiments), configuration.limits.max_stray, "", journal);
   data.following = followingOf(data.experiments);
   if (auto warning = closedLoopWarning(data.following, "the input", "the output"))
     journal->warnings.push_back(std::move(*warning));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "data/stray_readings.h"
 #include "data/thinning.h"
 #include "identification/identify.h"
 #include "math/interruption.h"
@@ -10,7 +11,8 @@
 namespace uncertainty_identification {
 namespace {
 
-/// The experiments that the estimate was fitted to, in its order and at its sample time.
+/// The experiments that the estimate was fitted to, in its order and at its sample time, without
+/// stray readings.
 std::vector<Experiment> usedExperiments(const Estimate& estimate,
                                         const std::vector<Experiment>& experiments) {
   std::vector<Experiment> used;
@@ -21,7 +23,8 @@ std::vector<Experiment> usedExperiments(const Estimate& estimate,
     used.push_back(experiment);
     ++next;
   }
-  return thinned(std::move(used), estimate.configuration.estimation.thinning);
+  const StrayReadings stray = strayReadings(used, estimate.configuration.limits.max_stray);
+  return thinned(without(stray, std::move(used)), estimate.configuration.estimation.thinning);
 }
 
 /// A model identified without the experiments k, k + folds, ..., and the scores of these.
@@ -79,7 +82,8 @@ std::vector<double> modelRadii(const Estimate& estimate,
 PredictionCalibration calibrated(const Request& request, const Estimate& estimate,
                                  const std::vector<Experiment>& experiments) {
   Configuration configuration = estimate.configuration;
-  configuration.estimation.thinning = 1;  // `used` is thinned
+  configuration.estimation.thinning = 1;  // `used` is thinned,
+  configuration.limits.max_stray = 0;     // and has no stray readings
   const std::vector<Experiment> used = usedExperiments(estimate, experiments);
   const int count = static_cast<int>(used.size());
   const int folds = std::min(configuration.bounds.folds, count);

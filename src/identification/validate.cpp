@@ -42,6 +42,7 @@ Validation validate(const Problem& problem, const FittedModel& fitted, InitialSt
     journal->warnings.push_back("validation: " + rejected.reason);
   std::vector<Experiment> used;
   for (int r : checked.usable) used.push_back(experiments[static_cast<std::size_t>(r)]);
+  used = withoutStray(std::move(used), configuration.limits.max_stray, "validation: ", journal);
   used = thinned(std::move(used), thinning);
   if (used.empty())
     throw DataError("no usable experiment is left for validation:" + reasonsOf(checked.rejected));

@@ -191,6 +191,7 @@ void bind(Archive& archive, LimitOptions& options) {
   archive("max_samples", options.max_samples);
   archive("min_samples", options.min_samples);
   archive("max_missing", options.max_missing);
+  archive("max_stray", options.max_stray);
   archive("max_request_size", options.max_request_size);
   archive("max_bag_size", options.max_bag_size);
   archive("max_saved_files", options.max_saved_files);

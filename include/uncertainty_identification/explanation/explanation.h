@@ -77,6 +77,7 @@ struct Cause {
   std::optional<Gain> gain;
   /// Place, shape and curve of a cause that the free simulation shows.
   std::optional<SimulationCause> simulation;
+  bool seen_in_samples = false;  ///< a check of the samples shows it, without a model
 };
 
 /// An effect that was tried on top of the model.

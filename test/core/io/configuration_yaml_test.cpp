@@ -78,8 +78,8 @@ time: {column: stamp, unit: index, sample_time: 0.02}
 experiment: {mode: duration, topic: cut, duration: 2.5, gap: 1, column: run}
 full_identification: {share: 0.3, quiet: 4}
 bounds: {levels: [0.6, 0.8], frequencies: 50, grid: [1, 2], steps: 9, samples: 333, weight_order: 3, weight_level: 0.85, folds: 5}
-limits: {max_experiments: 10, max_samples: 20, min_samples: 5, max_missing: 0.1, max_request_size: 2, max_bag_size: 3,
-         max_saved_files: 4, max_request_time: 5}
+limits: {max_experiments: 10, max_samples: 20, min_samples: 5, max_missing: 0.1, max_stray: 0.02, max_request_size: 2,
+         max_bag_size: 3, max_saved_files: 4, max_request_time: 5}
 bag_directory: /bags
 report_directory: /reports
 report_each_result: true

@@ -1,0 +1,95 @@
+#include "data/stray_readings.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr int kSamples = 1000;
+constexpr double kMost = 0.05;
+const std::vector<int> kWrong{100, 101 + 50, 400, 777, 995};
+
+/// A slow lag behind levels of the input, with noise.
+Experiment recorded(int levels = 40) {
+  std::mt19937_64 engine(3);
+  std::normal_distribution<double> normal;
+  Experiment experiment;
+  experiment.id = "run";
+  experiment.sample_time = 0.1;
+  experiment.u.resize(kSamples);
+  experiment.y.resize(kSamples);
+  double x = 0, level = 0;
+  for (int t = 0; t < kSamples; ++t) {
+    if (t % levels == 0) level = normal(engine);
+    experiment.u[t] = level;
+    experiment.y[t] = x + 0.02 * normal(engine);
+    x += 0.1 * (level - x);
+  }
+  return experiment;
+}
+
+Experiment withStray(const std::vector<int>& samples = kWrong, double size = 3) {
+  Experiment experiment = recorded();
+  for (const int t : samples) experiment.y[t] += t % 2 == 0 ? size : -size;
+  return experiment;
+}
+
+TEST(StrayReadings, AreThoseThatLeaveBothNeighbours) {
+  const StrayReadings found = strayReadings({recorded(), withStray()}, kMost);
+  ASSERT_EQ(found.samples.size(), 2u);
+  EXPECT_TRUE(found.samples[0].empty());
+  EXPECT_EQ(found.samples[1], kWrong);
+  EXPECT_EQ(found.count, 5);
+  EXPECT_DOUBLE_EQ(found.share, 0.0025);
+  EXPECT_NEAR(found.size, 3, 0.2);
+}
+
+TEST(StrayReadings, AreMarkedAsMissingAndTold) {
+  const std::vector<Experiment> all{withStray()};
+  const StrayReadings found = strayReadings(all, kMost);
+  const std::vector<Experiment> cleaned = without(found, all);
+  EXPECT_EQ(cleaned.front().validSamples(), kSamples - 5);
+  for (const int t : kWrong) EXPECT_FALSE(cleaned.front().isValid(t));
+  const std::string text = strayText(found, all);
+  EXPECT_NE(text.find("5 single readings of the output (0.5 %) stray"), std::string::npos) << text;
+  EXPECT_NE(text.find("at 10 s of experiment 'run'"), std::string::npos) << text;
+  EXPECT_EQ(strayText(strayReadings({recorded()}, kMost), {recorded()}), "");
+}
+
+/// Each differs from the record with stray readings in one way.
+TEST(StrayReadings, AreNotWhatElseLooksLikeThem) {
+  const auto count = [](const Experiment& experiment) {
+    return strayReadings({experiment}, kMost).count;
+  };
+  EXPECT_EQ(count(recorded()), 0);
+  EXPECT_EQ(count(recorded(1)), 0) << "another level at each sample";
+  EXPECT_EQ(count(withStray({100, 400})), 0) << "fewer than three";
+  EXPECT_EQ(count(withStray(kWrong, 0.1)), 0) << "within the usual noise";
+  EXPECT_EQ(count(withStray({100, 101, 400, 401, 700, 701, 900, 901})), 0) << "two that follow";
+  Experiment answers = withStray();
+  for (const int t : kWrong) answers.u[t - 2] += 20;
+  EXPECT_EQ(count(answers), 0) << "answers to pulses of the input";
+  Experiment missing = withStray();
+  missing.valid.assign(kSamples, 1);
+  for (const int t : kWrong) missing.valid[static_cast<std::size_t>(t)] = 0;
+  EXPECT_EQ(count(missing), 0) << "not measured";
+  EXPECT_EQ(strayReadings({withStray()}, 0.004).count, 0) << "more than are allowed";
+}
+
+/// Extremes of noise with heavy tails are rarer, or not so far out.
+TEST(StrayReadings, AreNotTheExtremesOfHeavyTails) {
+  for (const double degrees : {3.0, 4.0, 6.0}) {
+    std::mt19937_64 engine(5);
+    std::student_t_distribution<double> heavy(degrees);
+    std::vector<Experiment> all(20, recorded());
+    for (Experiment& experiment : all)
+      for (double& value : experiment.y) value += 0.1 * heavy(engine);
+    EXPECT_EQ(strayReadings(all, kMost).count, 0) << degrees;
+  }
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
