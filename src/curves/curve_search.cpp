@@ -18,8 +18,7 @@ bool isBetter(const CurveSearchResult& other, const CurveSearchResult& than, dou
   if (other.held_error > 1.05 * than.held_error) return false;
   if (other.causes.size() < than.causes.size()) return ratio < 1.1;
   if (other.causes.size() == than.causes.size()) return ratio < 0.9;
-  return ratio < 0.7 &&
-         than.fit.left_out - other.fit.left_out > least_share * than.base.left_out;
+  return ratio < 0.7 && than.fit.left_out - other.fit.left_out > least_share * than.base.left_out;
 }
 
 /// Whether causes on top of a plant of first order explain unseen windows far better than high

@@ -26,7 +26,7 @@ struct CurveSearchLimits {
   double clear_fit = 75;           ///< [%] held out; below it the causes must predict better, too:
   double least_prediction_gain = 0.02;  ///< of the squared error
   double least_prediction_t = 2;        ///< paired, over held-out windows
-  double good_fit = 98.5;  ///< [%] below it, a plant of first order is tried as well
+  double good_fit = 98.5;               ///< [%] below it, a plant of first order is tried as well
   double least_fit = 30;  ///< [%] held out, with the causes: a poor simulation names nothing
 };
 

@@ -58,8 +58,9 @@ WindowFit withScannedDelay(const SimulationData& data, WindowFit fit,
   return later.left_out < 0.75 * fit.left_out ? later : fit;
 }
 
-/// Plants of orders up to 8, each from the one with a mode less: as many as lower the error by much.
-/// Fitted all at once from least squares, the modes of a flexible structure end in local optima.
+/// Plants of orders up to 8, each from the one with a mode less: as many as lower the error by
+/// much. Fitted all at once from least squares, the modes of a flexible structure end in local
+/// optima.
 std::vector<WindowFit> fitModes(const SimulationData& data, std::vector<WindowFit> fits,
                                 const CurveSearchContext& context) {
   constexpr std::size_t kHighest = 8;

@@ -218,8 +218,7 @@ CurveModel startBehind(const SimulationData& data, const CurveModel& linear, Pla
 bool comesToRest(const CurveModel& model) {
   constexpr double kLeast = 0.2, kMost = 5;  // standard deviations of y for one of u
   const double gain = 1 / std::abs(model.inverseGain());
-  return !model.direct && gain > kLeast && gain < kMost &&
-         isStable(model.theta.head(model.order));
+  return !model.direct && gain > kLeast && gain < kMost && isStable(model.theta.head(model.order));
 }
 
 CurveModel extended(const SimulationData& data, const WindowFit& fit, const PlaceOf& place,

@@ -107,11 +107,11 @@ CurveModel withMode(const SimulationData& data, const CurveModel& model) {
   SimulationData left = data;
   const std::vector<CurveTable> tables = tablesOf(model);
   for (std::size_t w = 0; w < left.windows.size(); ++w)
-    left.windows[w].y -=
-        simulateFreely(model, tables, data.windows[w], model.initial[w], false).y;
+    left.windows[w].y -= simulateFreely(model, tables, data.windows[w], model.initial[w], false).y;
   const CurveModel mode = linearStart(left, 2, false, model.delay);
   const int n = model.order;
-  const Eigen::VectorXd a = withLeadingOne(model.theta.head(n)), of_mode = withLeadingOne(mode.theta.head(2));
+  const Eigen::VectorXd a = withLeadingOne(model.theta.head(n)),
+                        of_mode = withLeadingOne(mode.theta.head(2));
   Eigen::VectorXd b(n + 1), b_of_mode(3);
   b << model.directGain(), model.theta.segment(n, n);
   b_of_mode << 0, mode.theta.segment(2, 2);

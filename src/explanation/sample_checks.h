@@ -35,8 +35,8 @@ bool isExceeded(const SpoiltSamples& limit, const std::vector<Experiment>& other
 std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,
                                        const SpoiltSamples& defect);
 
-/// Masks single readings that stray from their neighbours (data/stray_readings.h), of which there is
-/// no more than the share `most`; absent where there are none, or they are excluded by name.
+/// Masks single readings that stray from their neighbours (data/stray_readings.h), of which there
+/// is no more than the share `most`; absent where there are none, or they are excluded by name.
 std::optional<SpoiltSamples> maskStray(const std::vector<std::string>& excluded, double most,
                                        Split* data);
 

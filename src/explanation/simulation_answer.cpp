@@ -133,8 +133,8 @@ void dropUnconfirmed(Explanation* explanation) {
 }
 
 /// [%] of fit without causes: of windows of what is held out, by a linear plant that was fitted to
-/// nothing but its simulation, or, where nothing is held out, by the identified model. Windows begin
-/// from states of their own, which alone gives a fit of some percent.
+/// nothing but its simulation, or, where nothing is held out, by the identified model. Windows
+/// begin from states of their own, which alone gives a fit of some percent.
 std::optional<double> fitWithoutCauses(const Explanation& explanation) {
   constexpr double kOfStates = 30;  // [%]
   const SimulationCauses& simulation = explanation.simulation;
