@@ -10,17 +10,6 @@
 namespace uncertainty_identification {
 namespace {
 
-/// Whether the search from one order more ends better: with a tenth less left out, or as well with
-/// fewer causes. More causes have to leave out less by a share of what the plant without causes
-/// does, as each cause of a search has to.
-bool isBetter(const CurveSearchResult& other, const CurveSearchResult& than, double least_share) {
-  const double ratio = other.fit.left_out / than.fit.left_out;
-  if (other.held_error > 1.05 * than.held_error) return false;
-  if (other.causes.size() < than.causes.size()) return ratio < 1.1;
-  if (other.causes.size() == than.causes.size()) return ratio < 0.9;
-  return ratio < 0.7 && than.fit.left_out - other.fit.left_out > least_share * than.base.left_out;
-}
-
 /// Whether causes on top of a plant of first order explain unseen windows far better than high
 /// orders do.
 bool standsForOrders(const CurveSearchResult& with_causes, const CurveSearchResult& orders) {
@@ -44,6 +33,14 @@ bool isControllersAnswer(const SimulationData& data, const SimulationData& held,
 }
 
 }  // namespace
+
+bool isBetter(const CurveSearchResult& other, const CurveSearchResult& than, double least_share) {
+  const double ratio = other.fit.left_out / than.fit.left_out;
+  if (other.held_error > 1.05 * than.held_error) return false;
+  if (other.causes.size() < than.causes.size()) return ratio < 1.1;
+  if (other.causes.size() == than.causes.size()) return ratio < 0.9;
+  return ratio < 0.7 && than.fit.left_out - other.fit.left_out > least_share * than.base.left_out;
+}
 
 CurveSearchResult searchCurves(const SimulationData& data, const SimulationData& held,
                                const CurveSearchLimits& limits, const CurveSearchContext& context) {

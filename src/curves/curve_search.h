@@ -30,6 +30,11 @@ struct CurveSearchLimits {
   double least_fit = 30;  ///< [%] held out, with the causes: a poor simulation names nothing
 };
 
+/// Whether a search from another plant ends better: with a tenth less left out, or as well with
+/// fewer causes. More causes have to leave out less by a share of what the plant without causes
+/// does, as each cause of a search has to.
+bool isBetter(const CurveSearchResult& other, const CurveSearchResult& than, double least_share);
+
 /// Looks for the curves that the free simulation of a small linear model lacks. `held` decides
 /// about what is accepted. Deterministic; the number of threads does not matter.
 CurveSearchResult searchCurves(const SimulationData& data, const SimulationData& held,
