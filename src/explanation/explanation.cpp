@@ -127,7 +127,7 @@ FitContext Explaining::context(const Estimate& estimate) {
   FitContext context = contextOf(estimate, configuration_.estimation.seed);
   context.pool = &pool_;
   context.going_on = [this, reached = estimate.log_likelihood] {
-    const std::lock_guard<std::mutex> lock(sharing_);  // called from all threads
+    const std::lock_guard<std::mutex> lock(sharing_);
     return progress_.report("searching causes" + fitting_, 0.3 + 0.6 * share_searched_, reached) &&
            progress_.inTime();
   };
@@ -212,17 +212,13 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   requireKnown(configuration_.explanation.exclude, experiments);
   Split data = split(configuration_, experiments, validation);
   const std::vector<RejectedExperiment> rejected = leaveOutUnusable(configuration_, &data);
-  const std::optional<SpoiltSamples> stray =
-      maskStray(configuration_.explanation.exclude, configuration_.limits.max_stray, &data);
-  configuration_.limits.max_stray = 0;  // those that are left are none
+  const std::optional<SpoiltSamples> stray = maskStray(&configuration_, &data);
   following_ = followingOf(data.train);
   searchSimulation(data);
   leading_curves_ = leadingCurves(explanation_.simulation);
   if (configuration_.explanation.time_limit > 0) thinning_ = thinLongRecords(&data);
   if (!thinning_.empty()) configuration_.sample_time = 0;
-  std::vector<SpoiltSamples> spoilt =
-      maskSpoilt(configuration_.explanation.exclude, &data, &configuration_.limits);
-  if (stray) spoilt.push_back(*stray);
+  const std::vector<SpoiltSamples> spoilt = maskSpoilt(stray, &configuration_, &data);
   const SearchOutcome best = bestOutcome(data, spoilt);
   describeHeldOut(best.base, &explanation_);
   explanation_.before = best.estimate;

@@ -260,9 +260,10 @@ std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,
   return experiments;
 }
 
-std::optional<SpoiltSamples> maskStray(const std::vector<std::string>& excluded, double most,
-                                       Split* data) {
-  if (isExcluded(excluded, Trait::outliers)) return std::nullopt;
+std::optional<SpoiltSamples> maskStray(Configuration* configuration, Split* data) {
+  double most = 0;
+  std::swap(most, configuration->limits.max_stray);
+  if (isExcluded(configuration->explanation.exclude, Trait::outliers)) return std::nullopt;
   const StrayReadings stray = strayReadings(data->train, most),
                       stray_held = strayReadings(data->held, most);
   data->train = without(stray, std::move(data->train));
@@ -273,20 +274,22 @@ std::optional<SpoiltSamples> maskStray(const std::vector<std::string>& excluded,
       {exact("share", "1", stray.share), exact("distance", "unit of y", stray.size)}};
 }
 
-std::vector<SpoiltSamples> maskSpoilt(const std::vector<std::string>& excluded, Split* data,
-                                      LimitOptions* limits) {
+std::vector<SpoiltSamples> maskSpoilt(const std::optional<SpoiltSamples>& stray,
+                                      Configuration* configuration, Split* data) {
   constexpr double kAny = 0.999;  // masked samples must not count towards limits.max_missing
   data->train = withoutRest(std::move(data->train));
   data->held = withoutRest(std::move(data->held));
   std::vector<SpoiltSamples> spoilt;
   for (SpoiltSamples& each : checkSamples(data->train))
-    if (!isExcluded(excluded, each.trait) && !isExceeded(each, data->held))
+    if (!isExcluded(configuration->explanation.exclude, each.trait) &&
+        !isExceeded(each, data->held))
       spoilt.push_back(std::move(each));
   for (const SpoiltSamples& each : spoilt) {
     data->train = withoutSpoiled(std::move(data->train), each);
     data->held = withoutSpoiled(std::move(data->held), each);
-    if (each.trait != Trait::quantisation) limits->max_missing = kAny;
+    if (each.trait != Trait::quantisation) configuration->limits.max_missing = kAny;
   }
+  if (stray) spoilt.push_back(*stray);
   return spoilt;
 }
 

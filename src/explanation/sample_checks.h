@@ -35,15 +35,15 @@ bool isExceeded(const SpoiltSamples& limit, const std::vector<Experiment>& other
 std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,
                                        const SpoiltSamples& defect);
 
-/// Masks single readings that stray from their neighbours (data/stray_readings.h), of which there
-/// is no more than the share `most`; absent where there are none, or they are excluded by name.
-std::optional<SpoiltSamples> maskStray(const std::vector<std::string>& excluded, double most,
-                                       Split* data);
+/// Masks single readings that stray from their neighbours (data/stray_readings.h), unless they are
+/// excluded by name; those that are left count as none. Absent where there are none.
+std::optional<SpoiltSamples> maskStray(Configuration* configuration, Split* data);
 
 /// Masks the samples that are spoilt in the experiments to fit to and in the held-out ones, and
 /// returns the defects: all that are neither excluded by name nor disproved by held-out
-/// experiments. `limits` then allows any share of masked samples.
-std::vector<SpoiltSamples> maskSpoilt(const std::vector<std::string>& excluded, Split* data,
-                                      LimitOptions* limits);
+/// experiments, and `stray`, which are masked already. The configuration then allows any share of
+/// masked samples.
+std::vector<SpoiltSamples> maskSpoilt(const std::optional<SpoiltSamples>& stray,
+                                      Configuration* configuration, Split* data);
 
 }  // namespace uncertainty_identification
