@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "data/text.h"
 
@@ -43,25 +44,42 @@ std::vector<Place> placesOf(const Eigen::VectorXd& signal, const Experiment& exp
   return places;
 }
 
+/// Those of the places that are farther than `least` from their neighbours, which lie close
+/// together.
+std::vector<Place> fartherThan(double least, const std::vector<Place>& places) {
+  constexpr double kClose = 0.25;
+  std::vector<Place> far;
+  std::copy_if(places.begin(), places.end(), std::back_inserter(far), [&](const Place& place) {
+    return place.distance > least && place.spread <= kClose * place.distance;
+  });
+  return far;
+}
+
+/// Distances at the places, without those beside the samples `left_out`, which these make large.
+std::vector<double> distancesOf(const std::vector<Place>& places,
+                                const std::vector<Place>& left_out) {
+  std::vector<double> distances;
+  auto near = left_out.begin();
+  for (const Place& place : places) {
+    while (near != left_out.end() && near->sample + kAround < place.sample) ++near;
+    if (near == left_out.end() || near->sample - kAround > place.sample)
+      distances.push_back(place.distance);
+  }
+  return distances;
+}
+
 std::vector<Place> straysOf(const Eigen::VectorXd& signal, const Experiment& experiment,
                             bool is_output) {
-  constexpr double kUsual = 0.95, kFar = 8, kOfRange = 0.05, kClose = 0.25;
-  std::vector<Place> places = placesOf(signal, experiment, is_output);
-  std::vector<double> distances, values;
-  for (const Place& place : places) {
-    distances.push_back(place.distance);
-    values.push_back(signal[place.sample]);
-  }
-  constexpr double kEnds = 0.05;  // not counted as range, so that strays themselves are not
+  constexpr double kFar = 8, kMany = 0.75, kNearlyAll = 0.95;
+  constexpr double kOfRange = 0.05, kEnds = 0.05;  // not counted, as strays may be there
+  const std::vector<Place> places = placesOf(signal, experiment, is_output);
+  std::vector<double> values;
+  values.reserve(places.size());
+  for (const Place& place : places) values.push_back(signal[place.sample]);
   const double range = quantile(values, 1 - kEnds) - quantile(values, kEnds);
-  const double least = std::max(kFar * quantile(distances, kUsual), kOfRange * range);
-  places.erase(std::remove_if(places.begin(), places.end(),
-                              [&](const Place& place) {
-                                return !(place.distance > least) ||
-                                       place.spread > kClose * place.distance;
-                              }),
-               places.end());
-  return places;
+  const std::vector<Place> suspects = fartherThan(
+      std::max(kFar * quantile(distancesOf(places, {}), kMany), kOfRange * range), places);
+  return fartherThan(kFar * quantile(distancesOf(places, suspects), kNearlyAll), suspects);
 }
 
 /// Whether a pulse of the input may be what the output answers to.

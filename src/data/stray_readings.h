@@ -17,10 +17,10 @@ struct StrayReadings {
 };
 
 /// Single output samples far from the four around them, which lie close together: 8 times as far as
-/// 95 % of all samples of their experiment, and more than a twentieth of the output's range. None
-/// where the input has a pulse of one sample shortly before, where there are fewer than three, or
-/// where they are less than one in 1,000 of the samples, as extremes of noise with heavy tails are,
-/// or more than the share `most` (limits.max_stray).
+/// 95 % of the other samples of their experiment, and more than a twentieth of the output's range.
+/// None where the input has a pulse of one sample shortly before, where there are fewer than three,
+/// or where they are less than one in 1,000 of the samples, as extremes of noise with heavy tails
+/// are, or more than the share `most` (limits.max_stray).
 StrayReadings strayReadings(const std::vector<Experiment>& experiments, double most);
 
 /// The experiments with these samples marked as missing.

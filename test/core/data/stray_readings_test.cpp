@@ -59,6 +59,13 @@ TEST(StrayReadings, AreMarkedAsMissingAndTold) {
   EXPECT_EQ(strayText(strayReadings({recorded()}, kMost), {recorded()}), "");
 }
 
+/// The neighbours of so many are a sixth of the samples.
+TEST(StrayReadings, MayBeOneInThirty) {
+  std::vector<int> wrong;
+  for (int t = 10; t < 980; t += 30) wrong.push_back(t);
+  EXPECT_EQ(strayReadings({withStray(wrong)}, kMost).samples.at(0), wrong);
+}
+
 /// Each differs from the record with stray readings in one way.
 TEST(StrayReadings, AreNotWhatElseLooksLikeThem) {
   const auto count = [](const Experiment& experiment) {

@@ -307,5 +307,28 @@ TEST(SampleChecks, MissingSamplesCountForNothing) {
   EXPECT_TRUE(checkSamples({}).empty());
 }
 
+/// Held-out experiments lose their stray readings as well; those that the user excludes stay.
+TEST(SampleChecks, StrayReadingsAreMaskedEverywhereUnlessExcluded) {
+  std::vector<Experiment> experiments = example1Experiments(4);
+  for (Experiment& experiment : experiments)
+    for (const int t : {50, 90}) experiment.y[t] += 20 * experiment.y.cwiseAbs().maxCoeff();
+  const Split split{{experiments[0], experiments[1]}, {experiments[2], experiments[3]}, false};
+  Configuration configuration;
+  Split masked = split;
+  const auto stray = maskStray(&configuration, &masked);
+  ASSERT_TRUE(stray);
+  EXPECT_EQ(stray->trait, Trait::outliers);
+  for (const auto* part : {&masked.train, &masked.held})
+    for (const Experiment& experiment : *part)
+      EXPECT_EQ(experiment.validSamples(), experiment.samples() - 2);
+  EXPECT_EQ(configuration.limits.max_stray, 0) << "what is left is none";
+  EXPECT_EQ(maskSpoilt(stray, &configuration, &masked).size(), 1u);
+  Configuration without;
+  without.explanation.exclude = {"sens_outliers"};
+  Split kept = split;
+  EXPECT_FALSE(maskStray(&without, &kept));
+  EXPECT_EQ(kept.train[0].validSamples(), kept.train[0].samples());
+}
+
 }  // namespace
 }  // namespace uncertainty_identification
