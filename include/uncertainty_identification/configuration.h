@@ -244,7 +244,7 @@ struct LimitOptions {
   int min_samples = 20;        ///< shorter experiments are rejected
   double max_missing = 0.5;    ///< largest share of missing output samples accepted, in [0, 1)
   double max_stray = 0.05;     ///< largest share of single output readings that stray from both
-                               ///< their neighbours and count as missing, in [0, 0.1]; 0: none does
+                            ///< their neighbours and count as missing, in [0, 0.05]; 0: none does
   int max_request_size = 256;  ///< [MiB] of a request with experiments
   int max_bag_size =
       4096;  ///< [MiB] of the bags that a request names, and of their uncompressed contents

@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "data/stray_readings.h"
 #include "data/thinning.h"
 #include "estimation/mean_plant.h"
 #include "estimation/simulation_fit.h"
@@ -116,10 +117,10 @@ void addRuns(const Simulations& all, bool validation, const PredictionCalibratio
 
 /// The experiments of these names at the estimate's sample time.
 std::vector<Experiment> chosen(const std::vector<Experiment>& experiments,
-                               const std::set<std::string>& ids, int thinning) {
+                               const std::set<std::string>& ids) {
   std::vector<Experiment> own;
   for (const Experiment& experiment : experiments) {
-    if (ids.count(experiment.id) > 0) own.push_back(thinned(experiment, thinning));
+    if (ids.count(experiment.id) > 0) own.push_back(experiment);
   }
   return own;
 }
@@ -134,8 +135,12 @@ std::vector<SimulatedRun> simulatedRuns(const Estimate& estimate,
       held_out(estimate.validation.experiments.begin(), estimate.validation.experiments.end());
   for (const ExperimentEstimate& experiment : estimate.experiments) used.insert(experiment.id);
   const int thinning = estimate.configuration.estimation.thinning;
-  const std::vector<Experiment> fitted = chosen(training, used, thinning);
-  const std::vector<Experiment> others = chosen(validation, held_out, thinning);
+  const double most = estimate.configuration.limits.max_stray;
+  std::vector<Experiment> fitted = chosen(training, used), others = chosen(validation, held_out);
+  const StrayReadings stray = strayReadings(fitted, most),
+                      stray_others = strayReadings(others, most, stray.count > 0);
+  fitted = thinned(without(stray, std::move(fitted)), thinning);
+  others = thinned(without(stray_others, std::move(others)), thinning);
   std::vector<SimulatedRun> runs;
   if (!fitted.empty()) addRuns(Simulations(estimate, fitted), false, calibration, &runs);
   if (!others.empty()) addRuns(Simulations(estimate, others), true, calibration, &runs);

@@ -251,7 +251,7 @@ void LimitOptions::validate() const {
   requireRange("limits.min_samples", min_samples, 1, max_samples);
   require(max_missing >= 0 && max_missing < 1, "limits.max_missing", max_missing,
           "at least 0 and below 1");
-  require(max_stray >= 0 && max_stray <= 0.1, "limits.max_stray", max_stray, "0 to 0.1");
+  require(max_stray >= 0 && max_stray <= 0.05, "limits.max_stray", max_stray, "0 to 0.05");
   requireRange("limits.max_request_size", max_request_size, 1, 1024);
   requireRange("limits.max_bag_size", max_bag_size, 1, 1 << 20);
   requireRange("limits.max_saved_files", max_saved_files, 0, kMost);

@@ -45,7 +45,7 @@ bool isBetter(const CurveSearchResult& other, const CurveSearchResult& than, dou
 CurveSearchResult searchCurves(const SimulationData& data, const SimulationData& held,
                                const CurveSearchLimits& limits, const CurveSearchContext& context) {
   if (context.tell) context.tell("fitting the smallest plant");
-  const LinearPlants linear = fitLinearPlants(data, held, limits.candidates.max_order, context);
+  const LinearPlants linear = fitLinearPlants(data, limits.candidates.max_order, context);
   const auto from = [&](const WindowFit& base) {
     return searchFrom(base, data, held, linear, limits, context);
   };
@@ -60,19 +60,20 @@ CurveSearchResult searchCurves(const SimulationData& data, const SimulationData&
       best = std::move(found);
     }
   }
-  // Modes stand against causes, and bring none of their own.
-  if (linear.modal && context.going_on()) {
-    CurveSearchResult found = from(*linear.modal);
-    if (found.causes.size() <= best.causes.size() && isBetter(found, best, limits.least_share))
-      best = std::move(found);
+  if (const std::optional<WindowFit> modal = modalPlant(data, held, linear, context)) {
+    CurveSearchResult found;  // modes stand against causes
+    found.base = found.fit = *modal;
+    found.held_error = heldOutErrors(held, modal->model).sum();
+    if (isBetter(found, best, limits.least_share)) best = std::move(found);
   }
-  // High orders without a cause may only stand for one.
+  // High orders may only stand for a cause, or for another one.
   const auto fitOfBest = [&] {
     return heldOutFit(held, Eigen::VectorXd::Constant(1, best.held_error));
   };
   if (best.base.model.order > 1 && fitOfBest() < limits.good_fit && context.going_on()) {
     CurveSearchResult found = from(linear.of_order.front());
-    if (!found.causes.empty() && standsForOrders(found, best)) {
+    const bool is_believed = best.causes.empty() || isBetter(found, best, limits.least_share);
+    if (!found.causes.empty() && standsForOrders(found, best) && is_believed) {
       found.base = std::move(best.base);
       best = std::move(found);
     }

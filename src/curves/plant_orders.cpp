@@ -68,7 +68,7 @@ std::vector<WindowFit> fitModes(const SimulationData& data, std::vector<WindowFi
     const std::size_t modes = fits.size() / 2;
     return fits[2 * modes - 1].squared_error < kFall * fits[2 * modes - 3].squared_error;
   };
-  while (fits.size() < 4 || (fits.size() < kHighest && gains())) {
+  while (context.going_on() && (fits.size() < 4 || (fits.size() < kHighest && gains()))) {
     WindowFit next =
         fitFreely(data, withMode(data, fits[fits.size() - 2].model), context.limits(15));
     WindowFit other =
@@ -78,27 +78,9 @@ std::vector<WindowFit> fitModes(const SimulationData& data, std::vector<WindowFi
   return fits;
 }
 
-/// The smallest of the plants with more modes beside which none halves the error; nothing where
-/// none halves that of `fit`. Held-out windows must gain as much: the initial states of windows may
-/// take up what high orders leave.
-std::optional<WindowFit> withMoreModes(const WindowFit& fit, const std::vector<WindowFit>& modes,
-                                       const SimulationData& held) {
-  constexpr double kHalf = 0.5;
-  std::optional<WindowFit> best;
-  double left_out = fit.left_out, held_out = heldOutErrors(held, fit.model).sum();
-  for (const WindowFit& each : modes) {
-    const double error = heldOutErrors(held, each.model).sum();
-    if (!(each.left_out < kHalf * left_out && error < kHalf * held_out)) continue;
-    left_out = each.left_out;
-    held_out = error;
-    best = each;
-  }
-  return best;
-}
-
 }  // namespace
 
-LinearPlants fitLinearPlants(const SimulationData& data, const SimulationData& held, int max_order,
+LinearPlants fitLinearPlants(const SimulationData& data, int max_order,
                              const CurveSearchContext& context) {
   std::vector<WindowFit> fits(static_cast<std::size_t>(2 * max_order));
   const auto at = [&](int order, bool direct) -> WindowFit& {
@@ -124,15 +106,33 @@ LinearPlants fitLinearPlants(const SimulationData& data, const SimulationData& h
       chosen = &fit;
   }
   LinearPlants found;
-  const std::vector<WindowFit> modes = fitModes(data, {at(1, false), at(2, false)}, context);
   found.starts.push_back(*chosen);
   if (chosen->model.order < max_order) found.starts.push_back(at(chosen->model.order + 1, false));
-  found.modal = withMoreModes(*chosen, modes, held);
   for (int order = 1; order <= max_order; ++order) {
     const WindowFit &plain = at(order, false), &direct = at(order, true);
     found.of_order.push_back(direct.left_out < 0.9 * plain.left_out ? direct : plain);
+    found.delayed.push_back(plain);
   }
   return found;
+}
+
+std::optional<WindowFit> modalPlant(const SimulationData& data, const SimulationData& held,
+                                    const LinearPlants& linear, const CurveSearchContext& context) {
+  constexpr double kHalf = 0.5;
+  constexpr int kSamplesOfState = 24;  // of a window, for each order
+  const WindowFit& start = linear.starts.front();
+  std::optional<WindowFit> best;
+  double left_out = start.left_out, held_out = heldOutErrors(held, start.model).sum();
+  for (const WindowFit& each : fitModes(data, {linear.delayed[0], linear.delayed[1]}, context)) {
+    // The initial states of short windows take up what high orders leave.
+    if (each.model.order * kSamplesOfState > held.longest) break;
+    const double error = heldOutErrors(held, each.model).sum();
+    if (!(each.left_out < kHalf * left_out && error < kHalf * held_out)) continue;
+    left_out = each.left_out;
+    held_out = error;
+    best = each;
+  }
+  return best;
 }
 
 std::vector<PlantChange> largerPlants(const SimulationData& data, const WindowFit& fit,

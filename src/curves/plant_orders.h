@@ -22,15 +22,17 @@ struct LinearPlants {
   /// mean square of what is left out by 30 %: curves are sought on top of it, and higher orders
   /// compete with them.
   std::vector<WindowFit> starts;
-  /// One of up to 8 orders whose modes halve the squared error of the first start, of held-out
-  /// windows as well; absent where there is none.
-  std::optional<WindowFit> modal;
   std::vector<WindowFit> of_order;  ///< the best of orders 1, 2, ...
+  std::vector<WindowFit> delayed;   ///< of orders 1, 2, ... without a direct term
 };
 
-/// `held` may be `data`.
-LinearPlants fitLinearPlants(const SimulationData& data, const SimulationData& held, int max_order,
+LinearPlants fitLinearPlants(const SimulationData& data, int max_order,
                              const CurveSearchContext& context);
+
+/// A plant of up to 8 orders whose modes halve the squared error that the first of the starts
+/// leaves, of held-out windows as well; absent where there is none.
+std::optional<WindowFit> modalPlant(const SimulationData& data, const SimulationData& held,
+                                    const LinearPlants& linear, const CurveSearchContext& context);
 
 /// The model with one order more, with a direct term, and with more dead time. On top of a model
 /// without curves also the linear ones of one and two orders more, since a chain of lags looks like

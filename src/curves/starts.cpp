@@ -109,22 +109,28 @@ CurveModel withMode(const SimulationData& data, const CurveModel& model) {
   for (std::size_t w = 0; w < left.windows.size(); ++w)
     left.windows[w].y -= simulateFreely(model, tables, data.windows[w], model.initial[w], false).y;
   const CurveModel mode = linearStart(left, 2, false, model.delay);
-  const int n = model.order;
-  const Eigen::VectorXd a = withLeadingOne(model.theta.head(n)),
-                        of_mode = withLeadingOne(mode.theta.head(2));
-  Eigen::VectorXd b(n + 1), b_of_mode(3);
-  b << model.directGain(), model.theta.segment(n, n);
-  b_of_mode << 0, mode.theta.segment(2, 2);
-  b = product(b, of_mode) + product(b_of_mode, a);
+  if (mode.order == 0) return withCancellingPair(withCancellingPair(model, 0.5), 0.5);
+  const auto denominator = [](const CurveModel& of) {
+    return withLeadingOne(of.theta.head(of.order));
+  };
+  const auto numerator = [](const CurveModel& of) {
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(of.order + 1);
+    b.tail(of.order) = of.theta.segment(of.order, of.order);
+    return b;
+  };
   CurveModel sum;
-  sum.order = n + 2;
-  sum.direct = model.direct;
+  sum.order = model.order + 2;
   sum.delay = model.delay;
-  sum.theta.resize(2 * sum.order + (sum.direct ? 1 : 0) + 1);
-  sum.theta.head(sum.order) = product(a, of_mode).tail(sum.order);
-  sum.theta.segment(sum.order, sum.order) = b.tail(sum.order);
-  if (sum.direct) sum.theta[2 * sum.order] = b[0];
-  sum.theta[sum.biasIndex()] = model.theta[model.biasIndex()];
+  sum.theta.setZero(sum.linearParameters());
+  sum.theta.head(sum.order) = product(denominator(model), denominator(mode)).tail(sum.order);
+  sum.theta.segment(sum.order, sum.order) =
+      (product(numerator(model), denominator(mode)) + product(numerator(mode), denominator(model)))
+          .tail(sum.order);
+  const auto offset = [](const CurveModel& of) {
+    return of.theta[of.biasIndex()] / of.inverseGain();
+  };
+  const double bias = (offset(model) + offset(mode)) * sum.inverseGain();
+  sum.theta[sum.biasIndex()] = std::isfinite(bias) ? bias : 0;
   return sum;
 }
 

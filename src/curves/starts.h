@@ -10,8 +10,8 @@ namespace uncertainty_identification {
 CurveModel linearStart(const SimulationData& data, int order, bool direct, int delay,
                        int iterations = 8);
 
-/// The linear model with two orders more: a second plant beside it, which is the start for what it
-/// leaves of the output. Modes of a structure add up like this.
+/// The linear model, which has no direct term, with two orders more: a second plant beside it,
+/// which is the start for what it leaves of the output. Modes of a structure add up like this.
 CurveModel withMode(const SimulationData& data, const CurveModel& model);
 
 /// The model with one order more: a pole at `pole` that a zero cancels.

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <utility>
 
 #include "data/text.h"
+#include "math/distributions.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -27,21 +30,30 @@ struct Place {
 };
 
 /// Of the samples that were measured, as were all around them.
-std::vector<Place> placesOf(const Eigen::VectorXd& signal, const Experiment& experiment,
-                            bool is_output) {
+std::vector<Place> placesOf(const Experiment& experiment) {
+  const Eigen::VectorXd& y = experiment.y;
   std::vector<Place> places;
   for (int t = kAround; t < experiment.samples() - kAround; ++t) {
-    double sum = 0, low = signal[t - 1], high = signal[t - 1];
-    bool measured = !is_output || experiment.isValid(t);
+    double sum = 0, low = y[t - 1], high = y[t - 1];
+    bool measured = experiment.isValid(t);
     for (const int k : {t - 2, t - 1, t + 1, t + 2}) {
-      measured = measured && (!is_output || experiment.isValid(k));
-      sum += signal[k];
-      low = std::min(low, signal[k]);
-      high = std::max(high, signal[k]);
+      measured = measured && experiment.isValid(k);
+      sum += y[k];
+      low = std::min(low, y[k]);
+      high = std::max(high, y[k]);
     }
-    if (measured) places.push_back({t, std::abs(signal[t] - sum / 4), high - low});
+    if (measured) places.push_back({t, std::abs(y[t] - sum / 4), high - low});
   }
   return places;
+}
+
+/// The smallest step between two values that differ.
+double resolutionOf(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < values.size(); ++k)
+    if (values[k] > values[k - 1]) least = std::min(least, values[k] - values[k - 1]);
+  return least;
 }
 
 /// Those of the places that are farther than `least` from their neighbours, which lie close
@@ -68,31 +80,64 @@ std::vector<double> distancesOf(const std::vector<Place>& places,
   return distances;
 }
 
-std::vector<Place> straysOf(const Eigen::VectorXd& signal, const Experiment& experiment,
-                            bool is_output) {
-  constexpr double kFar = 8, kMany = 0.75, kNearlyAll = 0.95;
+std::vector<Place> straysOf(const Experiment& experiment) {
+  constexpr double kFar = 8, kMany = 0.75, kNearlyAll = 0.95, kSteps = 3;
   constexpr double kOfRange = 0.05, kEnds = 0.05;  // not counted, as strays may be there
-  const std::vector<Place> places = placesOf(signal, experiment, is_output);
+  const std::vector<Place> places = placesOf(experiment);
   std::vector<double> values;
   values.reserve(places.size());
-  for (const Place& place : places) values.push_back(signal[place.sample]);
+  for (const Place& place : places) values.push_back(experiment.y[place.sample]);
   const double range = quantile(values, 1 - kEnds) - quantile(values, kEnds);
-  const std::vector<Place> suspects = fartherThan(
-      std::max(kFar * quantile(distancesOf(places, {}), kMany), kOfRange * range), places);
+  const double least = std::max({kFar * quantile(distancesOf(places, {}), kMany), kOfRange * range,
+                                 kSteps * resolutionOf(std::move(values))});
+  const std::vector<Place> suspects = fartherThan(least, places);
   return fartherThan(kFar * quantile(distancesOf(places, suspects), kNearlyAll), suspects);
 }
 
-/// Whether a pulse of the input may be what the output answers to.
-bool followsPulse(int sample, const std::vector<Place>& pulses) {
-  constexpr int kShortly = 20;
-  return std::any_of(pulses.begin(), pulses.end(), [&](const Place& pulse) {
-    return pulse.sample <= sample && sample - pulse.sample <= kShortly;
-  });
+/// Changes of the input that are larger than nine tenths of all, at the samples from which they
+/// act.
+std::vector<int> largeChangesOf(const Eigen::VectorXd& u) {
+  constexpr double kMost = 0.9;
+  std::vector<double> sizes;
+  for (Eigen::Index t = 1; t < u.size(); ++t) sizes.push_back(std::abs(u[t] - u[t - 1]));
+  const double least = quantile(sizes, kMost);
+  std::vector<int> changes;
+  for (std::size_t t = 0; t < sizes.size(); ++t)
+    if (sizes[t] > least) changes.push_back(static_cast<int>(t) + 1);
+  return changes;
+}
+
+/// p-value of so many readings at most `reach` samples behind a large change of the input: of the
+/// binomial distribution, if they lay anywhere.
+double behindChanges(const std::vector<std::vector<int>>& readings,
+                     const std::vector<Experiment>& experiments, int reach) {
+  double samples = 0, behind = 0, found = 0, found_behind = 0;
+  for (std::size_t r = 0; r < experiments.size(); ++r) {
+    std::vector<char> is_behind(static_cast<std::size_t>(experiments[r].samples()), 0);
+    for (const int change : largeChangesOf(experiments[r].u))
+      std::fill_n(is_behind.begin() + change,
+                  std::min(reach, static_cast<int>(is_behind.size()) - change), 1);
+    samples += static_cast<double>(is_behind.size());
+    behind += static_cast<double>(std::count(is_behind.begin(), is_behind.end(), 1));
+    found += static_cast<double>(readings[r].size());
+    for (const int t : readings[r]) found_behind += is_behind[static_cast<std::size_t>(t)];
+  }
+  if (found_behind == 0 || behind == samples) return 1;
+  return binomialTail(found_behind - 1, found, behind / samples);
+}
+
+/// Whether what leaves its neighbours does so in answer to the input.
+bool answersInput(const std::vector<std::vector<int>>& readings,
+                  const std::vector<Experiment>& experiments) {
+  constexpr double kImprobable = 0.01;
+  return behindChanges(readings, experiments, 6) < kImprobable ||
+         behindChanges(readings, experiments, 20) < kImprobable;
 }
 
 }  // namespace
 
-StrayReadings strayReadings(const std::vector<Experiment>& experiments, double most) {
+StrayReadings strayReadings(const std::vector<Experiment>& experiments, double most,
+                            bool expected) {
   constexpr int kFewest = 3;
   constexpr double kRarest = 0.001;
   if (!(most > 0)) return {};
@@ -100,10 +145,8 @@ StrayReadings strayReadings(const std::vector<Experiment>& experiments, double m
   double measured = 0;
   std::vector<double> sizes;
   for (const Experiment& experiment : experiments) {
-    const std::vector<Place> pulses = straysOf(experiment.u, experiment, false);
     std::vector<int> samples;
-    for (const Place& place : straysOf(experiment.y, experiment, true)) {
-      if (followsPulse(place.sample, pulses)) continue;
+    for (const Place& place : straysOf(experiment)) {
       samples.push_back(place.sample);
       sizes.push_back(place.distance);
     }
@@ -112,7 +155,10 @@ StrayReadings strayReadings(const std::vector<Experiment>& experiments, double m
   }
   found.count = static_cast<int>(sizes.size());
   found.share = found.count / std::max(measured, 1.0);
-  if (found.count < kFewest || found.share < kRarest || found.share > most) return {};
+  const bool too_few = found.count < kFewest || found.share < kRarest;
+  if (found.count == 0 || (too_few && !expected) || found.share > most ||
+      answersInput(found.samples, experiments))
+    return {};
   found.size = quantile(std::move(sizes), 0.5);
   return found;
 }
@@ -138,7 +184,7 @@ std::string strayText(const StrayReadings& stray, const std::vector<Experiment>&
          " %) stray from both their neighbours, such as " + text(experiment.y[t]) + " between " +
          text(experiment.y[t - 1]) + " and " + text(experiment.y[t + 1]) + " at " +
          text(t * experiment.sample_time) + " s of experiment '" + experiment.id +
-         "', and count as missing";
+         "', and count as missing (limits.max_stray: 0 keeps them)";
 }
 
 }  // namespace uncertainty_identification

@@ -17,11 +17,14 @@ struct StrayReadings {
 };
 
 /// Single output samples far from the four around them, which lie close together: 8 times as far as
-/// 95 % of the other samples of their experiment, and more than a twentieth of the output's range.
-/// None where the input has a pulse of one sample shortly before, where there are fewer than three,
-/// or where they are less than one in 1,000 of the samples, as extremes of noise with heavy tails
-/// are, or more than the share `most` (limits.max_stray).
-StrayReadings strayReadings(const std::vector<Experiment>& experiments, double most);
+/// 95 % of the other samples of their experiment, more than a twentieth of the output's range, and
+/// than three steps of its resolution. None where they lie behind large changes of the input more
+/// often than by chance (binomial test, p < 0.01), as the answers of a plant do that passes changes
+/// only; where they are more than the share `most` (limits.max_stray); and, unless they are
+/// `expected`, as others of the sensor show some, where there are fewer than three, or less than
+/// one in 1,000, as extremes of noise with heavy tails are.
+StrayReadings strayReadings(const std::vector<Experiment>& experiments, double most,
+                            bool expected = false);
 
 /// The experiments with these samples marked as missing.
 std::vector<Experiment> without(const StrayReadings& stray, std::vector<Experiment> experiments);

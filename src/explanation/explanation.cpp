@@ -131,12 +131,11 @@ FitContext Explaining::context(const Estimate& estimate) {
     return progress_.report("searching causes" + fitting_, 0.3 + 0.6 * share_searched_, reached) &&
            progress_.inTime();
   };
-  context.options.on_iterate = [going_on = context.going_on](const TracePoint&) {
-    return going_on();
-  };
+  context.options.on_iterate = [ask = context.going_on](const TracePoint&) { return ask(); };
   context.report_searched = [this](double share) {
     const std::lock_guard<std::mutex> lock(sharing_);
     share_searched_ = std::max(share_searched_, share);
+    fitting_.clear();
   };
   context.report_fitted = [this](const std::string& what) {
     const std::lock_guard<std::mutex> lock(sharing_);

@@ -26,7 +26,8 @@ std::string thinLongRecords(Split* data) {
 NominalModelOptions ofOrder(int order) {
   NominalModelOptions nominal;
   nominal.orders_auto = false;
-  nominal.na = nominal.nb = std::max(1, order);
+  constexpr int kHighest = 4;  // those of a structure with many modes take too long
+  nominal.na = nominal.nb = std::clamp(order, 1, kHighest);
   nominal.nc = 0;
   nominal.nd = 1;
   nominal.delay = 1;

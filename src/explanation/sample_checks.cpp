@@ -13,6 +13,8 @@
 namespace uncertainty_identification {
 namespace {
 
+constexpr double kAny = 0.999;  ///< masked samples must not count towards limits.max_missing
+
 constexpr double kCrowded = 3;  // times as many samples at a limit as at the values next to it
 
 std::vector<double> measured(const std::vector<Experiment>& experiments) {
@@ -265,10 +267,11 @@ std::optional<SpoiltSamples> maskStray(Configuration* configuration, Split* data
   std::swap(most, configuration->limits.max_stray);
   if (isExcluded(configuration->explanation.exclude, Trait::outliers)) return std::nullopt;
   const StrayReadings stray = strayReadings(data->train, most),
-                      stray_held = strayReadings(data->held, most);
+                      stray_held = strayReadings(data->held, most, stray.count > 0);
   data->train = without(stray, std::move(data->train));
   data->held = without(stray_held, std::move(data->held));
   if (stray.count == 0) return std::nullopt;
+  configuration->limits.max_missing = kAny;
   return SpoiltSamples{
       Trait::outliers,
       {exact("share", "1", stray.share), exact("distance", "unit of y", stray.size)}};
@@ -276,7 +279,6 @@ std::optional<SpoiltSamples> maskStray(Configuration* configuration, Split* data
 
 std::vector<SpoiltSamples> maskSpoilt(const std::optional<SpoiltSamples>& stray,
                                       Configuration* configuration, Split* data) {
-  constexpr double kAny = 0.999;  // masked samples must not count towards limits.max_missing
   data->train = withoutRest(std::move(data->train));
   data->held = withoutRest(std::move(data->held));
   std::vector<SpoiltSamples> spoilt;

@@ -263,7 +263,8 @@ SearchState Search::search(const SearchState& base) {
     if (restarts == kRestarts || !context_.going_on()) break;
     const bool structural = !isOfNoise(*first->effect) && !isOfMixture(*first->effect);
     if (!structural || first->score < threshold(*first->effect) ||
-        (!best.causes.empty() && first->effect == best.causes.front().effect))
+        (best.causes.size() > base.causes.size() &&
+         first->effect == best.causes[base.causes.size()].effect))
       continue;
     ++restarts;
     SearchState other = base;

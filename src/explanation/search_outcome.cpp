@@ -82,7 +82,10 @@ void addCausesThatSamplesShow(const std::vector<SpoiltSamples>& spoilt, const Ef
     cause.parameters = each.parameters;
     cause.gain = gainOf(held, held, base->gains(base->fit, base->fit));
     base->causes.push_back(std::move(cause));
-    base->banned.push_back(base->causes.back().effect->name());
+    const Effect& effect = *base->causes.back().effect;
+    base->banned.push_back(effect.name());
+    const std::vector<std::string>& excluded = effect.description().excludes;
+    base->banned.insert(base->banned.end(), excluded.begin(), excluded.end());
   }
 }
 

@@ -134,14 +134,14 @@ void dropUnconfirmed(Explanation* explanation) {
 
 /// [%] of fit without causes: of windows of what is held out, by a linear plant that was fitted to
 /// nothing but its simulation, or, where nothing is held out, by the identified model. Windows
-/// begin from states of their own, which alone gives a fit of some percent.
+/// begin from states of their own, which alone gives a fit of some
+/// percent: it counts as none.
 std::optional<double> fitWithoutCauses(const Explanation& explanation) {
   constexpr double kOfStates = 30;  // [%]
   const SimulationCauses& simulation = explanation.simulation;
   if (explanation.held_out.empty()) return explanation.before.simulation_fit_percent;
-  const bool says_something = !simulation.preparation.empty() && !simulation.ended_early &&
-                              simulation.fit_before > kOfStates;
-  return says_something ? std::optional<double>(simulation.fit_before) : std::nullopt;
+  if (simulation.preparation.empty() || simulation.ended_early) return std::nullopt;
+  return simulation.fit_before > kOfStates ? simulation.fit_before : 0;
 }
 
 /// The likelihood's model may simulate far worse than one without causes, even with all of them. A

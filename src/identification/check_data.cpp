@@ -30,13 +30,6 @@ int thinningOf(const Configuration& configuration, const std::vector<Experiment>
 
 }  // namespace
 
-std::vector<Experiment> withoutStray(std::vector<Experiment> experiments, double most,
-                                     const std::string& role, Journal* journal) {
-  const StrayReadings stray = strayReadings(experiments, most);
-  if (stray.count > 0) journal->warnings.push_back(role + strayText(stray, experiments));
-  return without(stray, std::move(experiments));
-}
-
 CheckedData checkData(const Configuration& configuration,
                       const std::vector<Experiment>& experiments, Journal* journal) {
   journal->progress.report(Phase::check, 0);
@@ -54,8 +47,10 @@ CheckedData checkData(const Configuration& configuration,
     throw DataError(experiments.empty()
                         ? "no experiments were given"
                         : "no usable experiment is left:" + reasonsOf(checked.rejected));
-  data.experiments =
-      withoutStray(std::move(data.experiments), configuration.limits.max_stray, "", journal);
+  const StrayReadings stray = strayReadings(data.experiments, configuration.limits.max_stray);
+  if (stray.count > 0) journal->warnings.push_back(strayText(stray, data.experiments));
+  data.has_strays = stray.count > 0;
+  data.experiments = without(stray, std::move(data.experiments));
   data.following = followingOf(data.experiments);
   if (auto warning = closedLoopWarning(data.following, "the input", "the output"))
     journal->warnings.push_back(std::move(*warning));

@@ -82,8 +82,9 @@ std::vector<double> modelRadii(const Estimate& estimate,
 PredictionCalibration calibrated(const Request& request, const Estimate& estimate,
                                  const std::vector<Experiment>& experiments) {
   Configuration configuration = estimate.configuration;
-  configuration.estimation.thinning = 1;  // `used` is thinned,
-  configuration.limits.max_stray = 0;     // and has no stray readings
+  configuration.estimation.thinning = 1;     // `used` is thinned,
+  configuration.limits.max_stray = 0;        // and has no stray readings,
+  configuration.limits.max_missing = 0.999;  // of which there may be more than a user accepts
   const std::vector<Experiment> used = usedExperiments(estimate, experiments);
   const int count = static_cast<int>(used.size());
   const int folds = std::min(configuration.bounds.folds, count);

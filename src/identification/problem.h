@@ -28,8 +28,9 @@ struct CheckedData {
   int thinning = 1;           ///< each so manieth sample was kept (EstimationOptions)
   bool single_steps = false;  ///< whether every input changes only once
   bool are_cut =
-      false;            ///< to what follows the first measured output, as they do not begin at rest
-  Following following;  ///< how input and output follow each other
+      false;  ///< to what follows the first measured output, as they do not begin at rest
+  bool has_strays = false;  ///< readings that count as missing (data/stray_readings.h)
+  Following following;      ///< how input and output follow each other
 
   int count() const { return static_cast<int>(experiments.size()); }
   double sampleTime() const { return experiments.front().sample_time; }  ///< [s]

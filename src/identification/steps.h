@@ -9,11 +9,6 @@
 /// The steps of an identification, in their order (identify.cpp).
 namespace uncertainty_identification {
 
-/// The experiments with stray readings (data/stray_readings.h), of which there is no more than the
-/// share `most`, marked as missing. A warning, after `role`, tells how many.
-std::vector<Experiment> withoutStray(std::vector<Experiment> experiments, double most,
-                                     const std::string& role, Journal* journal);
-
 /// The experiments that pass the checks, thinned where the configuration says so. Throws DataError
 /// when none does.
 CheckedData checkData(const Configuration& configuration,

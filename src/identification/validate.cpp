@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "data/experiment_checks.h"
+#include "data/stray_readings.h"
 #include "data/thinning.h"
 #include "data/unmeasured_start.h"
 #include "estimation/linearisation.h"
@@ -42,7 +43,10 @@ Validation validate(const Problem& problem, const FittedModel& fitted, InitialSt
     journal->warnings.push_back("validation: " + rejected.reason);
   std::vector<Experiment> used;
   for (int r : checked.usable) used.push_back(experiments[static_cast<std::size_t>(r)]);
-  used = withoutStray(std::move(used), configuration.limits.max_stray, "validation: ", journal);
+  const StrayReadings stray =
+      strayReadings(used, configuration.limits.max_stray, problem.data.has_strays);
+  if (stray.count > 0) journal->warnings.push_back("validation: " + strayText(stray, used));
+  used = without(stray, std::move(used));
   used = thinned(std::move(used), thinning);
   if (used.empty())
     throw DataError("no usable experiment is left for validation:" + reasonsOf(checked.rejected));

@@ -87,7 +87,7 @@ LinearFit fitLinear(const std::vector<Experiment>& answers, const std::string& d
   WorkerPool pool(1);
   CurveSearchContext context;
   context.pool = &pool;
-  for (const WindowFit& fit : fitLinearPlants(data, data, kMaxOrder, context).of_order) {
+  for (const WindowFit& fit : fitLinearPlants(data, kMaxOrder, context).of_order) {
     try {
       auto linear = makeLinearSimulation(
           factorsOf(transferFunction(fit.model, data.scales, data.sample_time), data.sample_time),

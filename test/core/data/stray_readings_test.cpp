@@ -86,6 +86,34 @@ TEST(StrayReadings, AreNotWhatElseLooksLikeThem) {
   EXPECT_EQ(strayReadings({withStray()}, 0.004).count, 0) << "more than are allowed";
 }
 
+/// A plant that passes changes only answers each step of its input with one sample.
+TEST(StrayReadings, AreNotAnswersToSteps) {
+  for (const int levels : {25, 60, 200}) {
+    Experiment experiment = recorded(levels);
+    for (int t = 1; t < kSamples; ++t)
+      experiment.y[t] = experiment.u[t] - experiment.u[t - 1] + 1e-3 * std::sin(1e3 * t);
+    EXPECT_EQ(strayReadings({experiment}, kMost).count, 0) << levels;
+  }
+}
+
+TEST(StrayReadings, AreNotTheSmallestStepsOfASensor) {
+  std::mt19937_64 engine(9);
+  std::normal_distribution<double> normal;
+  Experiment experiment = recorded();
+  for (int t = 0; t < kSamples; ++t)
+    experiment.y[t] = std::round(5 * std::sin(0.01 * t) + 0.1 * normal(engine));
+  EXPECT_EQ(strayReadings({experiment}, kMost).count, 0);
+  experiment.y.setZero();
+  for (const int t : kWrong) experiment.y[t] = 1;
+  EXPECT_EQ(strayReadings({experiment}, kMost).count, 0) << "events";
+}
+
+/// Where others of the same sensor have shown some, a single one counts.
+TEST(StrayReadings, MayBeExpected) {
+  EXPECT_EQ(strayReadings({withStray({400})}, kMost).count, 0);
+  EXPECT_EQ(strayReadings({withStray({400})}, kMost, true).count, 1);
+}
+
 /// Extremes of noise with heavy tails are rarer, or not so far out.
 TEST(StrayReadings, AreNotTheExtremesOfHeavyTails) {
   for (const double degrees : {3.0, 4.0, 6.0}) {
@@ -93,7 +121,7 @@ TEST(StrayReadings, AreNotTheExtremesOfHeavyTails) {
     std::student_t_distribution<double> heavy(degrees);
     std::vector<Experiment> all(20, recorded());
     for (Experiment& experiment : all)
-      for (double& value : experiment.y) value += 0.1 * heavy(engine);
+      for (int t = 0; t < kSamples; ++t) experiment.y[t] += 0.1 * heavy(engine);
     EXPECT_EQ(strayReadings(all, kMost).count, 0) << degrees;
   }
 }
