@@ -46,6 +46,8 @@ CurveSearchResult searchCurves(const SimulationData& data, const SimulationData&
                                const CurveSearchLimits& limits, const CurveSearchContext& context) {
   if (context.tell) context.tell("fitting the smallest plant");
   const LinearPlants linear = fitLinearPlants(data, limits.candidates.max_order, context);
+  // Before the searches, which may take all the time: without it, a mode may pass for a curve.
+  const std::optional<WindowFit> modal = modalPlant(data, held, linear, context);
   const auto from = [&](const WindowFit& base) {
     return searchFrom(base, data, held, linear, limits, context);
   };
@@ -60,8 +62,8 @@ CurveSearchResult searchCurves(const SimulationData& data, const SimulationData&
       best = std::move(found);
     }
   }
-  if (const std::optional<WindowFit> modal = modalPlant(data, held, linear, context)) {
-    CurveSearchResult found;  // modes stand against causes
+  if (modal) {
+    CurveSearchResult found;
     found.base = found.fit = *modal;
     found.held_error = heldOutErrors(held, modal->model).sum();
     if (isBetter(found, best, limits.least_share)) best = std::move(found);
