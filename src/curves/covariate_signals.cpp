@@ -50,9 +50,9 @@ Eigen::VectorXd signalOf(const CovariateScale& covariate, const Experiment& expe
   if (covariate.lag == 0) return signal;
   const double pole = std::exp(-experiment.sample_time / covariate.lag);
   double state = signal[0];
-  for (double& value : signal) {
-    const double now = value;
-    value = state;
+  for (Eigen::Index k = 0; k < signal.size(); ++k) {
+    const double now = signal[k];
+    signal[k] = state;
     state = pole * state + (1 - pole) * now;
   }
   return signal;

@@ -13,7 +13,7 @@ constexpr int kPoints = 1024;
 constexpr int kSamples = 400;
 
 Eigen::VectorXd sortedDistinct(Eigen::VectorXd values) {
-  for (double& value : values) value = std::round(value * 1e6) / 1e6;
+  values = (values * 1e6).array().round() / 1e6;
   std::sort(values.data(), values.data() + values.size());
   const auto end = std::unique(values.data(), values.data() + values.size());
   return values.head(end - values.data()).eval();

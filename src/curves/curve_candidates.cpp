@@ -36,7 +36,7 @@ CandidateKind kindOf(PlantChange::Kind kind) {
 
 /// The best of the screened places, and those that machines most often have. Hysteresis, which is
 /// rare and resembles other products, has to be the best of all. A loop's error, which resembles
-/// much, takes the place of no other.
+/// much, is kept as well and takes the place of no other.
 void keepMostPromising(int places, std::vector<ScreenedPlace>* screened) {
   std::vector<ScreenedPlace> kept;
   int others = 0;  // than a loop's error
@@ -77,7 +77,7 @@ bool isPossible(const CurveCandidate& candidate) {
          (sumsUp(candidate.fit.model) && sumsUp(candidate.naming.fit.model));
 }
 
-void tellOf(const std::vector<ScreenedPlace>& screened, std::size_t k,
+void tellPlace(const std::vector<ScreenedPlace>& screened, std::size_t k,
             const CurveSearchContext& context) {
   if (!context.tell) return;
   std::string place = nameOf(screened[k].place.place);
@@ -95,7 +95,7 @@ void addCurves(const SimulationData& data, const WindowFit& now, const Candidate
   context.pool->forEach(static_cast<int>(screened.size()), [&](int index) {
     const auto k = static_cast<std::size_t>(index);
     if (!context.going_on()) return;
-    tellOf(screened, k, context);
+    tellPlace(screened, k, context);
     CurveCandidate& whole = found[2 * k];
     whole.kind = CandidateKind::curve;
     whole.place = screened[k].place;

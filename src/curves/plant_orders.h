@@ -23,7 +23,7 @@ struct LinearPlants {
   /// compete with them.
   std::vector<WindowFit> starts;
   std::vector<WindowFit> of_order;  ///< the best of orders 1, 2, ...
-  std::vector<WindowFit> delayed;   ///< of orders 1, 2, ... without a direct term
+  std::vector<WindowFit> delayed;   ///< of orders 1, 2, ..., all without a direct term
 };
 
 LinearPlants fitLinearPlants(const SimulationData& data, int max_order,

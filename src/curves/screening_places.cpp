@@ -179,7 +179,8 @@ std::vector<double> widthsFor(const SimulationData& data, Place place) {
 SimulationData through(SimulationData data, Place place, double width) {
   for (SimulationWindow& window : data.windows) {
     double held = window.u[0];
-    for (double& value : window.u) {
+    for (Eigen::Index k = 0; k < window.u.size(); ++k) {
+      double& value = window.u[k];
       if (place == Place::play)
         held = std::min(std::max(held, value - width), value + width);
       else

@@ -38,7 +38,7 @@ Polynomials withRootsPulledIn(Polynomials p) {
   constexpr double kInwards = 1 - 1e-6;
   for (VectorXd* polynomial : {&p.a, &p.c, &p.d}) {
     double factor = 1;
-    for (double& coefficient : *polynomial) coefficient *= factor *= kInwards;
+    for (Eigen::Index k = 0; k < polynomial->size(); ++k) (*polynomial)[k] *= factor *= kInwards;
   }
   return p;
 }

@@ -44,7 +44,7 @@ Cause described(const FoundCause& found, const SearchState& state, bool in_time)
   cause.confidence = in_time ? found.confidence : std::nan("");
   cause.equivalent = found.equivalent;
   cause.gain = found.gain;
-  cause.seen_in_samples = found.score == 0;
+  cause.seen_in_samples = found.score == 0 && !found.effect->has(Trait::feedback);
   cause.parameters = found.parameters.empty() ? parametersOf(state.fit, state.train, found.effect)
                                               : found.parameters;
   return cause;

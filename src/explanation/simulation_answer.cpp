@@ -133,9 +133,8 @@ void dropUnconfirmed(Explanation* explanation) {
 }
 
 /// [%] of fit without causes: of windows of what is held out, by a linear plant that was fitted to
-/// nothing but its simulation, or, where nothing is held out, by the identified model. Windows
-/// begin from states of their own, which alone gives a fit of some
-/// percent: it counts as none.
+/// nothing but its simulation, or, where nothing is held out, by the identified model. A
+/// fit of up to 30 % may come from the states alone that windows begin from, and counts as 0.
 std::optional<double> fitWithoutCauses(const Explanation& explanation) {
   constexpr double kOfStates = 30;  // [%]
   const SimulationCauses& simulation = explanation.simulation;

@@ -22,7 +22,7 @@ Explanation explainRounded(double step) {
   test::RandomSystem system = test::example1(2, 20);
   step *= std::sqrt(system.truth.noise_variance);
   for (Experiment& experiment : system.experiments)
-    for (double& value : experiment.y) value = step * std::round(value / step);
+    experiment.y = step * (experiment.y / step).array().round().matrix();
   Configuration configuration = test::example1Configuration();
   configuration.bounds.frequencies = 0;
   return explain(configuration, system.experiments);

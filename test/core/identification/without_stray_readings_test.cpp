@@ -24,7 +24,7 @@ bool warns(const Estimate& estimate, const std::string& text) {
       [&](const std::string& warning) { return warning.find(text) != std::string::npos; });
 }
 
-TEST(WithoutStrayReadings, IsEveryStep) {
+TEST(WithoutStrayReadings, AllStepsAgreeWithThoseOfCleanData) {
   const std::vector<Experiment> all = example1Experiments(9);
   const std::vector<Experiment> train(all.begin(), all.end() - 1), held(all.end() - 1, all.end());
   const Identifier identifier(example1Configuration());
