@@ -78,7 +78,7 @@ bool isPossible(const CurveCandidate& candidate) {
 }
 
 void tellPlace(const std::vector<ScreenedPlace>& screened, std::size_t k,
-            const CurveSearchContext& context) {
+               const CurveSearchContext& context) {
   if (!context.tell) return;
   std::string place = nameOf(screened[k].place.place);
   std::replace(place.begin(), place.end(), '_', ' ');
