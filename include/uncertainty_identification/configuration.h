@@ -15,7 +15,7 @@
 /// documents them). The initialiser of a field is its default; defaults are stated nowhere else.
 namespace uncertainty_identification {
 
-enum class Structure { output_error, arx, armax, box_jenkins, continuous };
+enum class Structure { output_error, arx, armax, box_jenkins, continuous, modal };
 enum class Focus { simulation, prediction };
 enum class PlantFit { likelihood, simulation };
 enum class BasisKind { fir, laguerre, kautz, sensitivity, parameter_spread, automatic };
@@ -59,6 +59,13 @@ struct NominalModelOptions {
   int resonances = 0;      ///< complex pole pairs (omega_k [rad/s], zeta_k [1])
   int zeros = 0;           ///< real zeros zero_k [s]
   bool dead_time = false;  ///< whether dead_time [s] is estimated (continuous in value)
+  // structure: modal, a sum of time_constants real poles and resonances pairs, each with a residue
+  bool feedthrough = false;  ///< whether a gain acts one sample before the modes
+  /// modal: with n plant parameters, Go has the unbounded coordinates center + directions (factor -
+  /// 1), and its parameters are factor1 to factorn: plants that differ in few ways, each of which
+  /// moves several modes, vary along the first directions. Empty: the modes' own parameters.
+  Eigen::VectorXd center;
+  Eigen::MatrixXd directions;  ///< n x n, regular
   std::map<std::string, double>
       fixed;  ///< parameters of the continuous structure that are known, e.g. {gain: 1.0}
 

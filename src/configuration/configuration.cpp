@@ -126,6 +126,23 @@ void NominalModelOptions::validate() const {
     require(zeros < poles, at + "zeros", zeros,
             "fewer than the " + std::to_string(poles) + " poles (time_constants + 2 resonances)");
   }
+  if (structure == Structure::modal) {
+    require(time_constants + resonances > 0, at + "time_constants", time_constants,
+            "at least one pole (time_constants + resonances)");
+    require(feedthrough || delay > 0, at + "delay", delay,
+            "at least 1 (the hold's own sample), or feedthrough: true");
+    const Eigen::Index own = 2 * time_constants + 4 * resonances + (feedthrough ? 1 : 0);
+    const bool fits = center.size() == directions.rows() && center.allFinite() &&
+                      directions.rows() == directions.cols() && directions.allFinite();
+    require(fits && (center.size() == 0 || center.size() == own), at + "directions",
+            std::to_string(directions.rows()) + " x " + std::to_string(directions.cols()),
+            "as many finite rows and columns, and entries of center, as there are parameters of "
+            "Go: " +
+                std::to_string(own) + ", or nothing");
+  } else {
+    require(center.size() == 0 && directions.size() == 0, at + "directions", "some",
+            "nothing, unless structure is modal");
+  }
   for (const auto& [name, value] : fixed) {
     require(std::isfinite(value), at + "fixed." + name, value, "a finite number");
   }

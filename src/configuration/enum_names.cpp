@@ -7,7 +7,8 @@ const EnumNames<Structure>& enumNames(Structure) {
                                            {Structure::arx, "arx"},
                                            {Structure::armax, "armax"},
                                            {Structure::box_jenkins, "box_jenkins"},
-                                           {Structure::continuous, "continuous"}};
+                                           {Structure::continuous, "continuous"},
+                                           {Structure::modal, "modal"}};
   return kNames;
 }
 

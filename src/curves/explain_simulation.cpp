@@ -181,20 +181,24 @@ SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
   };
   std::mutex telling;
   bool cancelled = false;
+  double time_limit = options.time_limit;
   std::string doing = "simulating";
   context.going_on = [&] {
     const std::lock_guard<std::mutex> lock(telling);  // called from all threads
     cancelled = cancelled || (options.progress && !options.progress(doing));
-    return !cancelled && (options.time_limit <= 0 || seconds() < options.time_limit);
+    return !cancelled && (time_limit <= 0 || seconds() < time_limit);
   };
   context.tell = [&](const std::string& what) {
     const std::lock_guard<std::mutex> lock(telling);
     doing = what;
   };
-  const WindowSearcher search = [&](const WindowPlan& windows, const CurveSearchLimits& within) {
+  const WindowSearcher search = [&](const WindowPlan& windows, const CurveSearchLimits& within,
+                                    Purpose purpose) {
+    if (purpose == Purpose::confirming && time_limit > 0)
+      time_limit = std::max(time_limit, 2 * seconds());
     return searchWindows(fitted, held, windows, scales, within, context);
   };
-  const PlannedSearch searched = compares ? PlannedSearch{plan, search(plan, limits), ""}
+  const PlannedSearch searched = compares ? PlannedSearch{plan, search(plan, limits, Purpose::looking), ""}
                                           : searchInWindows(plan, fitted, limits, search);
   if (searched.found.kept.windows.empty()) return found;
   describe(searched, fitted, held, &found);

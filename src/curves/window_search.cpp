@@ -23,30 +23,41 @@ SimulationData lastThird(SimulationData* data) {
   return held;
 }
 
-std::string unconfirmed(const std::vector<FoundCurve>& causes, int length, int other) {
-  return namesOf(causes) + ": simulates windows of about " + std::to_string(length) +
+std::string unconfirmed(const std::vector<FoundCurve>& causes, int length, int other,
+                        bool ended_early) {
+  const std::string named = namesOf(causes);
+  if (ended_early)
+    return named + ": simulates windows of about " + std::to_string(length) +
+           " samples better, but the time was over before it was found in windows of " +
+           std::to_string(other) + ", too. Not named; a longer explanation.time_limit allows it";
+  return named + ": simulates windows of about " + std::to_string(length) +
          " samples better, but is not found in windows of " + std::to_string(other) +
          ", so that it may stand for something else. Not named";
 }
 
-/// Drops the causes that are not found again in windows of the length of `other`. What is said of
-/// these; empty where there are none.
+/// Drops the causes that are not found again in windows of the length of `other`; all of them where
+/// that search has no time to find them. What is said of these; empty where there are none.
 std::string confirm(const WindowPlan& plan, const WindowPlan& other, CurveSearchLimits limits,
                     const WindowSearcher& search, WindowSearch* searched) {
   const std::vector<FoundCurve> causes = searched->result.causes;
-  const CurveSearchResult again = search(other, limits).result;
-  const std::size_t confirmed = countConfirmed(causes, again.causes);
-  if (confirmed == causes.size() || again.ended_early) return "";
-  limits.max_causes = static_cast<int>(confirmed);
-  *searched = search(plan, limits);
+  const CurveSearchResult again = search(other, limits, Purpose::confirming).result;
+  std::size_t confirmed = countConfirmed(causes, again.causes);
+  if (confirmed == causes.size()) return "";
+  if (again.ended_early) {
+    confirmed = 0;
+    searched->dropCauses();
+  } else {
+    limits.max_causes = static_cast<int>(confirmed);
+    *searched = search(plan, limits, Purpose::looking);
+  }
   return unconfirmed({causes.begin() + static_cast<std::ptrdiff_t>(confirmed), causes.end()},
-                     plan.length, other.length);
+                     plan.length, other.length, again.ended_early);
 }
 
 /// The search in windows of one length, with its causes confirmed where they need to be.
 PlannedSearch confirmed(const WindowPlan& plan, const std::vector<Experiment>& experiments,
                         const CurveSearchLimits& limits, const WindowSearcher& search) {
-  PlannedSearch searched{plan, search(plan, limits), ""};
+  PlannedSearch searched{plan, search(plan, limits, Purpose::looking), ""};
   if (!plan.one_of_each && searched.found.needsConfirmation())
     searched.refused =
         confirm(plan, withOtherWindows(plan, experiments), limits, search, &searched.found);
@@ -60,6 +71,13 @@ double WindowSearch::fitOf(double squared_error) const {
 }
 
 double WindowSearch::baseError() const { return heldOutErrors(kept, result.base.model).sum(); }
+
+void WindowSearch::dropCauses() {
+  result.causes.clear();
+  result.fit = result.base;
+  result.held_error = baseError();
+  result.ended_early = true;
+}
 
 bool WindowSearch::needsConfirmation() const {
   constexpr double kWell = 80;   // [% of fit]

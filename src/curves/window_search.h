@@ -24,6 +24,9 @@ struct WindowSearch {
   /// Whether the causes may be owed to the choice of windows: the linear plant simulates so well
   /// that little is left to tell causes apart, or the causes leave much.
   bool needsConfirmation() const;
+
+  /// Goes back to the linear plant, as there was no time to confirm the causes.
+  void dropCauses();
 };
 
 /// Searches windows of `fitted`. Those held out are of `held` or, where this is empty, the last
@@ -33,7 +36,12 @@ WindowSearch searchWindows(const std::vector<Experiment>& fitted,
                            const SignalScales& scales, const CurveSearchLimits& limits,
                            const CurveSearchContext& context);
 
-using WindowSearcher = std::function<WindowSearch(const WindowPlan&, const CurveSearchLimits&)>;
+enum class Purpose { looking, confirming };
+
+/// The search in windows of a plan. A search that confirms what was found may take as much time
+/// again as has been used so far.
+using WindowSearcher =
+    std::function<WindowSearch(const WindowPlan&, const CurveSearchLimits&, Purpose)>;
 
 struct PlannedSearch {
   WindowPlan plan;
@@ -43,7 +51,8 @@ struct PlannedSearch {
 
 /// The search in windows of the plan or, where these show nothing and experiments are held out, in
 /// longer ones, whose causes have to take away most of the held-out error. Where causes need
-/// confirmation, those that are not found again in windows of another length are dropped.
+/// confirmation, those that are not found again in windows of another length are dropped: all of
+/// them where the time is over before this search ends.
 PlannedSearch searchInWindows(const WindowPlan& plan, const std::vector<Experiment>& experiments,
                               const CurveSearchLimits& limits, const WindowSearcher& search);
 

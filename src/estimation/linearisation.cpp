@@ -73,11 +73,13 @@ std::unique_ptr<LinearModel> linearisedAtStart(const LinearModel& model,
 std::optional<Linearisation> linearisedAtPosteriorMeans(const LinearModel& model,
                                                         const std::vector<Block>& blocks,
                                                         int experiments, int threads,
-                                                        const ModelParameters& point, int* passes) {
+                                                        const ModelParameters& point, int* passes,
+                                                        const MatrixXd& from) {
   constexpr int kMostSteps = 50;
   if (!model.isLocallyLinear()) return {};
   Linearisation now;
-  now.points = model.firstPoints(blocks, point.parameters, experiments);
+  now.points =
+      from.size() > 0 ? from : model.firstPoints(blocks, point.parameters, experiments);
   now.model = model.linearisedAbout(now.points);
   now.move = 1;
   for (int k = 0; k < kMostSteps && now.move >= kFixedPointTolerance; ++k) {
@@ -87,6 +89,11 @@ std::optional<Linearisation> linearisedAtPosteriorMeans(const LinearModel& model
     now = std::move(next);
   }
   return now;
+}
+
+MatrixXd pointsAt(const LinearModel& model, const std::vector<Block>& blocks,
+                  const VectorXd& parameters, const MatrixXd& xi) {
+  return model.linearisedAbout(model.points(parameters, xi))->pointsOf(blocks, parameters, xi);
 }
 
 double logLikelihoodAtPoints(const LinearModel& model, const Likelihood& likelihood,

@@ -54,12 +54,18 @@ std::unique_ptr<LinearModel> linearisedAtStart(const LinearModel& model,
                                                const Eigen::VectorXd& parameters);
 
 /// Iterates to the fixed point: the model linearised about each experiment's posterior mean at
-/// given parameters, starting from zero. Absent if the model is linear everywhere. Adds the number
-/// of sweeps to `passes`.
+/// given parameters, starting from the points `from` or, if these are empty, from zero. Absent if the
+/// model is linear everywhere. Adds the number of sweeps to `passes`.
 std::optional<Linearisation> linearisedAtPosteriorMeans(const LinearModel& model,
                                                         const std::vector<Block>& blocks,
                                                         int experiments, int threads,
-                                                        const ModelParameters& point, int* passes);
+                                                        const ModelParameters& point, int* passes,
+                                                        const Eigen::MatrixXd& from = {});
+
+/// The points of experiments whose error parameters are `xi`, a column each, with what the data say
+/// of their starts.
+Eigen::MatrixXd pointsAt(const LinearModel& model, const std::vector<Block>& blocks,
+                         const Eigen::VectorXd& parameters, const Eigen::MatrixXd& xi);
 
 /// Log-likelihood of the experiments under `likelihood`'s model, which is linearised about
 /// `points`, less what the linearisation claims beyond them [nats]: for each experiment half the

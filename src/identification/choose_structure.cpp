@@ -71,6 +71,35 @@ std::vector<StructureFit> fitAll(const Problem& problem,
   return fits;
 }
 
+/// The error parameters of the points that a fit of factors is linearised about.
+Eigen::MatrixXd errorParameters(const StructureFit& fit) {
+  const Eigen::Index n = fit.model->regressors();
+  const Eigen::VectorXd of_zero = fit.point.parameters.head(n);  // the factors are the first ones
+  return (fit.points.topRows(n).array().colwise() / of_zero.array() - 1).matrix();
+}
+
+/// The chosen fit with other orders of C and D. Modes start where they are, as no start from the
+/// data finds them.
+std::optional<StructureFit> withNoiseOf(const Problem& problem, const ErrorStructure& structure,
+                                        const StructureFit& chosen, Journal* journal) {
+  const NominalModelOptions& wanted = structure.configuration.nominal_model;
+  if (wanted.structure != Structure::modal)
+    return fitStructure(problem, structure, {chosen.start()}, true, journal);
+  ModelParameters start = chosen.point;
+  const NominalModelOptions& had = chosen.structure.configuration.nominal_model;
+  const Eigen::VectorXd before = start.parameters;
+  const Eigen::Index own = chosen.model->nominal().parameterCount() - had.nc - had.nd;
+  const Eigen::Index after = before.size() - own - had.nc - had.nd;
+  start.parameters = Eigen::VectorXd::Zero(own + wanted.nc + wanted.nd + after);
+  start.parameters.head(own) = before.head(own);
+  start.parameters.segment(own, std::min(wanted.nc, had.nc)) =
+      before.segment(own, std::min(wanted.nc, had.nc));
+  start.parameters.segment(own + wanted.nc, std::min(wanted.nd, had.nd)) =
+      before.segment(own + had.nc, std::min(wanted.nd, had.nd));
+  start.parameters.tail(after) = before.tail(after);
+  return fitStructureFrom(problem, structure, start, errorParameters(chosen), journal);
+}
+
 /// The structure with C and D of the orders of least BIC, up to the first that gain nothing.
 StructureFit withNoiseOrders(const Problem& problem, const StructureFit& chosen, Journal* journal) {
   constexpr double kImmaterial = 2;  // gain in log-likelihood [nats]
@@ -84,7 +113,7 @@ StructureFit withNoiseOrders(const Problem& problem, const StructureFit& chosen,
   std::vector<StructureFit> fits;
   for (const ErrorStructure& structure : structures) {
     const double before = fits.empty() ? 0 : fits.back().log_likelihood;
-    auto fit = fitStructure(problem, structure, {chosen.start()}, true, journal);
+    auto fit = withNoiseOf(problem, structure, chosen, journal);
     if (!fit) continue;
     const bool in_vain = fits.size() > 1 && fit->log_likelihood < before + kImmaterial;
     fits.push_back(std::move(*fit));
@@ -157,11 +186,44 @@ StructureFit withWhatNoiseHid(const Problem& problem, StructureFit chosen, Journ
   return withNoiseOrders(problem, raised, journal);
 }
 
+/// The structures but for those in which coefficients of A vary: modes that differ are as general,
+/// and found faster.
+std::vector<ErrorStructure> withoutSpreadOfCoefficients(std::vector<ErrorStructure> structures) {
+  const auto varies_a = [](const ErrorStructure& structure) {
+    const Configuration& configuration = structure.configuration;
+    const std::vector<std::string>& names = configuration.error_model.parameters;
+    return configuration.nominal_model.structure == Structure::box_jenkins &&
+           configuration.error_model.basis == BasisKind::parameter_spread &&
+           !isSpreadOfNumerator(configuration.error_model) && !names.empty();
+  };
+  structures.erase(std::remove_if(structures.begin(), structures.end(), varies_a),
+                   structures.end());
+  return structures;
+}
+
 /// What is free to be chosen.
 struct Freedom {
   bool orders = false, offsets = false;
   bool joint_orders = false;  ///< the orders of Go by the likelihood, too
 };
+
+/// Whether modes that differ leave all other structures far behind.
+bool areOutOfReach(const Problem& problem, const std::optional<StructureFit>& modes,
+                   double highest) {
+  constexpr double kFar = 5;  // [nats] of half BIC for each experiment
+  return modes && scoreOf(problem, *modes) > highest + kFar * problem.data.count();
+}
+
+/// Fits of all structures with the order and from the plant of modes that differ.
+std::vector<StructureFit> fitFrom(const StructureFit& modes, Problem problem, Journal* journal) {
+  const StartingPoint start = modes.start();
+  NominalModelOptions& nominal = problem.configuration.nominal_model;
+  nominal.na = static_cast<int>(start.polynomials.a.size());
+  nominal.nb = static_cast<int>(start.polynomials.b.size());
+  nominal.delay = start.polynomials.delay;
+  const auto structures = withoutSpreadOfCoefficients(errorStructures(problem, &start.polynomials));
+  return fitAll(problem, ofOrder(start.polynomials.a.size(), structures), {start}, journal);
+}
 
 StructureFit chooseStructure(Problem problem, const Freedom& free,
                              std::vector<StartingPoint> points, Journal* journal) {
@@ -172,17 +234,25 @@ StructureFit chooseStructure(Problem problem, const Freedom& free,
     problem.configuration.nominal_model = orders.front().structure.configuration.nominal_model;
     points.insert(points.begin(), orders.front().start());
   }
-  const std::vector<ErrorStructure> structures = errorStructures(
+  std::optional<StructureFit> modes;
+  if (automatic && free.joint_orders && !problem.plant) modes = fitModes(problem, journal);
+  std::vector<ErrorStructure> structures = errorStructures(
       problem, free.orders && !points.empty() ? &points.front().polynomials : nullptr);
+  if (modes) structures = withoutSpreadOfCoefficients(std::move(structures));
   std::vector<StructureFit> fits = fitAll(problem, structures, points, journal);
   double highest = -std::numeric_limits<double>::infinity();
   for (const StructureFit& fit : fits) highest = std::max(highest, scoreOf(problem, fit));
-  for (StructureFit& fit : fitSmaller(problem, orders, highest, journal))
+  bool are_modes = areOutOfReach(problem, modes, highest);
+  for (StructureFit& fit : are_modes ? fitFrom(*modes, problem, journal)
+                                     : fitSmaller(problem, orders, highest, journal)) {
+    highest = std::max(highest, scoreOf(problem, fit));
     fits.push_back(std::move(fit));
+  }
+  are_modes = areOutOfReach(problem, modes, highest);
   StructureFit chosen =
       fits.size() == 1 ? fits.front() : bestOf(problem, fits, "error model", automatic, journal);
   if (!free.orders) return chosen;
-  if (!problem.plant) {
+  if (!problem.plant && !are_modes) {
     chosen = automatic ? withRaisedOrders(problem, chosen, journal)
                        : withBetterOrders(problem, std::move(chosen), true, journal);
     chosen = withWholeDelay(problem, std::move(chosen), journal);
@@ -191,6 +261,7 @@ StructureFit chooseStructure(Problem problem, const Freedom& free,
         chosen = bestOf(problem, {chosen, std::move(*filters)}, "filters with a free mean", true,
                         journal);
   }
+  if (modes) chosen = bestOf(problem, {chosen, std::move(*modes)}, "modes", !are_modes, journal);
   chosen = withNoiseOrders(problem, chosen, journal);
   if (!problem.plant) chosen = withWhatNoiseHid(problem, std::move(chosen), journal);
   return free.offsets ? withBetterOffsets(problem, std::move(chosen), journal) : chosen;
@@ -223,7 +294,7 @@ ModelChoice chooseAroundPlant(const Problem& problem, const Configuration& asked
   part.plant = problem.plant;
   const StructureFit fit =
       chooseStructure(part, {free_orders, false, false}, startsOf(problem), journal);
-  return {fit.structure.configuration, true, fit.point.parameters};
+  return {fit.structure.configuration, true, fit.point.parameters, fit.point, fit.points};
 }
 
 ModelChoice chooseModel(const Problem& problem, const Configuration& asked, Orders orders,
@@ -245,7 +316,7 @@ ModelChoice chooseModel(const Problem& problem, const Configuration& asked, Orde
   const Freedom free{free_orders, free_offsets,
                      free_orders && (automatic || orders == Orders::of_likelihood)};
   const StructureFit fit = chooseStructure(part, free, startsOf(problem), journal);
-  return {fit.structure.configuration, false, fit.point.parameters};
+  return {fit.structure.configuration, false, fit.point.parameters, fit.point, fit.points};
 }
 
 }  // namespace uncertainty_identification

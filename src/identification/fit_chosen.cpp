@@ -18,6 +18,8 @@ void takeOver(const Problem& other, Problem* problem) {
   problem->configuration = other.configuration;
   problem->plant = other.plant;
   problem->start = other.start;
+  problem->reached = other.reached;
+  problem->points = other.points;
 }
 
 /// The model of the chosen structure around the plant that was fitted alone.
@@ -31,13 +33,14 @@ FittedModel fitAround(const Problem& around, const Configuration& asked, Problem
 
 /// Whether a joint fit is kept although there is a plant that was fitted alone: it simulates as
 /// well. A joint fit of few experiments that did not converge must not simulate worse by more than
-/// rounding and chance.
+/// rounding and chance, unless modes differ, whose mean plant always simulates worse.
 bool standsBeside(const Problem& problem, const FittedModel& fitted, const FittedPlant& alone,
                   Journal* journal) {
   constexpr double kNoticeable = 1;  // [% of fit]
   const ModelParameters& point = fitted.optimum.point;
   const double offset = plantOf(*fitted.model, point).offset;
-  if (!areMany(problem, *fitted.model) && fitted.optimum.termination != Termination::converged &&
+  const bool are_modes = problem.configuration.nominal_model.structure == Structure::modal;
+  if (!are_modes && !areMany(problem, *fitted.model) && fitted.optimum.termination != Termination::converged &&
       fitOf(problem, meanPlant(*fitted.model, point), offset).pooled <
           fitOf(problem, alone.polynomials, alone.offset).pooled - kNoticeable)
     return false;
@@ -136,6 +139,8 @@ Trial& better(Trial& one, Trial& other) {
 void adopt(const ModelChoice& choice, Problem* problem) {
   problem->configuration = choice.configuration;
   problem->start = choice.start;
+  problem->reached = choice.reached;
+  problem->points = choice.points;
   if (!choice.plant_is_fixed) problem->plant.reset();
 }
 

@@ -57,6 +57,9 @@ struct Problem {
   Configuration configuration;        ///< `auto` is replaced by what was chosen so far
   std::optional<FittedPlant> plant;   ///< fitted to its simulation and fixed; else none
   Eigen::VectorXd start;              ///< a start of the model's parameters; empty: none
+  /// Where the choice of the structure has arrived, with one component; its parameters are `start`.
+  std::optional<ModelParameters> reached{};
+  Eigen::MatrixXd points{};  ///< that it is linearised about there, a column for each experiment
 };
 
 /// The record that all steps add to.

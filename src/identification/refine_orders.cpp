@@ -84,6 +84,7 @@ StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool onl
     if (start.polynomials.a.size() >= largest) return fit;
     if (only_if_dependent && !dependsOnInput(problem, fit)) return fit;
     const ErrorStructure& structure = fit.structure;
+    if (structure.configuration.nominal_model.structure == Structure::modal) return fit;
     const bool continuous =
         structure.configuration.nominal_model.structure == Structure::continuous;
     double highest = scoreOf(problem, fit) + kWorthIt;

@@ -200,12 +200,35 @@ std::vector<VectorXd> startsFromData(const Problem& problem, const LinearModel& 
   return starts;
 }
 
+Eigen::MatrixXd pointsToStartFrom(const Problem& problem, const LinearModel& model) {
+  const bool fits = problem.reached && !hasGivenParameters(problem) &&
+                    problem.configuration.nominal_model.structure == Structure::modal &&
+                    problem.points.cols() == problem.data.count() &&
+                    problem.reached->parameters.size() == model.parameterCount();
+  return fits ? problem.points : Eigen::MatrixXd();
+}
+
 ModelParameters requireStart(const std::optional<ModelParameters>& found,
                              const LinearModel& model) {
   if (found && model.admissible(found->parameters)) return *found;
   throw DataError(
       "the likelihood is not finite at any start; check the units and the scale of the data, or "
       "give a start: initial.theta");
+}
+
+/// The optimum with one component. A model that is only locally linear is not climbed about zero,
+/// where it would leave the plants that differ much, but starts where its structure was chosen.
+std::vector<SingleComponent> singleOptima(const Problem& problem, const LinearModel& model,
+                                          const Likelihood& likelihood,
+                                          const std::vector<VectorXd>& starts, Journal* journal) {
+  const std::optional<ModelParameters>& reached = problem.reached;
+  if (model.isLocallyLinear() && reached && !hasGivenParameters(problem) &&
+      reached->parameters.size() == model.parameterCount() &&
+      reached->mixture.dimension() == model.regressors() && model.admissible(reached->parameters))
+    return {{*reached, 0}};
+  return singleComponentOptima(
+      likelihood, starts,
+      optimisationOptions(problem.configuration, Phase::start, &journal->progress));
 }
 
 ModelParameters findStart(const Problem& problem, const LinearModel& model,
@@ -220,14 +243,16 @@ ModelParameters findStart(const Problem& problem, const LinearModel& model,
     return withGivenMixture(problem, mixture, starts.front(), likelihood);
   const OptimisationOptions options =
       optimisationOptions(problem.configuration, Phase::start, &journal->progress);
-  const std::vector<SingleComponent> optima = singleComponentOptima(likelihood, starts, options);
+  const std::vector<SingleComponent> optima =
+      singleOptima(problem, model, likelihood, starts, journal);
   const ModelParameters single =
       requireStart(optima.empty() ? std::nullopt : std::optional(optima.front().point), model);
   const EstimationOptions& estimation = problem.configuration.estimation;
   if (problem.configuration.error_model.components == 1) return single;
   // How experiments are distributed shows where each is linearised about its own plant.
   const auto about = linearisedAtPosteriorMeans(model, problem.data.blocks, problem.data.count(),
-                                                threadsOf(estimation), single, &journal->passes);
+                                                threadsOf(estimation), single, &journal->passes,
+                                                pointsToStartFrom(problem, model));
   const std::unique_ptr<Likelihood> near = about ? likelihoodOf(problem, *about->model) : nullptr;
   const ModelParameters start =
       chooseComponents(problem, single, near ? *near : likelihood, journal);

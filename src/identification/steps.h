@@ -72,6 +72,8 @@ struct ModelChoice {
   Configuration configuration;  ///< with error model and, where the orders are free, noise model
   bool plant_is_fixed;          ///< at the problem's fitted plant
   Eigen::VectorXd start;        ///< of the model's parameters; empty: none
+  std::optional<ModelParameters> reached{};  ///< as in Problem
+  Eigen::MatrixXd points{};                  ///< as in Problem, if all experiments are in it
 };
 
 /// Makes the choice that of the problem.
@@ -102,6 +104,9 @@ Eigen::VectorXd givenParameters(const Problem& problem, const LinearModel& model
 
 /// Starts of the model's parameters from the data, best guess first; empty where there are none.
 std::vector<Eigen::VectorXd> startsFromData(const Problem& problem, const LinearModel& model);
+
+/// The points of modes that differ, which were found one by one; empty for other structures.
+Eigen::MatrixXd pointsToStartFrom(const Problem& problem, const LinearModel& model);
 
 /// `found`, by bestSingleComponent(). Throws DataError where there is none, or none that is stable.
 ModelParameters requireStart(const std::optional<ModelParameters>& found, const LinearModel& model);

@@ -25,23 +25,25 @@ struct LinearisedPoint {
   std::shared_ptr<const LinearModel> model;
   ModelParameters point;
   double log_likelihood = 0;
+  Eigen::MatrixXd points{};  ///< of the linearisation, a column for each experiment
 };
 
 /// Scoring steps from a point, alternating with linearisations where the model is only locally
 /// linear.
 LinearisedPoint improved(std::shared_ptr<const LinearModel> model, ModelParameters point,
                          const CheckedData& data, int steps, const OptimisationOptions& wanted,
-                         int threads, int* passes) {
+                         int threads, int* passes, const Eigen::MatrixXd& from = {}) {
   constexpr int kRounds = 3;
   OptimisationOptions options = wanted;
-  LinearisedPoint now{std::move(model), std::move(point), 0};
-  Eigen::MatrixXd points;
+  LinearisedPoint now{std::move(model), std::move(point), 0, from};
+  const bool goes_on = from.size() > 0;  // and does not begin at zero each time
   const auto linearise = [&] {
     auto about = linearisedAtPosteriorMeans(*now.model, data.blocks, data.count(), threads,
-                                            now.point, passes);
+                                            now.point, passes,
+                                            goes_on ? now.points : Eigen::MatrixXd());
     if (!about) return;
     now.model = std::move(about->model);
-    points = std::move(about->points);
+    now.points = std::move(about->points);
   };
   const bool local = now.model->isLocallyLinear();
   for (int round = 0; round < (local ? kRounds : 1); ++round) {
@@ -53,7 +55,7 @@ LinearisedPoint improved(std::shared_ptr<const LinearModel> model, ModelParamete
   }
   linearise();  // the last steps moved the plants
   const Likelihood likelihood(*now.model, data.blocks, data.count(), threads);
-  now.log_likelihood = logLikelihoodAtPoints(*now.model, likelihood, now.point, points);
+  now.log_likelihood = logLikelihoodAtPoints(*now.model, likelihood, now.point, now.points);
   *passes += likelihood.passes();
   return now;
 }
@@ -109,6 +111,28 @@ std::vector<VectorXd> startsOf(const Problem& problem, const LinearModel& model,
   return starts;
 }
 
+LinearisedPoint nothing() { return {nullptr, {}, -std::numeric_limits<double>::infinity()}; }
+
+/// The fit of a problem's own configuration at a point; none where the likelihood is not finite.
+std::optional<StructureFit> fitAt(const Problem& problem, const std::string& description,
+                                  LinearisedPoint at, Journal* journal) {
+  const Configuration& configuration = problem.configuration;
+  if (at.model != nullptr && hasUnknownsOfExperiments(configuration.estimation))
+    at.log_likelihood -=
+        firstSamplesDensity(*at.model, at.point, problem.data.experiments,
+                            threadsOf(configuration.estimation), &journal->passes);
+  if (!std::isfinite(at.log_likelihood)) return {};
+  const int fixed = problem.plant ? static_cast<int>(problem.plant->point.parameters.size()) : 0;
+  return StructureFit{
+      {description, configuration},
+      at.model,
+      at.point,
+      at.log_likelihood,
+      at.model->parameterCount() + 1 + fixed,
+      mixtureParameters(configuration.error_model.constraint, at.model->regressors(), 1),
+      at.points};
+}
+
 /// The optimum near some starts, about the first of which a model that is only locally linear is
 /// linearised together with what the data say of each experiment's start.
 LinearisedPoint fitFrom(const Problem& problem, std::shared_ptr<const LinearModel> model,
@@ -124,7 +148,7 @@ LinearisedPoint fitFrom(const Problem& problem, std::shared_ptr<const LinearMode
       rankedSingleComponents(*likelihood, starts, kFinalists, options);
   journal->passes += likelihood->passes();
   if (ranked.empty() || !model->admissible(ranked.front().point.parameters))
-    return {nullptr, {}, -std::numeric_limits<double>::infinity()};
+    return nothing();
   return improved(model, ranked.front().point, data, kSteps, options,
                   threadsOf(problem.configuration.estimation), &journal->passes);
 }
@@ -164,7 +188,7 @@ std::optional<StructureFit> fitStructure(const Problem& problem, const ErrorStru
       optimisationOptions(configuration, Phase::structure, &journal->progress);
   std::vector<VectorXd> starts = startsOf(own, *model, points, from_data);
   if (starts.empty()) return {};
-  LinearisedPoint best{nullptr, {}, -std::numeric_limits<double>::infinity()};
+  LinearisedPoint best = nothing();
   if (!model->isLocallyLinear() || !estimatesInitialState(configuration.estimation)) {
     best = fitFrom(own, model, starts, options, journal);
   } else {
@@ -174,19 +198,25 @@ std::optional<StructureFit> fitStructure(const Problem& problem, const ErrorStru
       if (reached.log_likelihood > best.log_likelihood) best = std::move(reached);
     }
   }
-  if (best.model != nullptr && hasUnknownsOfExperiments(configuration.estimation))
-    best.log_likelihood -=
-        firstSamplesDensity(*best.model, best.point, own.data.experiments,
-                            threadsOf(configuration.estimation), &journal->passes);
-  if (!std::isfinite(best.log_likelihood)) return {};
-  const int fixed = problem.plant ? static_cast<int>(problem.plant->point.parameters.size()) : 0;
-  return StructureFit{
-      {structure.description, configuration},
-      best.model,
-      best.point,
-      best.log_likelihood,
-      model->parameterCount() + 1 + fixed,
-      mixtureParameters(configuration.error_model.constraint, model->regressors(), 1)};
+  return fitAt(own, structure.description, std::move(best), journal);
+}
+
+std::optional<StructureFit> fitStructureFrom(const Problem& problem,
+                                             const ErrorStructure& structure,
+                                             const ModelParameters& start,
+                                             const Eigen::MatrixXd& xi, Journal* journal) {
+  constexpr int kSteps = 20;
+  Problem own = problem;
+  own.configuration = structure.configuration;
+  const std::shared_ptr<const LinearModel> model = buildModel(own);
+  if (!model->admissible(start.parameters)) return {};
+  const OptimisationOptions options =
+      optimisationOptions(own.configuration, Phase::structure, &journal->progress);
+  return fitAt(own, structure.description,
+               improved(model, start, own.data, kSteps, options,
+                        threadsOf(own.configuration.estimation), &journal->passes,
+                        pointsAt(*model, own.data.blocks, start.parameters, xi)),
+               journal);
 }
 
 double heldOutDensity(const Problem& problem, const StructureFit& fit, Journal* journal) {

@@ -22,6 +22,7 @@ struct StructureFit {
   double log_likelihood = 0;  ///< of all but the first samples, see firstSamplesDensity()
   int parameters = 0;         ///< of theta, offset and sigma^2
   int mixture = 0;            ///< of the error model
+  Eigen::MatrixXd points{};   ///< of the linearisation, a column for each experiment
 
   StartingPoint start() const;  ///< Go, H and the offset at `point`
 };
@@ -34,6 +35,13 @@ double scoreOf(const Problem& problem, const StructureFit& fit);
 std::optional<StructureFit> fitStructure(const Problem& problem, const ErrorStructure& structure,
                                          const std::vector<StartingPoint>& points, bool from_data,
                                          Journal* journal);
+
+/// The same from one point of the whole model, with error parameters `xi` of the experiments, a
+/// column each: near plants that differ much.
+std::optional<StructureFit> fitStructureFrom(const Problem& problem,
+                                             const ErrorStructure& structure,
+                                             const ModelParameters& start,
+                                             const Eigen::MatrixXd& xi, Journal* journal);
 
 /// The fit of least BIC or, among those whose half BIC is nearly as low, the simplest one that
 /// predicts held-out experiments as well as the best. Adds all to the journal's candidates.
@@ -71,6 +79,10 @@ bool mayBeFilters(const Problem& problem, const std::vector<StructureFit>& fits,
 /// the static gain, the paper's own structure, with orders of its own. None where none can be
 /// fitted.
 std::optional<StructureFit> fitFilters(const Problem& problem, Journal* journal);
+
+/// The best model of a sum of modes of which some parameters vary, with orders and a start that
+/// single experiments show. None where there are too few experiments, or none can be fitted.
+std::optional<StructureFit> fitModes(Problem problem, Journal* journal);
 
 /// Half BIC of a fit by what follows the first samples of each experiment, wherever it starts
 /// [nats]: comparable between fits with and without unknown values of each experiment's own.

@@ -6,6 +6,7 @@
 #include "identification/steps.h"
 #include "math/constants.h"
 #include "math/polynomial.h"
+#include "model/modal.h"
 #include "model/sensitivity.h"
 #include "uncertainty_identification/model/error_basis.h"
 
@@ -14,6 +15,7 @@ namespace uncertainty_identification {
 namespace {
 
 using Eigen::Index;
+using Eigen::VectorXd;
 
 std::string percent(double share) {
   if (!(share < 10)) return "more than 1000 %";
@@ -28,6 +30,9 @@ std::string inWords(const std::string& parameter) {
   if (parameter.rfind("tau", 0) == 0) return "time constant " + parameter;
   if (parameter.rfind("omega", 0) == 0) return "resonance frequency " + parameter;
   if (parameter.rfind("zeta", 0) == 0) return "damping " + parameter;
+  if (parameter.rfind("residue", 0) == 0 || parameter.rfind("amplitude", 0) == 0)
+    return "size " + parameter;
+  if (parameter == "feedthrough") return parameter;
   return "coefficient " + parameter +
          (parameter[0] == 'b' ? " of the numerator" : " of the denominator");
 }
@@ -43,6 +48,47 @@ std::string ofParameters(const Estimate& estimate) {
             percent(std::sqrt(std::max(covariance(row, row), 0.0)));
   }
   return text;
+}
+
+/// Relative standard deviations of the static gain and of the poles of modes that vary along
+/// directions, by the derivatives with respect to the factors.
+std::string ofModes(const Estimate& estimate, const LinearModel& model) {
+  const std::vector<ParameterEstimate>& parameters = estimate.nominal_model.parameters;
+  VectorXd theta(static_cast<Index>(parameters.size()));
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    theta[static_cast<Index>(k)] = parameters[k].value;
+  const ModalParameters modes = modalParameters(estimate.configuration.nominal_model,
+                                                estimate.nominal_model.sample_time, theta);
+  const Eigen::MatrixXd covariance = estimate.error_model.mixture.covariance();
+  const Index varied = covariance.rows();
+  const Eigen::MatrixXd by_xi = modes.by_theta.leftCols(varied) * theta.head(varied).asDiagonal();
+  const auto deviation = [&](const Eigen::RowVectorXd& by, double value) {
+    return std::sqrt(std::max((by * covariance * by.transpose()).value(), 0.0)) / std::abs(value);
+  };
+  std::vector<std::string> differences;
+  const auto tell = [&](const std::string& name, double relative) {
+    if (relative < 1) differences.push_back("the " + inWords(name) + " by " + percent(relative));
+  };
+  const Polynomials p = model.nominal().polynomials(theta);
+  const Eigen::MatrixXd of_plant = model.nominal().jacobian(theta);
+  const double rest = 1 + p.a.sum(), gain = p.b.sum() / rest;
+  const Eigen::RowVectorXd gain_by =
+      (of_plant.topRows(p.b.size()).colwise().sum() -
+       gain * of_plant.middleRows(p.b.size(), p.a.size()).colwise().sum()) /
+      rest;
+  tell("gain", deviation(gain_by.head(varied) * theta.head(varied).asDiagonal(), gain));
+  for (std::size_t k = 0; k < modes.names.size(); ++k) {
+    const std::string& name = modes.names[k];
+    const auto row = static_cast<Index>(k);
+    if (name.rfind("tau", 0) == 0 || name.rfind("omega", 0) == 0 || name.rfind("zeta", 0) == 0)
+      tell(name, deviation(by_xi.row(row), modes.values[row]));
+  }
+  if (differences.empty()) return "the modes differ";
+  std::string text;
+  for (std::size_t k = 0; k < differences.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == differences.size() ? " and " : ", ") + differences[k];
+  const std::size_t by = text.find(" by ");
+  return text.insert(by, " differs");
 }
 
 /// Standard deviation of GDelta at a frequency [rad/sample], from Cov(eta).
@@ -96,8 +142,10 @@ std::string variationText(const Estimate& estimate, const LinearModel& model) {
   if (model.regressors() == 0 || isImmaterial(estimate, model.basis()))
     return "The experiments show no difference between their plants." + offsets;
   const bool varies = variesParameters(estimate.error_model.options.basis);
+  const bool by_factors = estimate.configuration.nominal_model.directions.size() > 0;
   return "From experiment to experiment " +
-         (varies ? ofParameters(estimate) : ofFilters(estimate, model.basis())) +
+         (by_factors ? ofModes(estimate, model)
+          : varies ? ofParameters(estimate) : ofFilters(estimate, model.basis())) +
          " (standard deviation)." + offsets;
 }
 

@@ -45,7 +45,8 @@ void bindSignalOrColumn(Archive& archive, const char* key, SignalOptions& option
 void bind(Archive& archive, NominalModelOptions& options) {
   if (archive.reads()) {  // who states a part of the form states all of it
     options.orders_auto = !hasAny(archive, {"structure", "nb", "na", "nc", "nd", "delay", "zeros",
-                                            "time_constants", "resonances", "dead_time", "fixed"});
+                                            "time_constants", "resonances", "dead_time", "feedthrough",
+                                            "center", "directions", "fixed"});
   }
   archive("structure", options.structure);
   archive("orders", oneOf(options.orders_auto, {{false, "given"}, {true, "auto"}}));
@@ -62,6 +63,9 @@ void bind(Archive& archive, NominalModelOptions& options) {
   archive("resonances", options.resonances);
   archive("zeros", options.zeros);
   archive("dead_time", options.dead_time);
+  archive("feedthrough", options.feedthrough);
+  archive("center", options.center);
+  archive("directions", options.directions);
   archive("fixed", options.fixed);
 }
 

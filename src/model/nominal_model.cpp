@@ -6,6 +6,7 @@
 #include "model/box_jenkins.h"
 #include "model/central_differences.h"
 #include "model/continuous.h"
+#include "model/modal.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
@@ -43,8 +44,14 @@ Eigen::VectorXd NominalModel::fromPolynomials(const Polynomials&) const {
 
 std::shared_ptr<const NominalModel> makeNominalModel(const NominalModelOptions& options,
                                                      double sample_time) {
-  return options.structure == Structure::continuous ? makeContinuous(options, sample_time)
-                                                    : makeBoxJenkins(options);
+  switch (options.structure) {
+    case Structure::continuous:
+      return makeContinuous(options, sample_time);
+    case Structure::modal:
+      return makeModal(options, sample_time);
+    default:
+      return makeBoxJenkins(options);
+  }
 }
 
 }  // namespace uncertainty_identification

@@ -32,6 +32,9 @@ std::string ordersOf(const NominalModelOptions& o) {
   if (o.structure == Structure::continuous)
     return "time_constants " + std::to_string(o.time_constants) + ", resonances " +
            std::to_string(o.resonances) + ", zeros " + std::to_string(o.zeros);
+  if (o.structure == Structure::modal)
+    return "time_constants " + std::to_string(o.time_constants) + ", resonances " +
+           std::to_string(o.resonances);
   return "nb " + std::to_string(o.nb) + ", na " + std::to_string(o.na) + ", nc " +
          std::to_string(o.nc) + ", nd " + std::to_string(o.nd);
 }

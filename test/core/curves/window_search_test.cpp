@@ -46,7 +46,9 @@ WindowPlan ofSixty() {
 /// What is left of the causes found in windows of 60 samples, if those of 90 show `others`.
 Confirmed confirmed(const std::vector<FoundCurve>& causes, const std::vector<FoundCurve>& others,
                     bool ended_early = false) {
-  const WindowSearcher search = [&](const WindowPlan& windows, const CurveSearchLimits& limits) {
+  const WindowSearcher search = [&](const WindowPlan& windows, const CurveSearchLimits& limits,
+                                    Purpose purpose) {
+    EXPECT_EQ(purpose == Purpose::confirming, windows.length == 90);
     if (windows.length > 90) return WindowSearch();
     const auto most = static_cast<std::size_t>(limits.max_causes);
     WindowSearch searched = with(windows.length == 60 ? causes : others, most);
@@ -77,8 +79,13 @@ TEST(WindowSearch, DropsWhatTheyDoNotShowAndWhatWasFoundAfterIt) {
   EXPECT_TRUE(confirmed({input}, {}).causes.empty());
 }
 
-TEST(WindowSearch, DropsNothingWhereTheOtherSearchHadNoTime) {
-  EXPECT_EQ(confirmed({found(Place::input, "dead_zone")}, {}, true).causes.size(), 1u);
+TEST(WindowSearch, NamesNothingThatThereWasNoTimeToConfirm) {
+  const FoundCurve input = found(Place::input, "dead_zone");
+  const Confirmed left = confirmed({input}, {}, true);
+  EXPECT_TRUE(left.causes.empty());
+  EXPECT_TRUE(test::mentions(left.said, "act_deadzone: simulates windows of about 60"));
+  EXPECT_TRUE(test::mentions(left.said, "explanation.time_limit"));
+  EXPECT_EQ(confirmed({input}, {input}, true).causes.size(), 1u) << "found before the time was over";
 }
 
 TEST(WindowSearch, CovariatesAreAlikeWhateverTheirLag) {
@@ -122,7 +129,7 @@ SimulationData unexplained() {
 /// squared error of held-out windows.
 PlannedSearch shownIn(const std::set<int>& lengths, double share, const std::string& refused = "") {
   return searchInWindows(
-      ofSixty(), records(600), {}, [&](const WindowPlan& windows, const CurveSearchLimits& limits) {
+      ofSixty(), records(600), {}, [&](const WindowPlan& windows, const CurveSearchLimits& limits, Purpose) {
         const int most = lengths.count(windows.length) > 0 ? limits.max_causes : 0;
         WindowSearch searched =
             with({found(Place::input, "dead_zone")}, static_cast<std::size_t>(most));
