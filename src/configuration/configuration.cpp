@@ -132,13 +132,12 @@ void NominalModelOptions::validate() const {
     require(feedthrough || delay > 0, at + "delay", delay,
             "at least 1 (the hold's own sample), or feedthrough: true");
     const Eigen::Index own = 2 * time_constants + 4 * resonances + (feedthrough ? 1 : 0);
-    const bool fits = center.size() == directions.rows() && center.allFinite() &&
-                      directions.rows() == directions.cols() && directions.allFinite();
-    require(fits && (center.size() == 0 || center.size() == own), at + "directions",
-            std::to_string(directions.rows()) + " x " + std::to_string(directions.cols()),
-            "as many finite rows and columns, and entries of center, as there are parameters of "
-            "Go: " +
-                std::to_string(own) + ", or nothing");
+    const Eigen::Index rows = directions.rows();
+    const bool fits = rows == directions.cols() && rows == center.size() && center.allFinite() &&
+                      directions.allFinite() && (rows == 0 || rows == own);
+    require(fits, at + "directions", std::to_string(rows) + " rows",
+            "a finite square matrix, and a center, for the " + std::to_string(own) +
+                " parameters of Go, or nothing");
   } else {
     require(center.size() == 0 && directions.size() == 0, at + "directions", "some",
             "nothing, unless structure is modal");

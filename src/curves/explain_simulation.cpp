@@ -163,8 +163,7 @@ SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
   };
   SimulationCauses found;
   const WindowPlan plan = planWindows(fitted);
-  const double lag_unit = plan.thinning * fitted.front().sample_time;
-  const SignalScales scales = scalesOf(fitted, held, lag_unit);
+  const SignalScales scales = scalesOf(fitted, held, plan.thinning * fitted.front().sample_time);
   const std::string too_few = reasonToSkip(windowsOf(fitted, plan, scales, kMostSamplesOfSearch));
   found.skipped = areFewSteps(fitted, held) ? kFewSteps : too_few;
   // Few steps still show how well one linear plant simulates records that it was not fitted to.
@@ -198,10 +197,10 @@ SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
       time_limit = std::max(time_limit, 2 * seconds());
     return searchWindows(fitted, held, windows, scales, within, context);
   };
-  const PlannedSearch searched = compares ? PlannedSearch{plan, search(plan, limits, Purpose::looking), ""}
-                                          : searchInWindows(plan, fitted, limits, search);
-  if (searched.found.kept.windows.empty()) return found;
-  describe(searched, fitted, held, &found);
+  const PlannedSearch searched =
+      compares ? PlannedSearch{plan, search(plan, limits, Purpose::looking), ""}
+               : searchInWindows(plan, fitted, limits, search);
+  if (!searched.found.kept.windows.empty()) describe(searched, fitted, held, &found);
   found.seconds = seconds();
   return found;
 }

@@ -78,8 +78,7 @@ std::optional<Linearisation> linearisedAtPosteriorMeans(const LinearModel& model
   constexpr int kMostSteps = 50;
   if (!model.isLocallyLinear()) return {};
   Linearisation now;
-  now.points =
-      from.size() > 0 ? from : model.firstPoints(blocks, point.parameters, experiments);
+  now.points = from.size() > 0 ? from : model.firstPoints(blocks, point.parameters, experiments);
   now.model = model.linearisedAbout(now.points);
   now.move = 1;
   for (int k = 0; k < kMostSteps && now.move >= kFixedPointTolerance; ++k) {

@@ -54,8 +54,8 @@ std::unique_ptr<LinearModel> linearisedAtStart(const LinearModel& model,
                                                const Eigen::VectorXd& parameters);
 
 /// Iterates to the fixed point: the model linearised about each experiment's posterior mean at
-/// given parameters, starting from the points `from` or, if these are empty, from zero. Absent if the
-/// model is linear everywhere. Adds the number of sweeps to `passes`.
+/// given parameters, starting from the points `from` or, if these are empty, from zero. Absent if
+/// the model is linear everywhere. Adds the number of sweeps to `passes`.
 std::optional<Linearisation> linearisedAtPosteriorMeans(const LinearModel& model,
                                                         const std::vector<Block>& blocks,
                                                         int experiments, int threads,

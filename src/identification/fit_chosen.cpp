@@ -40,7 +40,8 @@ bool standsBeside(const Problem& problem, const FittedModel& fitted, const Fitte
   const ModelParameters& point = fitted.optimum.point;
   const double offset = plantOf(*fitted.model, point).offset;
   const bool are_modes = problem.configuration.nominal_model.structure == Structure::modal;
-  if (!are_modes && !areMany(problem, *fitted.model) && fitted.optimum.termination != Termination::converged &&
+  if (!are_modes && !areMany(problem, *fitted.model) &&
+      fitted.optimum.termination != Termination::converged &&
       fitOf(problem, meanPlant(*fitted.model, point), offset).pooled <
           fitOf(problem, alone.polynomials, alone.offset).pooled - kNoticeable)
     return false;

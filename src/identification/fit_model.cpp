@@ -161,10 +161,9 @@ FittedModel fitComponents(const Problem& problem, Journal* journal) {
   fitted.components = givenMixture(problem).components() > 0 ? configuration.error_model.components
                                                              : start.mixture.components();
   fitted.optimum.point = start;
-  auto about =
-      linearisedAtPosteriorMeans(*fitted.model, problem.data.blocks, problem.data.count(),
-                                 threadsOf(configuration.estimation), start, &journal->passes,
-                                 pointsToStartFrom(problem, *fitted.model));
+  auto about = linearisedAtPosteriorMeans(
+      *fitted.model, problem.data.blocks, problem.data.count(), threadsOf(configuration.estimation),
+      start, &journal->passes, pointsToStartFrom(problem, *fitted.model));
   if (about) useModel(problem, std::move(about->model), &fitted, journal);
   if (configuration.estimation.max_iterations == 0) {
     const Statistics statistics = fitted.likelihood->statistics(start.parameters, false);

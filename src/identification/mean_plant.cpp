@@ -109,6 +109,20 @@ bool simulatesAsWellAsAlone(const Problem& whole, const LinearModel& model,
   return !plant || !simulatesWorse(jointly, fitOf(problem, plant->polynomials, plant->offset));
 }
 
+namespace {
+
+/// Whether the errors of most experiments are smaller than a share of those of another simulation:
+/// the plant of a single one may be lost.
+bool mostErrorsAreSmaller(const SimulationFit& one, const SimulationFit& other, double share) {
+  constexpr double kMost = 0.75;  // of the experiments
+  std::size_t smaller = 0;
+  for (std::size_t r = 0; r < one.percent.size(); ++r)
+    smaller += 100 - one.percent[r] < share * (100 - other.percent[r]) ? 1 : 0;
+  return static_cast<double>(smaller) >= kMost * static_cast<double>(one.percent.size());
+}
+
+}  // namespace
+
 bool areMany(const Problem& problem, const LinearModel& model) {
   const int n = model.regressors();
   return problem.data.count() > n * (n + 1);
@@ -138,6 +152,8 @@ bool simulatesByOwnPlants(const Problem& problem, const FittedModel& fitted,
   }
   const SimulationFit own = fitOfErrors(errors, problem.data.experiments),
                       alone = fitOf(problem, chosen_alone.polynomials, chosen_alone.offset);
+  if (problem.configuration.nominal_model.structure == Structure::modal)
+    return mostErrorsAreSmaller(own, alone, kFarLess);
   const double of_mean = fitOf(problem, meanPlant(*fitted.model, point), offset).pooled;
   const bool is_spread = problem.configuration.error_model.basis == BasisKind::parameter_spread;
   const double of_alone = 100 - alone.pooled, of_own = 100 - own.pooled;

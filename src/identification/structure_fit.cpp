@@ -38,9 +38,9 @@ LinearisedPoint improved(std::shared_ptr<const LinearModel> model, ModelParamete
   LinearisedPoint now{std::move(model), std::move(point), 0, from};
   const bool goes_on = from.size() > 0;  // and does not begin at zero each time
   const auto linearise = [&] {
-    auto about = linearisedAtPosteriorMeans(*now.model, data.blocks, data.count(), threads,
-                                            now.point, passes,
-                                            goes_on ? now.points : Eigen::MatrixXd());
+    auto about =
+        linearisedAtPosteriorMeans(*now.model, data.blocks, data.count(), threads, now.point,
+                                   passes, goes_on ? now.points : Eigen::MatrixXd());
     if (!about) return;
     now.model = std::move(about->model);
     now.points = std::move(about->points);
@@ -118,9 +118,8 @@ std::optional<StructureFit> fitAt(const Problem& problem, const std::string& des
                                   LinearisedPoint at, Journal* journal) {
   const Configuration& configuration = problem.configuration;
   if (at.model != nullptr && hasUnknownsOfExperiments(configuration.estimation))
-    at.log_likelihood -=
-        firstSamplesDensity(*at.model, at.point, problem.data.experiments,
-                            threadsOf(configuration.estimation), &journal->passes);
+    at.log_likelihood -= firstSamplesDensity(*at.model, at.point, problem.data.experiments,
+                                             threadsOf(configuration.estimation), &journal->passes);
   if (!std::isfinite(at.log_likelihood)) return {};
   const int fixed = problem.plant ? static_cast<int>(problem.plant->point.parameters.size()) : 0;
   return StructureFit{
@@ -147,8 +146,7 @@ LinearisedPoint fitFrom(const Problem& problem, std::shared_ptr<const LinearMode
   const std::vector<SingleComponent> ranked =
       rankedSingleComponents(*likelihood, starts, kFinalists, options);
   journal->passes += likelihood->passes();
-  if (ranked.empty() || !model->admissible(ranked.front().point.parameters))
-    return nothing();
+  if (ranked.empty() || !model->admissible(ranked.front().point.parameters)) return nothing();
   return improved(model, ranked.front().point, data, kSteps, options,
                   threadsOf(problem.configuration.estimation), &journal->passes);
 }
@@ -212,11 +210,11 @@ std::optional<StructureFit> fitStructureFrom(const Problem& problem,
   if (!model->admissible(start.parameters)) return {};
   const OptimisationOptions options =
       optimisationOptions(own.configuration, Phase::structure, &journal->progress);
-  return fitAt(own, structure.description,
-               improved(model, start, own.data, kSteps, options,
-                        threadsOf(own.configuration.estimation), &journal->passes,
-                        pointsAt(*model, own.data.blocks, start.parameters, xi)),
-               journal);
+  return fitAt(
+      own, structure.description,
+      improved(model, start, own.data, kSteps, options, threadsOf(own.configuration.estimation),
+               &journal->passes, pointsAt(*model, own.data.blocks, start.parameters, xi)),
+      journal);
 }
 
 double heldOutDensity(const Problem& problem, const StructureFit& fit, Journal* journal) {

@@ -69,6 +69,9 @@ std::optional<StructureFit> fitOfOrder(Problem problem, int order, Journal* jour
 std::vector<StructureFit> jointOrders(const Problem& problem,
                                       const std::vector<StartingPoint>& points, Journal* journal);
 
+/// The structure with C and D of the orders of least BIC, up to the first that gain nothing.
+StructureFit withNoiseOrders(const Problem& problem, const StructureFit& chosen, Journal* journal);
+
 /// Whether the plants may differ by filters: enough of them are known, and the chosen structure is
 /// one, or varies the dead time, or a filter of several taps, or coefficients of B that vary
 /// together, describe them about as well.

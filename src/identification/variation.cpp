@@ -145,7 +145,8 @@ std::string variationText(const Estimate& estimate, const LinearModel& model) {
   const bool by_factors = estimate.configuration.nominal_model.directions.size() > 0;
   return "From experiment to experiment " +
          (by_factors ? ofModes(estimate, model)
-          : varies ? ofParameters(estimate) : ofFilters(estimate, model.basis())) +
+          : varies   ? ofParameters(estimate)
+                     : ofFilters(estimate, model.basis())) +
          " (standard deviation)." + offsets;
 }
 

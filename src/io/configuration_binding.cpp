@@ -44,9 +44,9 @@ void bindSignalOrColumn(Archive& archive, const char* key, SignalOptions& option
 
 void bind(Archive& archive, NominalModelOptions& options) {
   if (archive.reads()) {  // who states a part of the form states all of it
-    options.orders_auto = !hasAny(archive, {"structure", "nb", "na", "nc", "nd", "delay", "zeros",
-                                            "time_constants", "resonances", "dead_time", "feedthrough",
-                                            "center", "directions", "fixed"});
+    options.orders_auto = !hasAny(
+        archive, {"structure", "nb", "na", "nc", "nd", "delay", "zeros", "time_constants",
+                  "resonances", "dead_time", "feedthrough", "center", "directions", "fixed"});
   }
   archive("structure", options.structure);
   archive("orders", oneOf(options.orders_auto, {{false, "given"}, {true, "auto"}}));

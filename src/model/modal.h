@@ -11,11 +11,11 @@ namespace uncertainty_identification {
 ///   G(s) = sum_k residue_k tau_k / (1 + tau_k s)
 ///        + sum_k 2 Re[amplitude_k e^(j phase_k) / (s - p_k)], with complex conjugates combined,
 ///   p_k = omega_k (-zeta_k + j sqrt(1 - zeta_k^2))
-/// and a noise model C/D with nc and nd coefficients. Every transfer function without multiple poles
-/// has this form, whatever its zeros, and each parameter belongs to one mode. theta holds tau and
-/// residue of each real pole; omega, zeta, amplitude and phase of each pair; the feedthrough; c and
-/// d. `delay` [samples] is that of the first coefficient of B: the modes answer one sample after a
-/// feedthrough. With `directions` theta holds a factor for each parameter instead, as
+/// and a noise model C/D with nc and nd coefficients. Every transfer function without multiple
+/// poles has this form, whatever its zeros, and each parameter belongs to one mode. theta holds tau
+/// and residue of each real pole; omega, zeta, amplitude and phase of each pair; the feedthrough; c
+/// and d. `delay` [samples] is that of the first coefficient of B: the modes answer one sample
+/// after a feedthrough. With `directions` theta holds a factor for each parameter, as
 /// NominalModelOptions says. Throws ConfigurationError without poles, with delay 0 and no
 /// feedthrough, or where the directions are singular.
 std::shared_ptr<const NominalModel> makeModal(const NominalModelOptions& options,

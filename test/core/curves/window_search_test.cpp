@@ -85,7 +85,8 @@ TEST(WindowSearch, NamesNothingThatThereWasNoTimeToConfirm) {
   EXPECT_TRUE(left.causes.empty());
   EXPECT_TRUE(test::mentions(left.said, "act_deadzone: simulates windows of about 60"));
   EXPECT_TRUE(test::mentions(left.said, "explanation.time_limit"));
-  EXPECT_EQ(confirmed({input}, {input}, true).causes.size(), 1u) << "found before the time was over";
+  EXPECT_EQ(confirmed({input}, {input}, true).causes.size(), 1u)
+      << "found before the time was over";
 }
 
 TEST(WindowSearch, CovariatesAreAlikeWhateverTheirLag) {
@@ -128,18 +129,19 @@ SimulationData unexplained() {
 /// The search for a dead zone that windows of some lengths show, and that leaves `share` of the
 /// squared error of held-out windows.
 PlannedSearch shownIn(const std::set<int>& lengths, double share, const std::string& refused = "") {
-  return searchInWindows(
-      ofSixty(), records(600), {}, [&](const WindowPlan& windows, const CurveSearchLimits& limits, Purpose) {
-        const int most = lengths.count(windows.length) > 0 ? limits.max_causes : 0;
-        WindowSearch searched =
-            with({found(Place::input, "dead_zone")}, static_cast<std::size_t>(most));
-        searched.kept = unexplained();
-        searched.result.base.model.theta = Eigen::Vector3d::Zero();
-        searched.result.held_error = share * searched.baseError();
-        if (windows.length == 60 && !refused.empty())
-          searched.result.refused = {found(Place::input, refused)};
-        return searched;
-      });
+  return searchInWindows(ofSixty(), records(600), {},
+                         [&](const WindowPlan& windows, const CurveSearchLimits& limits, Purpose) {
+                           const int most =
+                               lengths.count(windows.length) > 0 ? limits.max_causes : 0;
+                           WindowSearch searched = with({found(Place::input, "dead_zone")},
+                                                        static_cast<std::size_t>(most));
+                           searched.kept = unexplained();
+                           searched.result.base.model.theta = Eigen::Vector3d::Zero();
+                           searched.result.held_error = share * searched.baseError();
+                           if (windows.length == 60 && !refused.empty())
+                             searched.result.refused = {found(Place::input, refused)};
+                           return searched;
+                         });
 }
 
 TEST(WindowSearch, LooksInLongWindowsForWhatShortOnesDoNotShow) {

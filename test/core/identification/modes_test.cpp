@@ -97,7 +97,7 @@ class Machines : public testing::Test {
   std::mt19937_64 random_{5};
 };
 
-// One plant simulates these by 45 % at best. Of 16 experiments the estimated variance has a relative
+// No plant simulates all of these well. Of 16 experiments the estimated variance has a relative
 // standard deviation of 37 %: 95 % bands hold 84 to 99 % for a single data set.
 TEST_F(Machines, WhoseModesDifferAreFoundByWhatEachExperimentShows) {
   Configuration configuration;

@@ -61,7 +61,8 @@ Configuration unusual() {
   return parseConfiguration(YAML::Load(R"(
 sample_time: 0.012345678901234567
 nominal_model: {structure: output_error, orders: given, focus: prediction, fit: simulation, max_order: 5, max_delay: 7, nb: 3, na: 4, nc: 2,
-                nd: 0, delay: 6, time_constants: 2, resonances: 1, zeros: 2, dead_time: true, fixed: {gain: 0.1, tau1: 3}}
+                nd: 0, delay: 6, time_constants: 2, resonances: 1, zeros: 2, dead_time: true, feedthrough: true,
+                center: [1, 2], directions: [[1, 0], [0.5, 1]], fixed: {gain: 0.1, tau1: 3}}
 error_model: {basis: kautz, taps: 3, constraint: explicit, T: [[1, 0], [0, 0.3], [-1, -1]], components: 3, pole: -0.1,
               pole_real: 0.2, pole_imag: 0.7, parameters: [b1], sensitivity_order: 2, max_taps: 6, max_components: 5}
 estimation: {algorithm: em, max_iterations: 0, time_limit: 7, tolerance: 1.0e-9, restarts: 3, threads: 2, seed: 18446744073709551615,
@@ -194,7 +195,7 @@ TEST(ConfigurationYaml, EnumerationsListWhatIsAllowed) {
   EXPECT_EQ(complaint("{nominal_model: {structure: oe}}"),
             "nominal_model.structure (line 1): found 'oe'; expected one of output_error, arx, "
             "armax, box_jenkins, "
-            "continuous");
+            "continuous, modal");
   EXPECT_TRUE(
       contains(complaint("{nominal_model: {orders: automatic}}"), "expected one of given, auto"));
   EXPECT_TRUE(contains(complaint("{error_model: {constraint: none}}"),
