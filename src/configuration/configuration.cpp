@@ -138,9 +138,6 @@ void NominalModelOptions::validate() const {
     require(fits, at + "directions", std::to_string(rows) + " rows",
             "a finite square matrix, and a center, for the " + std::to_string(own) +
                 " parameters of Go, or nothing");
-  } else {
-    require(center.size() == 0 && directions.size() == 0, at + "directions", "some",
-            "nothing, unless structure is modal");
   }
   for (const auto& [name, value] : fixed) {
     require(std::isfinite(value), at + "fixed." + name, value, "a finite number");
