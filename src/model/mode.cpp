@@ -52,7 +52,9 @@ ModalPoles modalPoles(const VectorXd& a, double sample_time, std::size_t reals, 
   constexpr double kDamped = 0.9, kApart = 1.25;
   const double fastest = kFastest * sample_time, longest = kLongest * sample_time;
   ModalPoles poles;
-  for (const Complex& root : roots(a)) {
+  const Eigen::VectorXcd all = roots(a);  // Eigen 3.3.7 has no iterators
+  for (Index k = 0; k < all.size(); ++k) {
+    const Complex root = all[k];
     const Complex s = std::log(root) / sample_time;
     if (std::abs(root.imag()) < 1e-9)
       poles.time_constants.push_back(
