@@ -189,6 +189,7 @@ class SumOfModes : public NominalModel {
 
   std::vector<Mode> modesAt(const Eigen::VectorXd& theta) const {
     std::vector<Mode> modes;
+    modes.reserve(at(count()));
     for (int k = 0; k < reals_; ++k) modes.push_back(realMode(&theta[2 * k], sample_time_));
     for (int k = 0; k < pairs_; ++k)
       modes.push_back(pairMode(&theta[2 * reals_ + 4 * k], sample_time_));
