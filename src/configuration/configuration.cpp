@@ -129,6 +129,10 @@ void NominalModelOptions::validate() const {
   if (structure == Structure::modal) {
     require(time_constants + resonances > 0, at + "time_constants", time_constants,
             "at least one pole (time_constants + resonances)");
+    require(fixed.empty(), at + "fixed", std::to_string(fixed.size()) + " parameters",
+            "nothing with structure: modal");
+    require(zeros == 0, at + "zeros", zeros, "0 with structure: modal, which has residues");
+    require(!dead_time, at + "dead_time", "true", "false with structure: modal");
     require(feedthrough || delay > 0, at + "delay", delay,
             "at least 1 (the hold's own sample), or feedthrough: true");
     const Eigen::Index own = 2 * time_constants + 4 * resonances + (feedthrough ? 1 : 0);
@@ -139,9 +143,8 @@ void NominalModelOptions::validate() const {
             "a finite square matrix, and a center, for the " + std::to_string(own) +
                 " parameters of Go, or nothing");
   }
-  for (const auto& [name, value] : fixed) {
+  for (const auto& [name, value] : fixed)
     require(std::isfinite(value), at + "fixed." + name, value, "a finite number");
-  }
 }
 
 void ErrorModelOptions::validate() const {

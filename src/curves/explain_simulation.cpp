@@ -193,8 +193,8 @@ SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
   };
   const WindowSearcher search = [&](const WindowPlan& windows, const CurveSearchLimits& within,
                                     Purpose purpose) {
-    if (purpose == Purpose::confirming && time_limit > 0)
-      time_limit = std::max(time_limit, 2 * seconds());
+    const bool as_long_again = purpose == Purpose::confirming;
+    time_limit = options.time_limit * (as_long_again ? 2 : 1);
     return searchWindows(fitted, held, windows, scales, within, context);
   };
   const PlannedSearch searched =

@@ -67,18 +67,15 @@ void ErrorFilter::predict(const WhitenedObservation& o, Component* c) const {
     product = z.dot(of_parameters);
   }
   c->innovation = o.residual - c->direction.dot(c->mean) + product;
-  c->variance = noise_variance_ + c->direction.dot(c->covariance * c->direction);
+  // Beside diffuse variances, rounding may leave a small quadratic form below zero.
+  c->variance = noise_variance_ + std::max(c->direction.dot(c->covariance * c->direction), 0.0);
 }
 
-/// The measurement update of the Kalman filter.
-void ErrorFilter::correct(bool diffuse, Component* c) const {
+/// The measurement update of the Kalman filter, in Joseph's form: it stays positive definite where
+/// variances are diffuse or of very different sizes.
+void ErrorFilter::correct(Component* c) const {
   const VectorXd gain = c->covariance * c->direction / c->variance;
   c->mean += gain * c->innovation;
-  if (!diffuse) {
-    c->covariance -= c->variance * gain * gain.transpose();
-    return;
-  }
-  // Joseph's form: with a diffuse variance the difference above would consist of rounding errors.
   const MatrixXd left =
       MatrixXd::Identity(gain.size(), gain.size()) - gain * c->direction.transpose();
   c->covariance =
@@ -116,7 +113,7 @@ Score ErrorFilter::update(const WhitenedObservation& observation) {
     second += weight * (c.variance + c.innovation * c.innovation);
     if (weight > 1 - 1e-14) certain = standardised;
     sum += std::exp(c.log_weight - largest);
-    correct(score.diffuse, &c);
+    correct(&c);
   }
   score.value = certain ? *certain : normalScore(below, above);
   score.deviation = std::sqrt(std::max(second - mean * mean, noise_variance_));

@@ -62,7 +62,7 @@ class ErrorFilter {
   };
 
   void predict(const WhitenedObservation& observation, Component* component) const;
-  void correct(bool diffuse, Component* component) const;
+  void correct(Component* component) const;
 
   Eigen::Index dimension_, parameters_, columns_;
   double noise_variance_;

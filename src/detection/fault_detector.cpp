@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "configuration/require.h"
+#include "detection/spread_linearity.h"
 #include "math/polynomial.h"
 #include "math/symmetric_eigen.h"
 #include "model/sensitivity.h"
@@ -103,6 +104,14 @@ StreamModel modelOf(const Estimate& estimate) {
   return modelAt(estimate, *nominal, theta);
 }
 
+/// The score of a sample that the model excludes.
+Score impossible(double noise_variance) {
+  Score score;
+  score.value = kLargest;
+  score.deviation = std::sqrt(noise_variance);
+  return score;
+}
+
 /// Degrees of freedom of a chi-squared distribution with this mean and standard error.
 double degreesOf(const ParameterEstimate& variance) {
   const double relative = variance.standard_error / variance.value;
@@ -153,12 +162,28 @@ FaultDetector::FaultDetector(const Estimate& estimate, const FaultDetectionOptio
     throw DataError("noise_variance: found " + std::to_string(noise_variance_) +
                     "; it must be positive to detect faults");
   if (models_.front().regressors.empty()) mixture_ = Mixture();
+  warnAboutSpread(estimate);
   if (options.parameter_uncertainty) {
     noise_degrees_ = degreesOf(estimate.noise_variance);
     if (estimate.experiment_count > 0) mixture_ = predictive(mixture_, estimate.experiment_count);
     prepareParameters(estimate);
   }
   reset();
+}
+
+void FaultDetector::warnAboutSpread(const Estimate& estimate) {
+  constexpr double kLinear = 0.1;
+  if (estimate.error_model.options.basis != BasisKind::parameter_spread || mixture_.dimension() < 1)
+    return;
+  const double share = shareBeyondFirstOrder(
+      estimate, nominalModelOf(estimate, valuesOf(estimate.nominal_model.parameters)));
+  if (share < kLinear) return;
+  warnings_.push_back(
+      "fault detection follows the differences between the plants to first order, which lacks " +
+      std::to_string(std::lround(100 * share)) +
+      " % of them: false alarms will be far more frequent than configured; identify with "
+      "error_model: {basis: fir} for this purpose, and check the alarms on records without a "
+      "fault");
 }
 
 void FaultDetector::prepareParameters(const Estimate& estimate) {
@@ -222,9 +247,13 @@ std::optional<FaultWindow> FaultDetector::add(double u, double y) {
         ": the input is not finite; faults can be detected only if all inputs are known");
   }
   const double before = signature_;
-  const Score found = score(u, y);
+  Score found = score(u, y);
   ++samples_;
   if (!streams_.front().measured() || found.diffuse) return std::nullopt;
+  // A filter that diverges after samples that it followed has no xi that explains the plant.
+  const bool followed = filled_ > 0 || samples_ > options_.window;
+  if (followed && !(std::isfinite(found.value) && std::isfinite(found.deviation)))
+    found = impossible(noise_variance_);
   const Eigen::RowVector2d effects(signature_ / found.deviation, before / found.deviation);
   if (std::isnan(found.value) || !(effects.array().abs() < kLargest).all()) {
     throw DataError(

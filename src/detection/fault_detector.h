@@ -51,9 +51,9 @@ struct FaultWindow {
 /// the first sample and has the same effect as a probable xi cannot be detected.
 class FaultDetector {
  public:
-  /// Throws ConfigurationError for options out of range or an error model of basis
-  /// parameter_spread, DataError for an estimate that is not usable or whose noise variance is not
-  /// positive.
+  /// Throws ConfigurationError for options out of range or, where the error model varies Go's
+  /// parameters, a configuration that is not the result's, DataError for an estimate that is not
+  /// usable or whose noise variance is not positive.
   explicit FaultDetector(const Estimate& estimate, const FaultDetectionOptions& options = {});
 
   /// Begins a new experiment: forgets the plant's state and the estimate of xi.
@@ -71,6 +71,7 @@ class FaultDetector {
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
+  void warnAboutSpread(const Estimate& estimate);
   void prepareParameters(const Estimate& estimate);
   Score score(double u, double y);
   FaultWindow decide();

@@ -142,7 +142,8 @@ std::vector<ErrorStructure> withoutSpreadOfCoefficients(std::vector<ErrorStructu
     const std::vector<std::string>& names = configuration.error_model.parameters;
     return configuration.nominal_model.structure == Structure::box_jenkins &&
            configuration.error_model.basis == BasisKind::parameter_spread &&
-           !isSpreadOfNumerator(configuration.error_model) && !names.empty();
+           std::any_of(names.begin(), names.end(),
+                       [](const std::string& name) { return name[0] == 'a'; });
   };
   structures.erase(std::remove_if(structures.begin(), structures.end(), varies_a),
                    structures.end());
@@ -186,9 +187,12 @@ StructureFit chooseStructure(Problem problem, const Freedom& free,
   if (automatic && free.joint_orders && !problem.plant) modes = fitModes(problem, journal);
   std::vector<ErrorStructure> structures = errorStructures(
       problem, free.orders && !points.empty() ? &points.front().polynomials : nullptr);
-  if (modes) structures = withoutSpreadOfCoefficients(std::move(structures));
+  double highest =
+      orders.empty() ? -std::numeric_limits<double>::infinity() : scoreOf(problem, orders.front());
+  if (areOutOfReach(problem, modes, highest))
+    structures = withoutSpreadOfCoefficients(std::move(structures));
   std::vector<StructureFit> fits = fitAll(problem, structures, points, journal);
-  double highest = -std::numeric_limits<double>::infinity();
+  highest = -std::numeric_limits<double>::infinity();
   for (const StructureFit& fit : fits) highest = std::max(highest, scoreOf(problem, fit));
   bool are_modes = areOutOfReach(problem, modes, highest);
   for (StructureFit& fit : are_modes ? fitFrom(*modes, problem, journal)
@@ -209,7 +213,8 @@ StructureFit chooseStructure(Problem problem, const Freedom& free,
         chosen = bestOf(problem, {chosen, std::move(*filters)}, "filters with a free mean", true,
                         journal);
   }
-  if (modes) chosen = bestOf(problem, {chosen, std::move(*modes)}, "modes", !are_modes, journal);
+  // Their directions come from all experiments, so that held-out ones would be no judge.
+  if (modes) chosen = bestOf(problem, {chosen, std::move(*modes)}, "modes", false, journal);
   chosen = withNoiseOrders(problem, chosen, journal);
   if (!problem.plant) chosen = withWhatNoiseHid(problem, std::move(chosen), journal);
   return free.offsets ? withBetterOffsets(problem, std::move(chosen), journal) : chosen;
@@ -254,6 +259,12 @@ ModelChoice chooseModel(const Problem& problem, const Configuration& asked, Orde
   if (!free_orders && !free_error_model) {
     ModelChoice choice{problem.configuration, problem.plant.has_value(), {}};
     completeErrorModel(*remainingNominalModel(problem), &choice.configuration.error_model);
+    Problem completed = problem;
+    completed.configuration = choice.configuration;
+    if (const auto fit = fitStatedModes(completed, journal)) {
+      choice.reached = fit->point;
+      choice.points = fit->points;
+    }
     return choice;
   }
   const bool joint = free_orders && asked.nominal_model.fit == PlantFit::likelihood;

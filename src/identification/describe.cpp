@@ -3,6 +3,7 @@
 #include "estimation/selection.h"
 #include "identification/mean_plant.h"
 #include "identification/steps.h"
+#include "identification/structure_fit.h"
 #include "math/information_criterion.h"
 #include "residual_tests/residual_tests.h"
 
@@ -88,10 +89,10 @@ Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* jo
   estimate.iterations = optimum.iterations;
   estimate.trace = optimum.trace;
   const std::size_t fixed = problem.plant ? problem.plant->parameters.size() : 0;
-  estimate.bic = bic(estimate.log_likelihood, model.parameterCount() + static_cast<int>(fixed) + 1,
-                     mixtureParameters(problem.configuration.error_model.constraint,
-                                       model.regressors(), point.mixture.components()),
-                     static_cast<double>(estimate.sample_count), estimate.experiment_count);
+  estimate.bic =
+      bic(estimate.log_likelihood, model.parameterCount() + static_cast<int>(fixed) + 1,
+          mixtureParameters(problem.configuration, model.regressors(), point.mixture.components()),
+          static_cast<double>(estimate.sample_count), estimate.experiment_count);
   estimate.variation = variationText(estimate, model);
   estimate.simulation_fit_percent =
       meanPlantFit(model, point, offsetOf(problem, model, point), problem.configuration.estimation,

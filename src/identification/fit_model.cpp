@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "estimation/linearisation.h"
 #include "identification/steps.h"
@@ -60,24 +61,31 @@ void optimise(const Problem& problem, OptimisationOptions options, int passes,
 
 /// A few steps only: while the points of linearisation move, so does the optimum.
 OptimisationOptions fewSteps(const Problem& problem, OptimisationOptions options,
-                             const Optimum& before) {
-  constexpr int kFew = 5;
+                             const Optimum& before, int few) {
   if (problem.configuration.estimation.algorithm != Algorithm::em)
-    options.max_iterations = std::min(options.max_iterations, before.iterations + kFew);
+    options.max_iterations = std::min(options.max_iterations, before.iterations + few);
   return options;
+}
+
+void didNotConverge(Optimum* optimum) {
+  optimum->termination = Termination::stalled;
+  optimum->message =
+      "the points about which the model is linearised did not converge; the experiments may be too "
+      "short to determine their own parameters";
 }
 
 /// Alternates between optimising and linearising about the new posterior means until these, or the
 /// likelihood, no longer move: about a kink, as a dead time has at each sample, points may move to
-/// and fro. The estimate then maximises the likelihood linearised about its own posterior
-/// means.
+/// and fro. The estimate then maximises the likelihood linearised about its own posterior means.
+/// Points that do not converge have no such maximum, which is not worth more than a few steps.
 void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& options,
                           MatrixXd points, FittedModel* fitted, Journal* journal) {
-  constexpr int kMostRounds = 50, kStill = 3;
-  constexpr double kImmaterial = 0.01;  // [nats]
-  constexpr double kFirst = 0.1;        // of the tolerance
-  optimise(problem, options, journal->passes, fitted);
-  bool complete = true;  // not with a few steps only
+  constexpr int kMostRounds = 50, kStill = 3, kFew = 5, kLast = 20;
+  constexpr double kImmaterial = 0.01;                                     // [nats]
+  constexpr double kFirst = 0.1;                                           // of the tolerance
+  bool complete = pointsToStartFrom(problem, *fitted->model).size() == 0;  // with all steps
+  optimise(problem, complete ? options : fewSteps(problem, options, fitted->optimum, kFew),
+           journal->passes, fitted);
   bool ends = false;
   FixedPointProgress progress;
   for (int round = 0, still = 0; fitted->model->isLocallyLinear(); ++round) {
@@ -90,19 +98,19 @@ void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& opt
     const double tolerance = (round == 0 ? kFirst : 1) * kFixedPointTolerance;
     const bool arrived = next.move < tolerance || still >= kStill;
     if (arrived && complete) return;
-    if (ends && complete) {
-      optimum.termination = Termination::stalled;
-      optimum.message =
-          "the points about which the model is linearised did not converge; the experiments may "
-          "be too short to determine their own parameters";
-      return;
-    }
+    if (ends && !arrived) return didNotConverge(&optimum);
     ends = !progress.approaches(before, next.move) || round >= kMostRounds;
-    complete = arrived || ends;
-    points = std::move(next.points);
+    complete = arrived;
+    const Optimum reached = optimum;
+    const MatrixXd about = std::exchange(points, std::move(next.points));
     useModel(problem, std::move(next.model), fitted, journal);
-    optimise(problem, complete ? options : fewSteps(problem, options, optimum), journal->passes,
-             fitted);
+    optimise(problem, complete ? options : fewSteps(problem, options, optimum, ends ? kLast : kFew),
+             journal->passes, fitted);
+    if (!std::isfinite(optimum.log_likelihood) || optimum.is_lost) {
+      useModel(problem, fitted->model->linearisedAbout(about), fitted, journal);
+      optimum = reached;
+      return didNotConverge(&optimum);
+    }
     still = std::abs(fitted->optimum.log_likelihood - before) < kImmaterial ? still + 1 : 0;
   }
 }
@@ -161,9 +169,7 @@ FittedModel fitComponents(const Problem& problem, Journal* journal) {
   fitted.components = givenMixture(problem).components() > 0 ? configuration.error_model.components
                                                              : start.mixture.components();
   fitted.optimum.point = start;
-  auto about = linearisedAtPosteriorMeans(
-      *fitted.model, problem.data.blocks, problem.data.count(), threadsOf(configuration.estimation),
-      start, &journal->passes, pointsToStartFrom(problem, *fitted.model));
+  auto about = linearisedToStart(problem, *fitted.model, start, journal);
   if (about) useModel(problem, std::move(about->model), &fitted, journal);
   if (configuration.estimation.max_iterations == 0) {
     const Statistics statistics = fitted.likelihood->statistics(start.parameters, false);

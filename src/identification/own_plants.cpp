@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <tuple>
 
 #include "identification/mean_plant.h"
+#include "identification/single_fits.h"
 #include "identification/steps.h"
 #include "math/constants.h"
-#include "math/polynomial.h"
 #include "math/symmetric_eigen.h"
 #include "model/continuous_poles.h"
 
@@ -21,91 +20,15 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Names = std::vector<std::string>;
 
-/// A single experiment as the data of a problem of its own.
-CheckedData single(const Experiment& experiment) {
-  CheckedData one;
-  one.experiments = {experiment};
-  one.blocks = makeBlocks(one.experiments);
-  return one;
-}
-
-/// The problem of a single experiment, without an error model.
-Problem problemOf(const CheckedData& one, Configuration configuration) {
-  ErrorModelOptions& errors = configuration.error_model;
-  errors.basis = BasisKind::fir;
-  errors.constraint = Constraint::free;
-  errors.taps = 0;
-  errors.components = 1;
-  return {one, {}, nullptr, std::move(configuration), {}, {}};
-}
-
-/// At most so many of the experiments whose input moves, with their numbers among all.
-std::vector<CheckedData> singles(const CheckedData& data, std::size_t most,
-                                 std::vector<Index>* numbers = nullptr) {
-  std::vector<const Experiment*> moved;
-  for (const Experiment& experiment : data.experiments)
-    if (experiment.u.size() > 0 && experiment.u.maxCoeff() > experiment.u.minCoeff())
-      moved.push_back(&experiment);
-  std::vector<CheckedData> some;
-  const std::size_t count = std::min(most, moved.size());
-  some.reserve(count);  // blocks point to their experiments, which must stay where they are
-  for (std::size_t k = 0; k < count; ++k) {
-    const Experiment* each = moved[k * moved.size() / count];
-    some.push_back(single(*each));
-    if (numbers != nullptr) numbers->push_back(each - data.experiments.data());
-  }
-  return some;
-}
-
-/// Whether all poles of a sampled plant have a continuous counterpart.
-bool hasModes(const VectorXd& a) {
-  constexpr double kFastest = 0.02;
-  const Eigen::VectorXcd all = roots(a);
-  return std::all_of(all.data(), all.data() + all.size(), [](const std::complex<double>& root) {
-    return std::abs(root.imag()) > 1e-9 || root.real() > kFastest;
-  });
-}
-
-/// The plants of some experiments, all of the order with which these together have the least BIC.
-std::vector<StartingPoint> plantsOfLeastBic(const Problem& problem, Journal* journal) {
-  constexpr int kInVain = 2, kSamplesEach = 40;
-  constexpr std::size_t kEnough = 6;  // experiments
-  const std::vector<CheckedData> data = singles(problem.data, kEnough);
-  int largest = problem.configuration.nominal_model.max_order;
-  for (const CheckedData& one : data)
-    largest = std::min(largest, one.experiments.front().samples() / kSamplesEach);
-  std::vector<StartingPoint> best;
-  double highest = -std::numeric_limits<double>::infinity();
-  int best_order = 0;
-  for (int order = 1; order <= std::min(largest, best_order + kInVain); ++order) {
-    std::vector<StartingPoint> plants;
-    double score = 0;
-    for (const CheckedData& one : data) {
-      if (journal->progress.searchEnds()) return best;
-      const Problem own = problemOf(one, problem.configuration);
-      const auto fit = fitOfOrder(own, order, journal);
-      if (!fit) continue;
-      plants.push_back(fit->start());
-      score += scoreOf(own, *fit);
-    }
-    const auto modal = std::count_if(plants.begin(), plants.end(), [&](const auto& plant) {
-      return hasModes(plant.polynomials.a);
-    });
-    if (plants.size() < data.size() || 2 * modal < static_cast<long>(plants.size())) continue;
-    if (!(score > highest)) continue;
-    highest = score;
-    best = std::move(plants);
-    best_order = order;
-  }
-  return best;
-}
-
 /// The modal structure of a sampled plant; none where it has none.
 std::optional<NominalModelOptions> modalStructure(NominalModelOptions options,
                                                   const Polynomials& plant, double sample_time) {
   if (!hasModes(plant.a)) return {};
   const ContinuousPoles poles = continuousPoles(plant.a, sample_time);
   options.structure = Structure::modal;
+  options.fixed.clear();
+  options.zeros = 0;
+  options.dead_time = false;
   options.time_constants = static_cast<int>(poles.time_constants.size());
   options.resonances = static_cast<int>(poles.pairs.size());
   options.delay = plant.delay;
@@ -173,13 +96,13 @@ MatrixXd inverseOf(const MatrixXd& positive) {
   return eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
-/// Coordinates with the phases within half a turn of the first plant's.
+/// Coordinates with the phases within half a turn of their circular mean.
 MatrixXd withoutTurns(MatrixXd coordinates, const Names& names) {
   for (Index j = 0; j < coordinates.rows(); ++j) {
     if (names[static_cast<std::size_t>(j)].rfind("phase", 0) != 0) continue;
-    for (Index r = 1; r < coordinates.cols(); ++r)
-      coordinates(j, r) -=
-          2 * kPi * std::round((coordinates(j, r) - coordinates(j, 0)) / (2 * kPi));
+    const Eigen::ArrayXd phases = coordinates.row(j).transpose().array();
+    const double mean = std::atan2(phases.sin().sum(), phases.cos().sum());
+    coordinates.row(j).array() -= 2 * kPi * ((phases.transpose() - mean) / (2 * kPi)).round();
   }
   return coordinates;
 }
@@ -197,7 +120,9 @@ VectorXd medians(const MatrixXd& values) {
 }
 
 std::optional<ModalStart> modalStart(const Problem& problem, Journal* journal) {
-  return commonStructure(problem, plantsOfLeastBic(problem, journal));
+  constexpr std::size_t kEnough = 6;  // experiments
+  return commonStructure(problem,
+                         plantsOfLeastBic(problem, singles(problem.data, kEnough), journal));
 }
 
 std::optional<OwnPlants> ownPlants(const Problem& problem, const StartingPoint& start,

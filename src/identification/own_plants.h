@@ -30,7 +30,7 @@ struct OwnPlants {
 };
 
 /// The plants of at most 40 experiments in the structure of the problem's nominal model, with their
-/// phases within half a turn of each other. None of fewer than three.
+/// phases within half a turn of their circular mean. None of fewer than three.
 std::optional<OwnPlants> ownPlants(const Problem& problem, const StartingPoint& start,
                                    Journal* journal);
 

@@ -5,6 +5,7 @@
 #include "estimation/linearisation.h"
 #include "estimation/selection.h"
 #include "identification/steps.h"
+#include "identification/structure_fit.h"
 #include "math/information_criterion.h"
 #include "uncertainty_identification/errors.h"
 
@@ -121,7 +122,7 @@ ModelParameters chooseComponents(const Problem& problem, const ModelParameters& 
     points.push_back(spreadComponents(likelihood, statistics, single, components,
                                       estimation.restarts, estimation.seed, options, &reached));
     const int mixture =
-        mixtureParameters(error_model.constraint, likelihood.model().regressors(), components);
+        mixtureParameters(problem.configuration, likelihood.model().regressors(), components);
     candidates.push_back(
         {"components",
          "components=" + std::to_string(components),
@@ -186,6 +187,20 @@ VectorXd givenParameters(const Problem& problem, const LinearModel& model) {
   return parameters;
 }
 
+namespace {
+
+/// The starts, each also with the plant in the middle of the stated directions.
+void addCenter(const NominalModelOptions& options, std::vector<VectorXd>* starts) {
+  if (options.structure != Structure::modal || options.directions.size() == 0) return;
+  const std::vector<VectorXd> without = *starts;
+  for (VectorXd start : without) {
+    start.head(options.center.size()).setOnes();
+    starts->insert(starts->begin(), start);
+  }
+}
+
+}  // namespace
+
 std::vector<VectorXd> startsFromData(const Problem& problem, const LinearModel& model) {
   const Configuration& configuration = problem.configuration;
   const std::vector<Experiment> experiments =
@@ -196,6 +211,7 @@ std::vector<VectorXd> startsFromData(const Problem& problem, const LinearModel& 
           ? noiseStarts(plain, problem.plant->polynomials, problem.plant->offset, experiments)
           : nominalStarts(plain, configuration.nominal_model, experiments);
   for (VectorXd& start : starts) start = model.withStartingValues(start, configuration.effects);
+  addCenter(configuration.nominal_model, &starts);
   if (problem.start.size() == model.parameterCount()) starts.insert(starts.begin(), problem.start);
   return starts;
 }
@@ -206,6 +222,22 @@ Eigen::MatrixXd pointsToStartFrom(const Problem& problem, const LinearModel& mod
                     problem.points.cols() == problem.data.count() &&
                     problem.reached->parameters.size() == model.parameterCount();
   return fits ? problem.points : Eigen::MatrixXd();
+}
+
+std::optional<Linearisation> linearisedToStart(const Problem& problem, const LinearModel& model,
+                                               const ModelParameters& start, Journal* journal) {
+  const Eigen::MatrixXd points = pointsToStartFrom(problem, model);
+  auto at_means = linearisedAtPosteriorMeans(model, problem.data.blocks, problem.data.count(),
+                                             threadsOf(problem.configuration.estimation), start,
+                                             &journal->passes, points);
+  if (points.size() == 0) return at_means;
+  Linearisation known{model.linearisedAbout(points), points, 0};
+  const auto at = [&](const Linearisation& about) {
+    return logLikelihoodAtPoints(*about.model, *likelihoodOf(problem, *about.model), start,
+                                 about.points);
+  };
+  if (at(*at_means) > at(known)) return at_means;  // which may lead away, and to nothing finite
+  return known;
 }
 
 ModelParameters requireStart(const std::optional<ModelParameters>& found,
@@ -247,12 +279,9 @@ ModelParameters findStart(const Problem& problem, const LinearModel& model,
       singleOptima(problem, model, likelihood, starts, journal);
   const ModelParameters single =
       requireStart(optima.empty() ? std::nullopt : std::optional(optima.front().point), model);
-  const EstimationOptions& estimation = problem.configuration.estimation;
   if (problem.configuration.error_model.components == 1) return single;
   // How experiments are distributed shows where each is linearised about its own plant.
-  const auto about = linearisedAtPosteriorMeans(model, problem.data.blocks, problem.data.count(),
-                                                threadsOf(estimation), single, &journal->passes,
-                                                pointsToStartFrom(problem, model));
+  const auto about = linearisedToStart(problem, model, single, journal);
   const std::unique_ptr<Likelihood> near = about ? likelihoodOf(problem, *about->model) : nullptr;
   const ModelParameters start =
       chooseComponents(problem, single, near ? *near : likelihood, journal);

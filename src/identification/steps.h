@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "estimation/linearisation.h"
 #include "estimation/standard_errors.h"
 #include "identification/problem.h"
 
@@ -107,6 +108,11 @@ std::vector<Eigen::VectorXd> startsFromData(const Problem& problem, const Linear
 
 /// The points of modes that differ, which were found one by one; empty for other structures.
 Eigen::MatrixXd pointsToStartFrom(const Problem& problem, const LinearModel& model);
+
+/// The linearisation about the posterior means at `start` or, where the likelihood is higher, about
+/// the points to start from. None for models that are linear.
+std::optional<Linearisation> linearisedToStart(const Problem& problem, const LinearModel& model,
+                                               const ModelParameters& start, Journal* journal);
 
 /// `found`, by bestSingleComponent(). Throws DataError where there is none, or none that is stable.
 ModelParameters requireStart(const std::optional<ModelParameters>& found, const LinearModel& model);

@@ -12,6 +12,7 @@
 #include "identification/steps.h"
 #include "math/information_criterion.h"
 #include "model/evaluation.h"
+#include "model/modal.h"
 #include "model/sensitivity.h"
 
 namespace uncertainty_identification {
@@ -45,19 +46,23 @@ LinearisedPoint improved(std::shared_ptr<const LinearModel> model, ModelParamete
     now.model = std::move(about->model);
     now.points = std::move(about->points);
   };
-  const bool local = now.model->isLocallyLinear();
-  for (int round = 0; round < (local ? kRounds : 1); ++round) {
-    linearise();
+  const int rounds = now.model->isLocallyLinear() ? kRounds : 1;
+  LinearisedPoint best;
+  best.log_likelihood = -std::numeric_limits<double>::infinity();
+  for (int round = 0; round <= rounds; ++round) {
+    linearise();  // the last steps moved the plants
     const Likelihood likelihood(*now.model, data.blocks, data.count(), threads);
+    if (goes_on || round == rounds) {
+      now.log_likelihood = logLikelihoodAtPoints(*now.model, likelihood, now.point, now.points);
+      const bool is_best = now.log_likelihood > best.log_likelihood;
+      if (is_best || !goes_on) best = now;
+      if (!is_best || round == rounds) break;  // about other plants, the steps led away
+    }
     options.floor = covarianceFloor(now.point.mixture);
     now.point = scoringSteps(likelihood, now.point, options, steps, 1e-2);
     *passes += likelihood.passes();
   }
-  linearise();  // the last steps moved the plants
-  const Likelihood likelihood(*now.model, data.blocks, data.count(), threads);
-  now.log_likelihood = logLikelihoodAtPoints(*now.model, likelihood, now.point, now.points);
-  *passes += likelihood.passes();
-  return now;
+  return best;
 }
 
 /// Log density of experiments at a point of a model, all but their first samples.
@@ -122,14 +127,13 @@ std::optional<StructureFit> fitAt(const Problem& problem, const std::string& des
                                              threadsOf(configuration.estimation), &journal->passes);
   if (!std::isfinite(at.log_likelihood)) return {};
   const int fixed = problem.plant ? static_cast<int>(problem.plant->point.parameters.size()) : 0;
-  return StructureFit{
-      {description, configuration},
-      at.model,
-      at.point,
-      at.log_likelihood,
-      at.model->parameterCount() + 1 + fixed,
-      mixtureParameters(configuration.error_model.constraint, at.model->regressors(), 1),
-      at.points};
+  return StructureFit{{description, configuration},
+                      at.model,
+                      at.point,
+                      at.log_likelihood,
+                      at.model->parameterCount() + 1 + fixed,
+                      mixtureParameters(configuration, at.model->regressors(), 1),
+                      at.points};
 }
 
 /// The optimum near some starts, about the first of which a model that is only locally linear is
@@ -152,6 +156,13 @@ LinearisedPoint fitFrom(const Problem& problem, std::shared_ptr<const LinearMode
 }
 
 }  // namespace
+
+int mixtureParameters(const Configuration& configuration, int dimension, int components) {
+  const int free = mixtureParameters(configuration.error_model.constraint, dimension, components);
+  if (!variesAlongDirections(configuration)) return free;
+  const auto all = static_cast<int>(configuration.nominal_model.center.size());
+  return free + dimension * (all - dimension);
+}
 
 double scoreOf(const Problem& problem, const StructureFit& fit) {
   return fit.log_likelihood -

@@ -27,6 +27,10 @@ struct StructureFit {
   StartingPoint start() const;  ///< Go, H and the offset at `point`
 };
 
+/// Number of free parameters of the error model of a configuration: of the mixture and, where it
+/// varies a plant along directions, of the subspace that these span.
+int mixtureParameters(const Configuration& configuration, int dimension, int components);
+
 /// Half BIC, higher is better: log-likelihood less half of the penalty [nats].
 double scoreOf(const Problem& problem, const StructureFit& fit);
 
@@ -86,6 +90,10 @@ std::optional<StructureFit> fitFilters(const Problem& problem, Journal* journal)
 /// The best model of a sum of modes of which some parameters vary, with orders and a start that
 /// single experiments show. None where there are too few experiments, or none can be fitted.
 std::optional<StructureFit> fitModes(Problem problem, Journal* journal);
+
+/// The model of a configuration that states directions along which modes differ, from what single
+/// experiments show. None where it states none, or a start, or there are too few experiments.
+std::optional<StructureFit> fitStatedModes(const Problem& problem, Journal* journal);
 
 /// Half BIC of a fit by what follows the first samples of each experiment, wherever it starts
 /// [nats]: comparable between fits with and without unknown values of each experiment's own.

@@ -32,7 +32,9 @@ std::string inWords(const std::string& parameter) {
   if (parameter.rfind("zeta", 0) == 0) return "damping " + parameter;
   if (parameter.rfind("residue", 0) == 0 || parameter.rfind("amplitude", 0) == 0)
     return "size " + parameter;
-  if (parameter == "feedthrough") return parameter;
+  if (parameter == "feedthrough" || parameter.rfind("phase", 0) == 0 ||
+      parameter.rfind("factor", 0) == 0)
+    return parameter;
   return "coefficient " + parameter +
          (parameter[0] == 'b' ? " of the numerator" : " of the denominator");
 }
@@ -60,8 +62,18 @@ std::string ofModes(const Estimate& estimate, const LinearModel& model) {
   const ModalParameters modes = modalParameters(estimate.configuration.nominal_model,
                                                 estimate.nominal_model.sample_time, theta);
   const Eigen::MatrixXd covariance = estimate.error_model.mixture.covariance();
-  const Index varied = covariance.rows();
-  const Eigen::MatrixXd by_xi = modes.by_theta.leftCols(varied) * theta.head(varied).asDiagonal();
+  const auto byXi = [&](const Eigen::MatrixXd& by_theta) {
+    Eigen::MatrixXd by(by_theta.rows(), covariance.rows());
+    Index column = 0;
+    for (const std::string& varied : estimate.error_model.options.parameters) {
+      const auto k = std::find_if(parameters.begin(), parameters.end(),
+                                  [&](const auto& each) { return each.name == varied; }) -
+                     parameters.begin();
+      by.col(column++) = by_theta.col(k) * theta[k];
+    }
+    return by;
+  };
+  const Eigen::MatrixXd by_xi = byXi(modes.by_theta);
   const auto deviation = [&](const Eigen::RowVectorXd& by, double value) {
     return std::sqrt(std::max((by * covariance * by.transpose()).value(), 0.0)) / std::abs(value);
   };
@@ -76,7 +88,7 @@ std::string ofModes(const Estimate& estimate, const LinearModel& model) {
       (of_plant.topRows(p.b.size()).colwise().sum() -
        gain * of_plant.middleRows(p.b.size(), p.a.size()).colwise().sum()) /
       rest;
-  tell("gain", deviation(gain_by.head(varied) * theta.head(varied).asDiagonal(), gain));
+  tell("gain", deviation(byXi(gain_by), gain));
   for (std::size_t k = 0; k < modes.names.size(); ++k) {
     const std::string& name = modes.names[k];
     const auto row = static_cast<Index>(k);
@@ -142,11 +154,10 @@ std::string variationText(const Estimate& estimate, const LinearModel& model) {
   if (model.regressors() == 0 || isImmaterial(estimate, model.basis()))
     return "The experiments show no difference between their plants." + offsets;
   const bool varies = variesParameters(estimate.error_model.options.basis);
-  const bool by_factors = estimate.configuration.nominal_model.directions.size() > 0;
   return "From experiment to experiment " +
-         (by_factors ? ofModes(estimate, model)
-          : varies   ? ofParameters(estimate)
-                     : ofFilters(estimate, model.basis())) +
+         (variesAlongDirections(estimate.configuration) ? ofModes(estimate, model)
+          : varies                                      ? ofParameters(estimate)
+                                                        : ofFilters(estimate, model.basis())) +
          " (standard deviation)." + offsets;
 }
 

@@ -112,6 +112,12 @@ std::shared_ptr<const NominalModel> makeModal(const NominalModelOptions& options
   return std::make_shared<SumOfModes>(options, sample_time);
 }
 
+bool variesAlongDirections(const Configuration& configuration) {
+  const NominalModelOptions& nominal = configuration.nominal_model;
+  return nominal.structure == Structure::modal && nominal.directions.size() > 0 &&
+         configuration.error_model.basis == BasisKind::parameter_spread;
+}
+
 ModalParameters modalParameters(const NominalModelOptions& options, double sample_time,
                                 const VectorXd& theta) {
   if (options.structure != Structure::modal) return {};

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/model/nominal_model.h"
 
 namespace uncertainty_identification {
@@ -20,6 +21,10 @@ namespace uncertainty_identification {
 /// feedthrough, or where the directions are singular.
 std::shared_ptr<const NominalModel> makeModal(const NominalModelOptions& options,
                                               double sample_time);
+
+/// Whether the plants of a configuration differ along directions: its error model varies factors of
+/// a modal structure.
+bool variesAlongDirections(const Configuration& configuration);
 
 /// The parameters of the modes that theta stands for, with their names: theta itself without c and
 /// d, unless the options have directions. Empty for options of another structure.

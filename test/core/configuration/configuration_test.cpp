@@ -58,6 +58,24 @@ std::vector<BadValue> badModels() {
       {"nominal_model.time_constants", "-1", [](auto& c) { c.nominal_model.time_constants = -1; }},
       {"nominal_model.resonances", "26", [](auto& c) { c.nominal_model.resonances = 26; }},
       {"nominal_model.zeros", "-1", [](auto& c) { c.nominal_model.zeros = -1; }},
+      {"nominal_model.zeros", "2",
+       [](auto& c) {
+         c.nominal_model.structure = Structure::modal;
+         c.nominal_model.orders_auto = false;
+         c.nominal_model.zeros = 2;
+       }},
+      {"nominal_model.dead_time", "true",
+       [](auto& c) {
+         c.nominal_model.structure = Structure::modal;
+         c.nominal_model.orders_auto = false;
+         c.nominal_model.dead_time = true;
+       }},
+      {"nominal_model.fixed", "1 parameters",
+       [](auto& c) {
+         c.nominal_model.structure = Structure::modal;
+         c.nominal_model.orders_auto = false;
+         c.nominal_model.fixed["tau1"] = 2;
+       }},
       {"nominal_model.zeros", "1",
        [](auto& c) {
          c.nominal_model.structure = Structure::continuous;

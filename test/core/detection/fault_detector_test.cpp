@@ -217,6 +217,29 @@ TEST(FaultDetector, WindowsCountMeasuredSamplesAndResetBeginsAnew) {
     EXPECT_EQ(again[k].statistic, expected[k].statistic);
 }
 
+// Time constants that differ by a third are far from linear in their deviations.
+TEST(FaultDetector, WarnsOfPlantsThatDifferByMoreThanTheFirstOrder) {
+  Truth truth;
+  truth.sample_time = 0.1;
+  truth.experiments = 40;
+  truth.samples = {150};
+  truth.plant.structure = PlantStructure::first_order;
+  truth.plant.time_constant = 0.5;
+  truth.plant.time_constant_spread = 0.3;
+  truth.noise.variance = 0.01;
+  Configuration configuration;
+  configuration.nominal_model.structure = Structure::continuous;
+  configuration.nominal_model.orders_auto = false;
+  configuration.nominal_model.nc = configuration.nominal_model.nd = 0;
+  configuration.error_model.basis = BasisKind::parameter_spread;
+  configuration.error_model.constraint = Constraint::zero_mean;
+  configuration.error_model.parameters = {"tau1"};
+  configuration.error_model.components = 1;
+  const FaultDetector detector(Identifier(configuration).identify(simulate(truth, 1)));
+  ASSERT_EQ(detector.warnings().size(), 1u);
+  EXPECT_NE(detector.warnings().front().find("to first order"), std::string::npos);
+}
+
 TEST(FaultDetector, RefusesWhatItCannotUse) {
   const auto refusal = [](int window, double rate) {
     return messageOf<ConfigurationError>([&] {
