@@ -1,6 +1,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "identification/mean_plant.h"
 #include "identification/own_plants.h"
