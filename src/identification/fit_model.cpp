@@ -61,9 +61,10 @@ void optimise(const Problem& problem, OptimisationOptions options, int passes,
 
 /// A few steps only: while the points of linearisation move, so does the optimum.
 OptimisationOptions fewSteps(const Problem& problem, OptimisationOptions options,
-                             const Optimum& before, int few) {
+                             const Optimum& before) {
+  constexpr int kFew = 5;
   if (problem.configuration.estimation.algorithm != Algorithm::em)
-    options.max_iterations = std::min(options.max_iterations, before.iterations + few);
+    options.max_iterations = std::min(options.max_iterations, before.iterations + kFew);
   return options;
 }
 
@@ -80,11 +81,13 @@ void didNotConverge(Optimum* optimum) {
 /// Points that do not converge have no such maximum, which is not worth more than a few steps.
 void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& options,
                           MatrixXd points, FittedModel* fitted, Journal* journal) {
-  constexpr int kMostRounds = 50, kStill = 3, kFew = 5, kLast = 20;
-  constexpr double kImmaterial = 0.01;                                     // [nats]
-  constexpr double kFirst = 0.1;                                           // of the tolerance
-  bool complete = pointsToStartFrom(problem, *fitted->model).size() == 0;  // with all steps
-  optimise(problem, complete ? options : fewSteps(problem, options, fitted->optimum, kFew),
+  constexpr int kMostRounds = 50, kMostFromKnown = 10, kStill = 3;
+  constexpr double kImmaterial = 0.01;  // [nats]
+  constexpr double kFirst = 0.1;        // of the tolerance
+  const bool known = pointsToStartFrom(problem, *fitted->model).size() > 0;
+  const int most = known ? kMostFromKnown : kMostRounds;
+  bool complete = !known;  // with all steps
+  optimise(problem, complete ? options : fewSteps(problem, options, fitted->optimum),
            journal->passes, fitted);
   bool ends = false;
   FixedPointProgress progress;
@@ -99,13 +102,13 @@ void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& opt
     const bool arrived = next.move < tolerance || still >= kStill;
     if (arrived && complete) return;
     if (ends && !arrived) return didNotConverge(&optimum);
-    ends = !progress.approaches(before, next.move) || round >= kMostRounds;
+    ends = !progress.approaches(before, next.move) || round >= most;
     complete = arrived;
     const Optimum reached = optimum;
     const MatrixXd about = std::exchange(points, std::move(next.points));
     useModel(problem, std::move(next.model), fitted, journal);
-    optimise(problem, complete ? options : fewSteps(problem, options, optimum, ends ? kLast : kFew),
-             journal->passes, fitted);
+    optimise(problem, complete ? options : fewSteps(problem, options, optimum), journal->passes,
+             fitted);
     if (!std::isfinite(optimum.log_likelihood) || optimum.is_lost) {
       useModel(problem, fitted->model->linearisedAbout(about), fitted, journal);
       optimum = reached;
