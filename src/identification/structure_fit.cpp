@@ -218,6 +218,7 @@ std::optional<StructureFit> fitStructureFrom(const Problem& problem,
   Problem own = problem;
   own.configuration = structure.configuration;
   const std::shared_ptr<const LinearModel> model = buildModel(own);
+  if (start.parameters.size() != model->parameterCount()) return {};  // as with effects
   if (!model->admissible(start.parameters)) return {};
   const OptimisationOptions options =
       optimisationOptions(own.configuration, Phase::structure, &journal->progress);
