@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <utility>
 
 namespace uncertainty_identification {
 namespace {
@@ -22,30 +23,47 @@ VectorXd towards(const LinearModel& model, const VectorXd& parameters, const Vec
   return point;
 }
 
-double largestMove(const LinearModel& model, const ModelParameters& at, const MatrixXd& from,
-                   const MatrixXd& to) {
-  if (to.size() == 0) return 0;  // no error parameters: all experiments have the same plant
+/// The change of the points in standard deviations of the mixture; empty without error parameters,
+/// when all experiments have the same plant.
+MatrixXd stepOf(const LinearModel& model, const ModelParameters& at, const MatrixXd& from,
+                const MatrixXd& to) {
+  if (to.size() == 0) return {};
   const VectorXd deviation = at.mixture.covariance().diagonal().cwiseMax(0).cwiseSqrt();
   const VectorXd unit =
       model.pointDeviations(at.parameters, at.noise_variance, deviation).cwiseMax(1e-300);
   const Index n = unit.size();  // initial values below the points have no deviation
-  return (unit.cwiseInverse().asDiagonal() * (to.topRows(n) - from.topRows(n)))
-      .cwiseAbs()
-      .maxCoeff();
+  return unit.cwiseInverse().asDiagonal() * (to.topRows(n) - from.topRows(n));
 }
 
 }  // namespace
 
 bool FixedPointProgress::approaches(double log_likelihood, double move) {
+  slows_down_ = move < last_move_;
+  last_move_ = move;
   const bool better = log_likelihood > highest_ || move < least_move_;
   highest_ = std::max(highest_, log_likelihood);
   least_move_ = std::min(least_move_, move);
-  in_vain_ = better ? 0 : in_vain_ + 1;
+  if (better)
+    in_vain_ = 0;
+  else if (!slows_down_)
+    ++in_vain_;
   return in_vain_ < kPatience;
 }
 
+double StepShare::of(const MatrixXd& step) {
+  constexpr double kHardlySmaller = 0.7, kOtherWay = 0.7, kLeast = 0.125;
+  if (step.size() == last_.size() && step.size() > 0) {
+    const double before = last_.norm(), now = step.norm();
+    const double cosine = (step.array() * last_.array()).sum() / std::max(before * now, 1e-300);
+    if (now > kHardlySmaller * before && cosine < kOtherWay) share_ = std::max(share_ / 2, kLeast);
+  }
+  last_ = step;
+  return share_;
+}
+
 Linearisation nextLinearisation(const LinearModel& model, const Likelihood& likelihood,
-                                const ModelParameters& point, const MatrixXd& points) {
+                                const ModelParameters& point, const MatrixXd& points,
+                                StepShare* share) {
   const Statistics statistics = likelihood.statistics(point.parameters, false);
   const MatrixXd means = latentMoments(likelihood.expect(statistics, point)).means;
   Linearisation next;
@@ -56,7 +74,17 @@ Linearisation nextLinearisation(const LinearModel& model, const Likelihood& like
       next.points.col(r) = towards(model, point.parameters, points.col(r), next.points.col(r));
     next.model = model.linearisedAbout(next.points);
   }
-  next.move = largestMove(model, point, points, next.points);
+  const MatrixXd step = stepOf(model, point, points, next.points);
+  next.move = step.size() > 0 ? step.cwiseAbs().maxCoeff() : 0;
+  const double part = share->of(step);
+  if (part < 1) {
+    const MatrixXd between = points + part * (next.points - points);
+    std::unique_ptr<LinearModel> damped = model.linearisedAbout(between);
+    if (damped->admissible(point.parameters)) {
+      next.points = between;
+      next.model = std::move(damped);
+    }
+  }
   return next;
 }
 
@@ -81,9 +109,10 @@ std::optional<Linearisation> linearisedAtPosteriorMeans(const LinearModel& model
   now.points = from.size() > 0 ? from : model.firstPoints(blocks, point.parameters, experiments);
   now.model = model.linearisedAbout(now.points);
   now.move = 1;
+  StepShare share;
   for (int k = 0; k < kMostSteps && now.move >= kFixedPointTolerance; ++k) {
     const Likelihood likelihood(*now.model, blocks, experiments, threads);
-    Linearisation next = nextLinearisation(*now.model, likelihood, point, now.points);
+    Linearisation next = nextLinearisation(*now.model, likelihood, point, now.points, &share);
     *passes += likelihood.passes();
     now = std::move(next);
   }

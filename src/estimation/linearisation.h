@@ -27,24 +27,44 @@ constexpr double kFixedPointTolerance = 1e-3;
 class FixedPointProgress {
  public:
   /// Takes note of a round: of the log-likelihood before it and of the `move` of its points. False
-  /// after so many rounds in a row in which neither the likelihood rose above the highest nor the
-  /// points moved less than ever, so that the iteration moves away.
+  /// after so many rounds in which the points did not move less than in the round before, and in
+  /// between neither the likelihood rose above the highest nor the points moved less than ever, so
+  /// that the iteration moves away.
   bool approaches(double log_likelihood, double move);
+
+  /// Whether the points moved less in the last round than in the one before.
+  bool slowsDown() const { return slows_down_; }
 
   static constexpr int kPatience = 8;
 
  private:
   double highest_ = -std::numeric_limits<double>::infinity();
   double least_move_ = std::numeric_limits<double>::infinity();
+  double last_move_ = std::numeric_limits<double>::infinity();
   int in_vain_ = 0;
+  bool slows_down_ = false;
+};
+
+/// How much of each step a fixed-point iteration takes: half as much whenever a step is hardly
+/// smaller than the one before and leads elsewhere, because the points then move to and fro.
+class StepShare {
+ public:
+  /// Share of `step` that is to be taken; an empty one is no step.
+  double of(const Eigen::MatrixXd& step);
+
+ private:
+  Eigen::MatrixXd last_;
+  double share_ = 1;
 };
 
 /// One step of the fixed-point iteration: linearises `model` (which is locally linear) about the
 /// posterior means of the error parameters at `point`. If the model is not defined there for an
 /// experiment, the step from its column of `points` is halved until it is. `move` is the largest
-/// step of any experiment, in standard deviations of the mixture. One sweep over the samples.
+/// step of any experiment before damping, in standard deviations of the mixture. One sweep over the
+/// samples.
 Linearisation nextLinearisation(const LinearModel& model, const Likelihood& likelihood,
-                                const ModelParameters& point, const Eigen::MatrixXd& points);
+                                const ModelParameters& point, const Eigen::MatrixXd& points,
+                                StepShare* share);
 
 /// The model linearised about zero error parameters at `parameters`, with what the data say of each
 /// experiment's start. Absent where this is `model` itself: it is linear everywhere, or knows the

@@ -12,15 +12,6 @@
 namespace uncertainty_identification {
 namespace {
 
-/// Whether there are too few experiments, or their inputs excite too little, to show offsets of
-/// their own: where the input is constant, an offset and another gain are the same. Experiments
-/// that start at rest start at the common one.
-bool cannotTell(const Problem& problem) {
-  constexpr int kFewest = 3;
-  return problem.data.movedInputs() < kFewest || problem.data.single_steps ||
-         !estimatesInitialState(problem.configuration.estimation);
-}
-
 /// A simple nominal model whose noise is coloured.
 Configuration simpleModel(Configuration simple) {
   NominalModelOptions nominal;
@@ -83,6 +74,14 @@ bool simulatesAsWell(Problem problem, const StructureFit& own, const StructureFi
 
 }  // namespace
 
+bool mayHaveOwnOffsets(const Problem& problem) {
+  constexpr int kFewest = 3;
+  return problem.data.movedInputs() >= kFewest && !problem.data.single_steps &&
+         estimatesInitialState(problem.configuration.estimation) &&
+         problem.configuration.estimation.offset_side == OffsetSide::output &&
+         !hasGivenParameters(problem);
+}
+
 Configuration chooseOffsets(const Problem& problem, Journal* journal) {
   constexpr double kWorthIt = 3;           // [nats]
   constexpr int kEnoughForOffsets = 6000;  // samples
@@ -93,8 +92,7 @@ Configuration chooseOffsets(const Problem& problem, Journal* journal) {
   if (problem.previous != nullptr &&
       problem.previous->configuration.estimation.offsets == Offsets::per_experiment)
     offsets = Offsets::per_experiment;
-  const bool at_input = chosen.estimation.offset_side == OffsetSide::input;
-  if (cannotTell(problem) || at_input || hasGivenParameters(problem)) return chosen;
+  if (!mayHaveOwnOffsets(problem)) return chosen;
   CheckedData data;
   data.experiments = fewerSamples(problem.data.experiments, kEnoughForOffsets);
   data.blocks = makeBlocks(data.experiments);
@@ -119,7 +117,7 @@ Configuration chooseOffsets(const Problem& problem, Journal* journal) {
 StructureFit withBetterOffsets(const Problem& problem, StructureFit fit, Journal* journal) {
   constexpr double kWorthIt = 1;  // [nats]
   Configuration own = fit.structure.configuration;
-  if (own.estimation.offsets != Offsets::estimate || cannotTell(problem)) return fit;
+  if (own.estimation.offsets != Offsets::estimate || !mayHaveOwnOffsets(problem)) return fit;
   own.estimation.offsets = Offsets::per_experiment;
   Scored best;
   best.score = scoreAfterFirstSamples(problem, fit, journal) + kWorthIt;

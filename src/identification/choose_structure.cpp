@@ -208,6 +208,7 @@ StructureFit chooseStructure(Problem problem, const Freedom& free,
     chosen = automatic ? withRaisedOrders(problem, chosen, journal)
                        : withBetterOrders(problem, std::move(chosen), true, journal);
     chosen = withWholeDelay(problem, std::move(chosen), journal);
+    if (automatic) chosen = withLagForDelay(problem, std::move(chosen), journal);
     if (automatic && mayBeFilters(problem, fits, chosen) && !journal->progress.searchEnds())
       if (auto filters = fitFilters(problem, journal))
         chosen = bestOf(problem, {chosen, std::move(*filters)}, "filters with a free mean", true,

@@ -131,15 +131,6 @@ void addFilters(const Configuration& configuration, BasisKind basis, Constraint 
   }
 }
 
-void addVaried(const Configuration& configuration, const Names& names,
-               std::vector<ErrorStructure>* structures) {
-  structures->push_back({"parameter_spread of " + joined(names), configuration});
-  ErrorModelOptions& options = structures->back().configuration.error_model;
-  options = withBasis(options, BasisKind::parameter_spread, Constraint::zero_mean,
-                      static_cast<int>(names.size()));
-  options.parameters = names;
-}
-
 bool isOfDeadTimeAlone(const Names& names) { return names == Names{kDeadTime}; }
 
 /// Physical parameters that vary. A dead time is a parameter where it is a fraction of a sample, or
@@ -161,7 +152,7 @@ std::vector<ErrorStructure> physicalStructures(const Problem& problem, const Pol
     for (const Names& some : all) {
       const bool alone = isOfDeadTimeAlone(some);
       const bool of_dead_time = some.back() == kDeadTime;
-      addVaried(varied, some, &structures);
+      structures.push_back(spreadOf(some, varied));
       ErrorStructure& last = structures.back();
       if (dead_time && !fraction && !of_dead_time) last.description += ", with a dead time";
       if (dead_time && !alone && (!fraction || of_dead_time)) last.if_better = kVaryingDeadTime;
@@ -171,6 +162,14 @@ std::vector<ErrorStructure> physicalStructures(const Problem& problem, const Pol
 }
 
 }  // namespace
+
+ErrorStructure spreadOf(const std::vector<std::string>& parameters, Configuration configuration) {
+  ErrorModelOptions& options = configuration.error_model;
+  options = withBasis(options, BasisKind::parameter_spread, Constraint::zero_mean,
+                      static_cast<int>(parameters.size()));
+  options.parameters = parameters;
+  return {"parameter_spread of " + joined(parameters), std::move(configuration)};
+}
 
 std::vector<ErrorStructure> variedStructures(const Problem& problem, const Polynomials* plant) {
   constexpr int kFewest = 3;  // experiments that show how parameters vary
@@ -183,7 +182,7 @@ std::vector<ErrorStructure> variedStructures(const Problem& problem, const Polyn
   const Names numerator = numeratorOf(own);
   const bool is_new = std::find(all.begin(), all.end(), numerator) == all.end();
   if (is_new && showCovariance(problem.data.count(), numerator.size())) all.push_back(numerator);
-  for (const Names& some : all) addVaried(problem.configuration, some, &structures);
+  for (const Names& some : all) structures.push_back(spreadOf(some, problem.configuration));
   return structures;
 }
 

@@ -23,6 +23,9 @@ struct ErrorStructure {
 /// states the basis.
 std::vector<ErrorStructure> errorStructures(const Problem& problem, const Polynomials* plant);
 
+/// The configuration with parameters of Go that vary.
+ErrorStructure spreadOf(const std::vector<std::string>& parameters, Configuration configuration);
+
 /// Structures of parameters of Go that vary. These are the physical ones (gain, time constants,
 /// resonances, dead time) where a continuous model can replace `plant`, otherwise those of the
 /// configured nominal model. `plant` is null where the user chose the form of the nominal model.

@@ -13,15 +13,6 @@
 namespace uncertainty_identification {
 namespace {
 
-/// Takes over what was chosen of another problem of the same data.
-void takeOver(const Problem& other, Problem* problem) {
-  problem->configuration = other.configuration;
-  problem->plant = other.plant;
-  problem->start = other.start;
-  problem->reached = other.reached;
-  problem->points = other.points;
-}
-
 /// The model of the chosen structure around the plant that was fitted alone.
 FittedModel fitAround(const Problem& around, const Configuration& asked, Problem* problem,
                       Journal* journal) {
@@ -136,6 +127,14 @@ Trial& better(Trial& one, Trial& other) {
 }
 
 }  // namespace
+
+void takeOver(const Problem& other, Problem* problem) {
+  problem->configuration = other.configuration;
+  problem->plant = other.plant;
+  problem->start = other.start;
+  problem->reached = other.reached;
+  problem->points = other.points;
+}
 
 void adopt(const ModelChoice& choice, Problem* problem) {
   problem->configuration = choice.configuration;

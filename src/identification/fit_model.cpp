@@ -78,31 +78,33 @@ void didNotConverge(Optimum* optimum) {
 /// Alternates between optimising and linearising about the new posterior means until these, or the
 /// likelihood, no longer move: about a kink, as a dead time has at each sample, points may move to
 /// and fro. The estimate then maximises the likelihood linearised about its own posterior means.
-/// Points that do not converge have no such maximum, which is not worth more than a few steps.
+/// Points that do not converge have no such maximum: after many rounds, it goes on only as long as
+/// they move less and less.
 void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& options,
                           MatrixXd points, FittedModel* fitted, Journal* journal) {
-  constexpr int kMostRounds = 50, kMostFromKnown = 10, kStill = 3;
+  constexpr int kManyRounds = 50, kManyFromKnown = 10, kStill = 3;
   constexpr double kImmaterial = 0.01;  // [nats]
   constexpr double kFirst = 0.1;        // of the tolerance
   const bool known = pointsToStartFrom(problem, *fitted->model).size() > 0;
-  const int most = known ? kMostFromKnown : kMostRounds;
+  const int many = known ? kManyFromKnown : kManyRounds;
   bool complete = !known;  // with all steps
   optimise(problem, complete ? options : fewSteps(problem, options, fitted->optimum),
            journal->passes, fitted);
   bool ends = false;
   FixedPointProgress progress;
+  StepShare share;
   for (int round = 0, still = 0; fitted->model->isLocallyLinear(); ++round) {
     const double before = fitted->optimum.log_likelihood;
     Optimum& optimum = fitted->optimum;
     if (journal->progress.searchEnds() || optimum.iterations >= options.max_iterations) return;
     Linearisation next =
-        nextLinearisation(*fitted->model, *fitted->likelihood, optimum.point, points);
+        nextLinearisation(*fitted->model, *fitted->likelihood, optimum.point, points, &share);
     // The first optimisation may end near its points by chance: once more, unless it hardly moved.
     const double tolerance = (round == 0 ? kFirst : 1) * kFixedPointTolerance;
     const bool arrived = next.move < tolerance || still >= kStill;
     if (arrived && complete) return;
     if (ends && !arrived) return didNotConverge(&optimum);
-    ends = !progress.approaches(before, next.move) || round >= most;
+    ends = !progress.approaches(before, next.move) || (round >= many && !progress.slowsDown());
     complete = arrived;
     const Optimum reached = optimum;
     const MatrixXd about = std::exchange(points, std::move(next.points));

@@ -79,8 +79,7 @@ Estimate identifyFrom(const Request& request, const std::vector<Experiment>& exp
                       const std::vector<Experiment>& validation, Journal* journal) {
   const CheckedData data = checkData(request.configuration, experiments, journal);
   Problem problem = problemOf(request, data, journal);
-  choosePlant(&problem, journal);
-  FittedModel fitted = fitChosen(request.configuration, &problem, journal);
+  FittedModel fitted = fitWithOffsets(request.configuration, &problem, journal);
   if (journal->progress.searchEnds()) markAsHurried(request, &fitted.optimum);
   Estimate estimate = describe(problem, fitted, journal);
   const InitialState asked = request.configuration.estimation.initial_state;

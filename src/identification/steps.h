@@ -25,6 +25,11 @@ Configuration chooseInitialState(Configuration configuration, const CheckedData&
 /// than three experiments, for single steps and for starts at rest one in common.
 Configuration chooseOffsets(const Problem& problem, Journal* journal);
 
+/// Whether there are enough experiments, with inputs that excite enough, to show offsets of their
+/// own: where the input is constant, an offset and another gain are the same. Experiments that
+/// start at rest start at the common one.
+bool mayHaveOwnOffsets(const Problem& problem);
+
 /// Variance of all measured outputs about their common mean.
 double outputVariance(const std::vector<Experiment>& experiments);
 
@@ -76,6 +81,9 @@ struct ModelChoice {
   std::optional<ModelParameters> reached{};  ///< as in Problem
   Eigen::MatrixXd points{};                  ///< as in Problem, if all experiments are in it
 };
+
+/// Takes over what was chosen of another problem of the same data.
+void takeOver(const Problem& other, Problem* problem);
 
 /// Makes the choice that of the problem.
 void adopt(const ModelChoice& choice, Problem* problem);
@@ -154,6 +162,12 @@ void describeParameters(const Problem& problem, const FittedModel& fitted, Journ
 /// single experiment, whose orders are free, both ways to choose them are tried, as neither finds
 /// every optimum: the model of less BIC is taken unless it simulates worse.
 FittedModel fitChosen(const Configuration& asked, Problem* problem, Journal* journal);
+
+/// Chooses the plant's orders and the structure. Where offsets are automatic, the one in common was
+/// chosen, and the noise lasts nearly as long as the experiments, all is chosen once more with
+/// offsets of the experiments' own, which such noise may stand for. These are taken where the
+/// likelihood of all samples less the penalty of BIC is higher, and the simulation no worse.
+FittedModel fitWithOffsets(const Configuration& asked, Problem* problem, Journal* journal);
 
 /// How the plants differ from experiment to experiment, as a sentence; empty for one experiment.
 std::string variationText(const Estimate& estimate, const LinearModel& model);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "io/truth_yaml.h"
@@ -161,6 +162,44 @@ TEST(Linearisation, OneExperimentAndHeldPlantsHaveNoSpread) {
   held.nominal_model.structure = Structure::output_error;
   held.nominal_model.fit = PlantFit::simulation;
   EXPECT_THROW(identified(held), ConfigurationError);
+}
+
+// x -> slope x has its fixed point at 0, which undamped steps leave for a slope below -1 and circle
+// about in two dimensions.
+TEST(StepShare, LetsStepsThatMoveToAndFroConverge) {
+  for (const double slope : {-0.95, -1.5, -3.0}) {
+    StepShare share;
+    double x = 1;
+    for (int round = 0; round < 40; ++round) {
+      const double step = slope * x - x;
+      x += share.of(Eigen::MatrixXd::Constant(1, 1, step)) * step;
+    }
+    EXPECT_LT(std::abs(x), 1e-6) << slope;
+  }
+  StepShare share;
+  Eigen::Vector2d x(1, 0);
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(1.3).toRotationMatrix();
+  for (int round = 0; round < 60; ++round) {
+    const Eigen::Vector2d step = turn * x - x;
+    x += share.of(step) * step;
+  }
+  EXPECT_LT(x.norm(), 1e-4);
+}
+
+TEST(StepShare, TakesStepsThatLeadOnAsTheyAre) {
+  StepShare share;
+  for (const double step : {1.0, 0.9, 0.85, 0.8, -0.1, 0.01})
+    EXPECT_EQ(share.of(Eigen::MatrixXd::Constant(1, 1, step)), 1) << step;
+}
+
+TEST(FixedPointProgress, GoesOnWhilePointsMoveLessAndLess) {
+  FixedPointProgress progress;
+  EXPECT_TRUE(progress.approaches(-100, 0.2));
+  double move = 0.5;
+  for (int round = 0; round < 2 * FixedPointProgress::kPatience; ++round, move *= 0.95) {
+    EXPECT_TRUE(progress.approaches(-101 - round, move)) << round;
+    EXPECT_EQ(progress.slowsDown(), round > 0);
+  }
 }
 
 TEST(FixedPointProgress, EndsAfterRoundsThatLeadAway) {
