@@ -11,12 +11,14 @@ namespace uncertainty_identification {
 namespace {
 
 /// Whether causes on top of a plant of first order explain unseen windows far better than high
-/// orders do.
+/// orders do, or better with no more parameters than linear ones.
 bool standsForOrders(const CurveSearchResult& with_causes, const CurveSearchResult& orders) {
-  constexpr double kFarLess = 0.7;
+  constexpr double kFarLess = 0.7, kLess = 0.9;
+  const bool is_no_larger =
+      orders.causes.empty() && with_causes.fit.parameters() <= orders.fit.parameters();
   return with_causes.held_error <= orders.held_error &&
          with_causes.fit.left_out + with_causes.held_error <
-             kFarLess * (orders.fit.left_out + orders.held_error);
+             (is_no_larger ? kLess : kFarLess) * (orders.fit.left_out + orders.held_error);
 }
 
 /// Whether the causes, which leave much unexplained, simulate better and do not predict better. In

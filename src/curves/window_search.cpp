@@ -1,6 +1,7 @@
 #include "curves/window_search.h"
 
 #include <numeric>
+#include <utility>
 
 #include "curves/curve_words.h"
 #include "curves/held_out.h"
@@ -8,12 +9,14 @@
 namespace uncertainty_identification {
 namespace {
 
-/// The last third of the windows.
-SimulationData lastThird(SimulationData* data) {
+/// Every third window, so that what is held out covers the same levels as what is fitted to.
+SimulationData everyThird(SimulationData* data) {
   SimulationData held = *data;
-  const auto first = static_cast<std::ptrdiff_t>(data->windows.size() - data->windows.size() / 3);
-  held.windows.erase(held.windows.begin(), held.windows.begin() + first);
-  data->windows.resize(static_cast<std::size_t>(first));
+  std::vector<SimulationWindow> all = std::move(data->windows);
+  data->windows.clear();
+  held.windows.clear();
+  for (std::size_t k = 0; k < all.size(); ++k)
+    (k % 3 == 2 ? held : *data).windows.push_back(std::move(all[k]));
   for (SimulationData* part : {data, &held}) {
     part->groups.resize(part->windows.size() + 1);
     std::iota(part->groups.begin(), part->groups.end(), 0);
@@ -93,7 +96,7 @@ WindowSearch searchWindows(const std::vector<Experiment>& fitted,
                            const CurveSearchContext& context) {
   WindowSearch search{windowsOf(fitted, plan, scales, kMostSamplesOfSearch), {}, held.empty(), {}};
   search.kept =
-      held.empty() ? lastThird(&search.data) : windowsOf(held, plan, scales, kMostSamplesOfSearch);
+      held.empty() ? everyThird(&search.data) : windowsOf(held, plan, scales, kMostSamplesOfSearch);
   if (!search.data.windows.empty() && !search.kept.windows.empty())
     search.result = searchCurves(search.data, search.kept, limits, context);
   return search;
