@@ -24,8 +24,8 @@ bool areFewSteps(const std::vector<Experiment>& fitted, const std::vector<Experi
 
 /// Looks for what the free simulation of a small linear plant gets wrong: curves at places of the
 /// simulation, fitted to windows of `fitted`, accepted and measured on windows of `held`. Where
-/// `held` is empty, the last third of the windows is held out. Throws nothing: data that are too
-/// few give a result with the reason in `skipped`.
+/// `held` is empty, every third window is held out. Throws nothing: data that are too few give a
+/// result with the reason in `skipped`.
 SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
                                    const std::vector<Experiment>& held,
                                    const SimulationSearchOptions& options, WorkerPool* pool);

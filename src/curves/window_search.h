@@ -15,7 +15,7 @@ constexpr int kMostSamplesOfSearch = 6000;
 /// A search for curves in windows of some length.
 struct WindowSearch {
   SimulationData data, kept;      ///< windows that are fitted to and those held out
-  bool held_out_of_data = false;  ///< there were no records to hold out: the last third is
+  bool held_out_of_data = false;  ///< there were no records to hold out: every third window is
   CurveSearchResult result;
 
   double fitOf(double squared_error) const;  ///< of the held-out windows [%]
