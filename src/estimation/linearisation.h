@@ -32,7 +32,7 @@ class FixedPointProgress {
   /// that the iteration moves away.
   bool approaches(double log_likelihood, double move);
 
-  /// Whether the points moved less in the last round than in the one before.
+  /// Whether the points moved less in the last round than in the one before, if there was one.
   bool slowsDown() const { return slows_down_; }
 
   static constexpr int kPatience = 8;
@@ -51,6 +51,8 @@ class StepShare {
  public:
   /// Share of `step` that is to be taken; an empty one is no step.
   double of(const Eigen::MatrixXd& step);
+
+  double now() const { return share_; }
 
  private:
   Eigen::MatrixXd last_;

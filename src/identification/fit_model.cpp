@@ -116,7 +116,9 @@ void optimiseToFixedPoint(const Problem& problem, const OptimisationOptions& opt
       optimum = reached;
       return didNotConverge(&optimum);
     }
-    still = std::abs(fitted->optimum.log_likelihood - before) < kImmaterial ? still + 1 : 0;
+    still = std::abs(fitted->optimum.log_likelihood - before) < kImmaterial * share.now()
+                ? still + 1
+                : 0;
   }
 }
 

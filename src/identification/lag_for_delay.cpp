@@ -2,6 +2,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "identification/mean_plant.h"
 #include "identification/steps.h"
@@ -14,41 +15,71 @@ namespace {
 using Names = std::vector<std::string>;
 
 bool isDelayedChainOfLags(const StructureFit& fit) {
-  constexpr int kMostLags = 3;  // with the one more
   const NominalModelOptions& nominal = fit.structure.configuration.nominal_model;
   return nominal.structure == Structure::continuous && nominal.resonances == 0 &&
          nominal.fixed.empty() && nominal.time_constants > 0 &&
-         nominal.time_constants < kMostLags && (nominal.dead_time || nominal.delay > 1);
+         (nominal.dead_time || nominal.delay > 1);
+}
+
+/// Whether the data and the configuration allow as many poles.
+bool allows(const Problem& problem, int poles) {
+  constexpr int kMost = 3, kSamplesEach = 40;
+  const int asked = problem.configuration.nominal_model.max_order;
+  return poles <= std::min(kMost, asked) && !problem.data.single_steps &&
+         problem.data.validSamples() >= kSamplesEach * poles;
 }
 
 std::string lag(int number) { return "tau" + std::to_string(number); }
 
-/// Go of the fit, with a lag that answers about as late as its delay does.
-StartingPoint startOf(const StructureFit& fit, const NominalModel& with_lag, int lags,
-                      double sample_time) {
-  const NominalModel& nominal = fit.model->nominal();
-  const Names before = nominal.names(), names = with_lag.names();
+/// A time constant [s], and whether it varies from experiment to experiment.
+struct Lag {
+  double tau = 0;
+  bool varies = false, is_new = false;
+};
+
+/// The lags of the fit and one that answers about as late as its delay does, the slowest first, as
+/// a model that starts from polynomials numbers them.
+std::vector<Lag> lagsOf(const StructureFit& fit, double sample_time) {
+  const NominalModelOptions& options = fit.structure.configuration.nominal_model;
+  const Names names = fit.model->nominal().names(),
+              &varied = fit.structure.configuration.error_model.parameters;
+  std::vector<Lag> lags{{(options.delay - 0.5) * sample_time, false, true}};
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const double value = fit.point.parameters[static_cast<Eigen::Index>(k)];
+    if (names[k] == "dead_time") lags.front().tau += value;
+    if (names[k].rfind("tau", 0) == 0)
+      lags.push_back({value, std::find(varied.begin(), varied.end(), names[k]) != varied.end()});
+  }
+  std::stable_sort(lags.begin(), lags.end(),
+                   [](const Lag& left, const Lag& right) { return left.tau > right.tau; });
+  return lags;
+}
+
+/// Go of the fit with these lags and no delay but that of the hold.
+StartingPoint startOf(const StructureFit& fit, const NominalModel& with_lag,
+                      const std::vector<Lag>& lags) {
+  const Names before = fit.model->nominal().names(), names = with_lag.names();
   std::map<std::string, double> known;
   for (std::size_t k = 0; k < before.size(); ++k)
     known[before[k]] = fit.point.parameters[static_cast<Eigen::Index>(k)];
-  const int whole = fit.structure.configuration.nominal_model.delay;
-  const auto dead_time = known.find("dead_time");
-  known[lag(lags)] =
-      (whole - 0.5) * sample_time + (dead_time == known.end() ? 0 : dead_time->second);
+  for (std::size_t k = 0; k < lags.size(); ++k) known[lag(static_cast<int>(k) + 1)] = lags[k].tau;
   Eigen::VectorXd theta(static_cast<Eigen::Index>(names.size()));
   for (std::size_t k = 0; k < names.size(); ++k)
     theta[static_cast<Eigen::Index>(k)] = known[names[k]];
   return {with_lag.polynomials(theta), fit.start().offset};
 }
 
-/// The parameters that may vary: those that did in the fit, also together with the further lag, and
-/// all.
-std::vector<Names> variedWith(const StructureFit& fit, int lags) {
-  Names before = fit.structure.configuration.error_model.parameters;
-  before.erase(std::remove(before.begin(), before.end(), "dead_time"), before.end());
-  Names with_lag = before, all{"gain"};
-  with_lag.push_back(lag(lags));
-  for (int k = 1; k <= lags; ++k) all.push_back(lag(k));
+/// The parameters that may vary: those that did in the fit, the same and the further lag, and all.
+std::vector<Names> variedWith(const StructureFit& fit, const std::vector<Lag>& lags) {
+  const Names& varied = fit.structure.configuration.error_model.parameters;
+  Names before, with_lag, all{"gain"};
+  if (std::find(varied.begin(), varied.end(), "gain") != varied.end()) before = with_lag = {"gain"};
+  for (std::size_t k = 0; k < lags.size(); ++k) {
+    const std::string name = lag(static_cast<int>(k) + 1);
+    if (lags[k].varies) before.push_back(name);
+    if (lags[k].varies || lags[k].is_new) with_lag.push_back(name);
+    all.push_back(name);
+  }
   std::vector<Names> found;
   for (const Names& names : {before, with_lag, all})
     if (!names.empty() && std::find(found.begin(), found.end(), names) == found.end())
@@ -59,17 +90,19 @@ std::vector<Names> variedWith(const StructureFit& fit, int lags) {
 }  // namespace
 
 StructureFit withLagForDelay(const Problem& problem, StructureFit fit, Journal* journal) {
-  const ErrorModelOptions& errors = fit.structure.configuration.error_model;
-  if (!isDelayedChainOfLags(fit) || errors.basis != BasisKind::parameter_spread) return fit;
   Configuration configuration = fit.structure.configuration;
+  if (!isDelayedChainOfLags(fit) ||
+      configuration.error_model.basis != BasisKind::parameter_spread ||
+      !allows(problem, configuration.nominal_model.time_constants + 1))
+    return fit;
   NominalModelOptions& nominal = configuration.nominal_model;
-  const int lags = ++nominal.time_constants;
+  ++nominal.time_constants;
   nominal.zeros = 0;
   nominal.dead_time = false;
   nominal.delay = 1;
   const double sample_time = problem.data.sampleTime();
-  const StartingPoint start =
-      startOf(fit, *makeNominalModel(nominal, sample_time), lags, sample_time);
+  const std::vector<Lag> lags = lagsOf(fit, sample_time);
+  const StartingPoint start = startOf(fit, *makeNominalModel(nominal, sample_time), lags);
   std::vector<StructureFit> fits{std::move(fit)};
   for (const Names& names : variedWith(fits.front(), lags)) {
     if (journal->progress.searchEnds()) break;

@@ -1,11 +1,14 @@
+#include <algorithm>
 #include <cmath>
-#include <optional>
+#include <complex>
+#include <limits>
 #include <utility>
 
 #include "estimation/excerpt.h"
 #include "identification/mean_plant.h"
 #include "identification/steps.h"
 #include "identification/structure_fit.h"
+#include "math/constants.h"
 #include "math/information_criterion.h"
 #include "math/polynomial.h"
 #include "uncertainty_identification/errors.h"
@@ -14,42 +17,60 @@
 namespace uncertainty_identification {
 namespace {
 
-/// Whether the noise hardly decays within the longest experiment: then it may only stand for an
-/// operating point of each experiment, while the simulation stays at a common one.
-bool noiseLasts(const FittedModel& fitted, const CheckedData& data) {
+/// Whether the noise hardly decays within the longest experiment, nor swings twice: then it may
+/// only stand for an operating point of each experiment, while the simulation stays at a common
+/// one. Where A is a part of H, such noise may be the plant's.
+bool noiseLasts(const FittedModel& fitted, const Configuration& configuration,
+                const CheckedData& data) {
   constexpr double kPart = 3;  // the time constant is longer than one third of the experiment
+  const Structure structure = configuration.nominal_model.structure;
+  if (structure == Structure::arx || structure == Structure::armax) return false;
   const NominalModel& nominal = fitted.model->nominal();
   const Eigen::VectorXd theta = fitted.optimum.point.parameters.head(nominal.parameterCount());
   const Eigen::VectorXd d = nominal.polynomials(theta).d;
-  if (d.size() == 0) return false;
-  const double slowest = roots(d).cwiseAbs().maxCoeff();
-  return -std::log(slowest) * longestOf(data.experiments) < kPart;
+  const Eigen::VectorXcd all = roots(d);
+  const int longest = longestOf(data.experiments);
+  return std::any_of(all.data(), all.data() + all.size(), [&](const std::complex<double>& root) {
+    const std::complex<double> rate = std::log(root) * static_cast<double>(longest);
+    return -rate.real() < kPart && std::abs(rate.imag()) < 4 * kPi;
+  });
 }
 
-/// Half the BIC, with a minus sign, of all samples: the first ones as well, whose levels offsets of
-/// the experiments' own explain, at the price of a wide prior.
-double scoreOf(const Problem& problem, const FittedModel& fitted) {
+/// Log-likelihood of all samples: the first ones as well, whose levels offsets of the experiments'
+/// own explain, at the price of a wide prior about zero.
+double logLikelihoodOf(const FittedModel& fitted) {
+  const Optimum& optimum = fitted.optimum;
+  return std::isfinite(optimum.log_likelihood) && !optimum.is_lost
+             ? optimum.log_likelihood
+             : -std::numeric_limits<double>::infinity();
+}
+
+/// What is compared, with the BIC of all samples.
+Candidate candidateOf(const Problem& problem, const FittedModel& fitted) {
   const CheckedData& data = problem.data;
   const int varied = fitted.model->regressors();
   const auto components = static_cast<int>(fitted.optimum.point.mixture.means.size());
   const int mixture =
       varied == 0 ? 0 : mixtureParameters(problem.configuration, varied, components);
-  const auto plant = problem.plant ? problem.plant->parameters.size() : 0;
-  return fitted.optimum.log_likelihood -
-         bicPenalty(fitted.model->parameterCount() + 1 + static_cast<double>(plant),
-                    static_cast<double>(data.validSamples())) -
-         bicPenalty(mixture, data.count());
+  const auto plant = problem.plant ? static_cast<int>(problem.plant->parameters.size()) : 0;
+  const int parameters = fitted.model->parameterCount() + 1 + plant;
+  const double log_likelihood = logLikelihoodOf(fitted);
+  const double bic = 2 * (bicPenalty(parameters, static_cast<double>(data.validSamples())) +
+                          bicPenalty(mixture, data.count()) - log_likelihood);
+  const bool own = problem.configuration.estimation.offsets == Offsets::per_experiment;
+  return {"offsets, as noise lasts",
+          own ? "of each experiment" : "common",
+          parameters + mixture,
+          log_likelihood,
+          bic,
+          {},
+          false,
+          {}};
 }
 
 SimulationFit simulated(const Problem& problem, const FittedModel& fitted) {
   const ModelParameters& point = fitted.optimum.point;
   return fitOf(problem, meanPlant(*fitted.model, point), offsetOf(problem, *fitted.model, point));
-}
-
-/// Marks the offsets of each experiment's own as chosen, also where they had seemed worse.
-void markOwnOffsets(std::vector<Candidate>* candidates) {
-  for (Candidate& each : *candidates)
-    if (each.choice == "offsets") each.chosen = each.description != "common";
 }
 
 /// The plant's orders and the model around it, chosen one after the other.
@@ -65,19 +86,26 @@ FittedModel fitWithOffsets(const Configuration& asked, Problem* problem, Journal
   const std::vector<Candidate> candidates_before = journal->candidates;
   const std::vector<std::string> warnings_before = journal->warnings;
   FittedModel fitted = chosenModel(asked, problem, journal);
-  const Offsets chosen = problem->configuration.estimation.offsets;
-  if (asked.estimation.offsets != Offsets::automatic || chosen != Offsets::estimate ||
-      !mayHaveOwnOffsets(own) || !noiseLasts(fitted, own.data) || journal->progress.searchEnds())
+  const EstimationOptions& options = problem->configuration.estimation;
+  const bool has_prior = options.initial_precision > 0;
+  if (asked.estimation.offsets != Offsets::automatic || options.offsets != Offsets::estimate ||
+      !has_prior || !mayHaveOwnOffsets(own) ||
+      !noiseLasts(fitted, problem->configuration, own.data) || !journal->progress.allowsAnother())
     return fitted;
   own.configuration.estimation.offsets = Offsets::per_experiment;
   std::vector<Candidate> candidates = std::exchange(journal->candidates, candidates_before);
   std::vector<std::string> warnings = std::exchange(journal->warnings, warnings_before);
+  Candidate common = candidateOf(*problem, fitted);
   try {
     FittedModel other = chosenModel(asked, &own, journal);
-    if (scoreOf(own, other) > scoreOf(*problem, fitted) &&
-        !simulatesWorse(simulated(own, other), simulated(*problem, fitted))) {
+    Candidate each = candidateOf(own, other);
+    each.chosen = *each.bic < *common.bic &&
+                  !simulatesWorse(simulated(own, other), simulated(*problem, fitted));
+    common.chosen = !each.chosen;
+    std::vector<Candidate>* of_chosen = each.chosen ? &journal->candidates : &candidates;
+    of_chosen->insert(of_chosen->end(), {common, each});
+    if (each.chosen) {
       takeOver(own, problem);
-      markOwnOffsets(&journal->candidates);
       return other;
     }
   } catch (const DataError&) {

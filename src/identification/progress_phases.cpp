@@ -48,6 +48,8 @@ bool ProgressPhases::mustEnd() {
 
 bool ProgressPhases::searchEnds() const { return cancelled_ || isOver(kForSearch); }
 
+bool ProgressPhases::allowsAnother() const { return !cancelled_ && !isOver(kForSearch / 2); }
+
 bool ProgressPhases::isOver(double share_of_time) const {
   return time_limit_ > 0 && watch_.seconds() > share_of_time * time_limit_;
 }

@@ -30,6 +30,9 @@ class ProgressPhases {
   /// when the rest of the time is needed to describe the model.
   bool searchEnds() const;
 
+  /// Whether there is time for a second search as long as the first, which has just ended.
+  bool allowsAnother() const;
+
   bool cancelled() const { return cancelled_; }
 
  private:

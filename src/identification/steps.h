@@ -28,6 +28,8 @@ Configuration chooseOffsets(const Problem& problem, Journal* journal);
 /// Whether there are enough experiments, with inputs that excite enough, to show offsets of their
 /// own: where the input is constant, an offset and another gain are the same. Experiments that
 /// start at rest start at the common one.
+/// False also for offsets of the input, and where parameters are given, by the configuration or by
+/// a previous result.
 bool mayHaveOwnOffsets(const Problem& problem);
 
 /// Variance of all measured outputs about their common mean.
@@ -164,9 +166,10 @@ void describeParameters(const Problem& problem, const FittedModel& fitted, Journ
 FittedModel fitChosen(const Configuration& asked, Problem* problem, Journal* journal);
 
 /// Chooses the plant's orders and the structure. Where offsets are automatic, the one in common was
-/// chosen, and the noise lasts nearly as long as the experiments, all is chosen once more with
-/// offsets of the experiments' own, which such noise may stand for. These are taken where the
-/// likelihood of all samples less the penalty of BIC is higher, and the simulation no worse.
+/// chosen, and the time constant of the noise is longer than a third of the longest experiment, all
+/// is chosen once more with offsets of the experiments' own, which such noise may stand for. These
+/// are taken where the likelihood of all samples less the penalty of BIC is higher, and the
+/// simulation no worse.
 FittedModel fitWithOffsets(const Configuration& asked, Problem* problem, Journal* journal);
 
 /// How the plants differ from experiment to experiment, as a sentence; empty for one experiment.

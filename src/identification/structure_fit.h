@@ -58,8 +58,8 @@ StructureFit bestOf(const Problem& problem, const std::vector<StructureFit>& fit
 StructureFit withBetterOrders(const Problem& problem, StructureFit fit, bool only_if_dependent,
                               Journal* journal);
 
-/// The fit, or one with a further lag in place of the delay of a chain of lags, if that is better:
-/// a short delay often stands for lags that are faster than the samples show.
+/// The fit, or one with a further lag in place of delay and zeros of a chain of lags, if that is
+/// better: a short delay often stands for lags that are faster than the samples show.
 StructureFit withLagForDelay(const Problem& problem, StructureFit fit, Journal* journal);
 
 /// The error model with which orders are compared: a gain that varies from experiment to experiment

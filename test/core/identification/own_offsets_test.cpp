@@ -10,7 +10,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kThirty = 30, kReading = 0.03, kFlows = 0.12,
+constexpr double kTankStep = 30, kReading = 0.03, kFlows = 0.12,
                  kHeating = 2.4;  // [s], [K], -, [K/kW]
 
 class HeatedTanks : public testing::Test {
@@ -22,7 +22,7 @@ class HeatedTanks : public testing::Test {
     double heater = 20, state[] = {heater, kHeating * heater / flow, kHeating * heater / flow};
     Experiment one;
     one.id = "tank_" + std::to_string(number);
-    one.sample_time = kThirty;
+    one.sample_time = kTankStep;
     one.u.resize(samples);
     one.y.resize(samples);
     for (int t = 0, next = 6; t < samples; ++t) {
@@ -34,7 +34,7 @@ class HeatedTanks : public testing::Test {
       one.y[t] = inlet + state[2] + kReading * normal();
       constexpr int kParts = 300;
       for (int part = 0; part < kParts; ++part) {
-        const double h = kThirty / kParts;
+        const double h = kTankStep / kParts;
         state[2] += h / lags[2] * (state[1] - state[2]);
         state[1] += h / lags[1] * (kHeating / flow * state[0] - state[1]);
         state[0] += h / lags[0] * (heater - state[0]);
