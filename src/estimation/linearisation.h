@@ -52,7 +52,7 @@ class StepShare {
   /// Share of `step` that is to be taken; an empty one is no step.
   double of(const Eigen::MatrixXd& step);
 
-  double now() const { return share_; }
+  double now() const { return share_; }  ///< the share that was taken last
 
  private:
   Eigen::MatrixXd last_;
