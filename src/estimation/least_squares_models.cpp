@@ -16,7 +16,7 @@ namespace {
 
 /// The coefficients' medians over fits of single experiments; few suffice for a start.
 bool medianOfExperiments(const std::vector<Experiment>& experiments, const Polynomials& sizes,
-                         bool with_constant, LeastSquaresModel* median) {
+                         Constant constant, LeastSquaresModel* median) {
   constexpr std::size_t kMost = 40;
   const Index nb = sizes.b.size(), na = sizes.a.size();
   std::vector<std::vector<double>> values(static_cast<std::size_t>(nb + na + 1));
@@ -24,7 +24,7 @@ bool medianOfExperiments(const std::vector<Experiment>& experiments, const Polyn
   for (std::size_t r = 0; r < experiments.size(); r += stride) {
     if (experiments[r].samples() < 4 * (nb + na + sizes.delay) + 10) continue;
     const LeastSquaresModel one =
-        LeastSquaresStart({&experiments[r]}, with_constant, 2000)
+        LeastSquaresStart({&experiments[r]}, constant, 2000)
             .steiglitzMcBride(static_cast<int>(nb), static_cast<int>(na), sizes.delay, sizes.delay);
     if (one.polynomials.b.size() != nb || one.polynomials.a.size() != na) continue;  // overflow
     VectorXd all(nb + na + 1);
@@ -113,15 +113,15 @@ std::vector<LeastSquaresModel> leastSquaresModels(const LinearModel& model,
                                                   const std::vector<Experiment>& experiments) {
   const Polynomials sizes = sizesOf(model.nominal());
   const int nb = static_cast<int>(sizes.b.size()), na = static_cast<int>(sizes.a.size());
-  const bool with_constant = model.parameterCount() > model.nominal().parameterCount();
-  const LeastSquaresStart pooled(pointersTo(experiments), with_constant);
+  const Constant constant = constantOf(model.offsets());
+  const LeastSquaresStart pooled(pointersTo(experiments), constant);
   const int dead_time = longestDeadTime(model.nominal());
   if (dead_time > 0) {
     std::vector<LeastSquaresModel> models;
     addModelsOfDeadTimes(pooled, sizes, dead_time, &models);
     const std::vector<Experiment> clean = withoutNoise(pooled, experiments, sizes.delay, dead_time);
     if (!clean.empty())
-      addModelsOfDeadTimes(LeastSquaresStart(pointersTo(clean), with_constant), sizes, dead_time,
+      addModelsOfDeadTimes(LeastSquaresStart(pointersTo(clean), constant), sizes, dead_time,
                            &models);
     return models;
   }
@@ -129,13 +129,13 @@ std::vector<LeastSquaresModel> leastSquaresModels(const LinearModel& model,
                                         pooled.arx(nb, na, sizes.delay)};
   models[kArx].polynomials.a = stabilised(models[kArx].polynomials.a, 0.9995);
   LeastSquaresModel median;
-  if (medianOfExperiments(experiments, sizes, with_constant, &median)) models.push_back(median);
+  if (medianOfExperiments(experiments, sizes, constant, &median)) models.push_back(median);
   // Without an error model, a slow pole with a free state would follow what the model lacks.
   if (model.regressors() > 0)
     models.push_back(pooled.steiglitzMcBride(nb, na, sizes.delay, sizes.delay,
                                              LeastSquaresStart::Start::unknown));
   const std::vector<LeastSquaresModel> embedded =
-      embeddedStarts(model.basis(), sizes, experiments, with_constant);
+      embeddedStarts(model.basis(), sizes, experiments, constant != Constant::none);
   models.insert(models.end(), embedded.begin(), embedded.end());
   return models;
 }

@@ -94,6 +94,15 @@ void removeFreeResponse(const VectorXd& prefilter, const std::vector<Index>& tim
   *regression -= free * free.colPivHouseholderQr().solve(*regression);
 }
 
+/// Takes a constant, which is `one` behind the prefilter, out of all columns of one record's
+/// regression.
+void removeConstant(const VectorXd& one, const std::vector<Index>& times, MatrixXd* regression) {
+  VectorXd constant(regression->rows());
+  for (Index i = 0; i < constant.size(); ++i) constant[i] = one[times[static_cast<std::size_t>(i)]];
+  const double power = constant.squaredNorm();
+  if (power > 0) *regression -= constant * (constant.transpose() * *regression / power);
+}
+
 /// Minimises |A w - b| with columns scaled to unit length. Directions that rounding makes
 /// indeterminate get the value zero.
 VectorXd leastSquares(const MatrixXd& A, const VectorXd& b, double* residual) {
@@ -106,9 +115,14 @@ VectorXd leastSquares(const MatrixXd& A, const VectorXd& b, double* residual) {
 
 }  // namespace
 
+Constant constantOf(Offsets offsets) {
+  if (offsets == Offsets::none) return Constant::none;
+  return offsets == Offsets::per_experiment ? Constant::of_each : Constant::common;
+}
+
 LeastSquaresStart::LeastSquaresStart(const std::vector<const Experiment*>& experiments,
-                                     bool with_constant, int max_samples)
-    : with_constant_(with_constant) {
+                                     Constant constant, int max_samples)
+    : constant_(constant) {
   long total = 0;
   for (const Experiment* experiment : experiments) total += experiment->samples();
   // If there are too many samples, use the beginning of each experiment, or a subset of many short
@@ -130,7 +144,8 @@ LeastSquaresStart::LeastSquaresStart(const std::vector<const Experiment*>& exper
 
 MatrixXd LeastSquaresStart::triangularFactor(const VectorXd& prefilter, int na, int u_lags,
                                              Start start) const {
-  const Index constant = u_lags + 1, columns = u_lags + 1 + (with_constant_ ? 1 : 0) + na + 1;
+  const bool is_common = constant_ == Constant::common;
+  const Index constant = u_lags + 1, columns = u_lags + 1 + (is_common ? 1 : 0) + na + 1;
   RowAccumulator rows(columns);
   for (const Record& record : records_) {
     checkpoint();
@@ -146,10 +161,11 @@ MatrixXd LeastSquaresStart::triangularFactor(const VectorXd& prefilter, int na, 
       auto row = regression.row(static_cast<Index>(i));
       const Index t = times[i];
       for (Index k = 0; k <= u_lags; ++k) row[k] = lagged(u, t - k);
-      if (with_constant_) row[constant] = one[t];
+      if (is_common) row[constant] = one[t];
       for (Index k = 1; k <= na; ++k) row[columns - 1 - na + k - 1] = -lagged(y, t - k);
       row[columns - 1] = y[t];
     }
+    if (constant_ == Constant::of_each) removeConstant(one, times, &regression);
     if (start == Start::unknown) removeFreeResponse(prefilter, times, &regression);
     for (Index i = 0; i < regression.rows(); ++i) rows.next() = regression.row(i);
   }
@@ -159,17 +175,18 @@ MatrixXd LeastSquaresStart::triangularFactor(const VectorXd& prefilter, int na, 
 LeastSquaresModel LeastSquaresStart::solve(const MatrixXd& factor, int nb, int na, int delay,
                                            int u_lags) const {
   checkpoint();
-  const Index columns = factor.cols(), constants = with_constant_ ? 1 : 0;
+  const bool is_common = constant_ == Constant::common;
+  const Index columns = factor.cols(), constants = is_common ? 1 : 0;
   MatrixXd selected(factor.rows(), nb + constants + na);
   selected.leftCols(nb) = factor.middleCols(delay, nb);
-  if (with_constant_) selected.col(nb) = factor.col(u_lags + 1);
+  if (is_common) selected.col(nb) = factor.col(u_lags + 1);
   selected.rightCols(na) = factor.middleCols(columns - 1 - na, na);
   LeastSquaresModel model;
   const VectorXd w = leastSquares(selected, factor.col(columns - 1), &model.residual_squares);
   model.polynomials.delay = delay;
   model.polynomials.b = w.head(nb);
   model.polynomials.a = w.tail(na);
-  if (with_constant_) model.offset = w[nb] / (1 + model.polynomials.a.sum());
+  if (is_common) model.offset = w[nb] / (1 + model.polynomials.a.sum());
   return model;
 }
 

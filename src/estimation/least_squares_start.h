@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/experiment.h"
 #include "uncertainty_identification/model/nominal_model.h"
 
@@ -15,16 +16,27 @@ struct LeastSquaresModel {
   double residual_squares = 0;  ///< of the last regression, summed over its rows
 };
 
+/// The constants in the output that a regression estimates beside a model.
+enum class Constant {
+  none,
+  common,  ///< one for all experiments
+  of_each  ///< one for each of them, which is eliminated
+};
+
+/// That which belongs to a model with these offsets.
+Constant constantOf(Offsets offsets);
+
 /// Rational models by least squares pooled over experiments: ARX, refined by the Steiglitz-McBride
 /// iteration (ARX on data filtered by 1/A, which approximates output-error least squares). Used
 /// only as a start for maximising the likelihood.
 class LeastSquaresStart {
  public:
   /// `experiments` must outlive this object. At most about `max_samples` of their samples are used.
-  LeastSquaresStart(const std::vector<const Experiment*>& experiments, bool with_constant,
+  LeastSquaresStart(const std::vector<const Experiment*>& experiments, Constant constant,
                     int max_samples = 60000);
 
-  /// Fits A y = q^-delay B u + constant.
+  /// Fits A y = q^-delay B u + constant. A model with constants of each experiment has the offset
+  /// 0.
   LeastSquaresModel arx(int nb, int na, int delay) const;
 
   /// Steiglitz-McBride iteration for each delay in [first_delay, last_delay]. Returns the fit with
@@ -54,7 +66,7 @@ class LeastSquaresStart {
                           int u_lags) const;
 
   std::vector<Record> records_;
-  bool with_constant_;
+  Constant constant_;
 };
 
 /// Noise polynomials C (nc) and D (nd) from residuals v, by the two regressions of Hannan and

@@ -88,7 +88,8 @@ std::vector<VectorXd> OrderFits::simulate(const OrderFit& fitted,
 void OrderFits::crossValidate(OrderFit* fitted) const {
   if (fitted->parameters.size() == 0) return;
   const auto finite = [](double fit) { return std::isfinite(fit) ? fit : OrderFit::kWorst; };
-  fitted->fit = finite(fitOfErrors(simulate(*fitted, experiments()), experiments()).pooled);
+  fitted->fit = finite(fitOfErrors(simulate(*fitted, experiments()), experiments())
+                           .pooledFor(configuration_.estimation.offsets));
   std::vector<VectorXd> errors;
   for (std::size_t k = 0; k < splits_.size(); ++k) {
     const OrderFit of_split =
@@ -98,7 +99,8 @@ void OrderFits::crossValidate(OrderFit* fitted) const {
       errors.push_back(std::move(each));
   }
   fitted->held_out_errors = std::move(errors);
-  fitted->held_out_fit = finite(fitOfErrors(fitted->held_out_errors, held_out_).pooled);
+  fitted->held_out_fit = finite(
+      fitOfErrors(fitted->held_out_errors, held_out_).pooledFor(configuration_.estimation.offsets));
 }
 
 }  // namespace uncertainty_identification

@@ -100,7 +100,7 @@ class Selection {
       shortest = std::min(shortest, experiment.samples());
     }
     const int longest_delay = std::min(configuration_.nominal_model.max_delay, shortest / 4);
-    const LeastSquaresStart scan(all, configuration_.estimation.offsets != Offsets::none,
+    const LeastSquaresStart scan(all, constantOf(configuration_.estimation.offsets),
                                  kEnoughSamples);
     std::vector<OrderFit> models;
     for (int order = 1; order <= largest; ++order) {

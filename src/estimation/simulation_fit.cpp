@@ -104,14 +104,16 @@ SimulationFit fitOfErrors(const std::vector<Eigen::VectorXd>& errors,
                           const std::vector<Experiment>& experiments) {
   SimulationFit fit;
   Moments all;
-  double error = 0;
+  double error = 0, own_spreads = 0;
   for (std::size_t r = 0; r < experiments.size(); ++r) {
     const Moments own = momentsOf(experiments[r]);
     fit.percent.push_back(fitPercent(errors[r].squaredNorm(), own.spread()));
     error += errors[r].squaredNorm();
+    own_spreads += own.spread();
     all.add(own);
   }
   fit.pooled = fitPercent(error, all.spread());
+  fit.pooled_own_means = fitPercent(error, own_spreads);
   return fit;
 }
 

@@ -12,6 +12,13 @@ namespace uncertainty_identification {
 struct SimulationFit {
   std::vector<double> percent;  ///< of each experiment, with its own mean y
   double pooled = 0;            ///< of all experiments together, with the common mean y
+  double pooled_own_means = 0;  ///< of all experiments together, each with its own mean y
+
+  /// The pooled fit that says how much a model with these offsets explains: where each experiment
+  /// has an offset of its own, what distinguishes their means is no merit of the plant.
+  double pooledFor(Offsets offsets) const {
+    return offsets == Offsets::per_experiment ? pooled_own_means : pooled;
+  }
 };
 
 /// Coefficients of the responses Z (samples x unknowns) to initial state and offset, fitted to the

@@ -9,6 +9,7 @@
 #include "curves/explain_simulation.h"
 #include "data/text.h"
 #include "explanation/base_model.h"
+#include "explanation/cause_free_model.h"
 #include "explanation/doubtful_curves.h"
 #include "explanation/estimate_fit.h"
 #include "explanation/gains.h"
@@ -36,7 +37,8 @@ namespace {
 class Explaining {
  public:
   Explaining(const Configuration& configuration, SearchProgress& progress)
-      : configuration_(ofBaseModel(configuration)),
+      : asked_(configuration),
+        configuration_(ofBaseModel(configuration)),
         orders_are_chosen_(configuration.nominal_model.orders_auto),
         progress_(progress),
         pool_(threadCount(configuration.estimation.threads)) {}
@@ -56,7 +58,7 @@ class Explaining {
   std::string describeModels(const SearchState& base, const SearchState& found);
   void describe(const SearchState& base, const SearchState& found);
 
-  Configuration configuration_;
+  Configuration asked_, configuration_;  ///< by the user; of the model that the search extends
   const LimitOptions limits_ = configuration_.limits;
   bool orders_are_chosen_;  ///< and not stated, whatever becomes of configuration_
   SearchProgress& progress_;
@@ -215,6 +217,7 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   following_ = followingOf(data.train);
   searchSimulation(data);
   leading_curves_ = leadingCurves(explanation_.simulation);
+  const Split whole = data;
   if (configuration_.explanation.time_limit > 0) thinning_ = thinLongRecords(&data);
   if (!thinning_.empty()) configuration_.sample_time = 0;
   const std::vector<SpoiltSamples> spoilt = maskSpoilt(stray, &configuration_, &data);
@@ -226,6 +229,9 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
       checkResiduals(best.base.fit, best.base.train, best.base.heavy_tails);
   explanation_.candidates = best.tried;
   describe(best.base, best.found);
+  compareWithCauseFreeModel(asked_, whole, progress_, &explanation_);
+  if (progress_.cancelled()) throw CancelledError("cancelled");
+  explanation_.seconds = progress_.seconds();
   return std::move(explanation_);
 }
 
@@ -274,8 +280,6 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
       progress_.outOfTime() ? Termination::iteration_limit : Termination::converged;
   conclude(&explanation_, withheld);
   joinSimulation(&explanation_);
-  if (progress_.cancelled()) throw CancelledError("cancelled");
-  explanation_.seconds = progress_.seconds();
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include "identification/steps.h"
 
 namespace uncertainty_identification {
+const char* const kDirection = "direction";
+
 namespace {
 
 Check checkNamed(const std::string& name, const std::vector<FailedTest>& failed) {
@@ -42,7 +44,7 @@ void addUnclearDirection(const Following& following, bool delay_is_chosen,
       delay > 0 ? following.at_once.matters() : delay_is_chosen && following.moveTogether();
   if (!is_unclear) return;
   Check check;
-  check.name = "direction";
+  check.name = kDirection;
   check.statistic = following.at_once.correlation;
   check.p_value = following.at_once.matters() ? following.at_once.p_value : std::nan("");
   check.passed = false;

@@ -9,6 +9,9 @@ namespace uncertainty_identification {
 /// its tests to the checks without and with the causes where one of the two models fails them.
 void addFailedPredictions(Explanation* explanation);
 
+/// Name of the check whether the input moves the output, and not the output the input.
+extern const char* const kDirection;
+
 /// Adds the check "direction" where input and output move within the same reading: if the data, not
 /// the user, say that the model answers at once, the input may as well be computed from the output;
 /// if it answers later, a controller probably does so.

@@ -89,10 +89,20 @@ void addCausesThatSamplesShow(const std::vector<SpoiltSamples>& spoilt, const Ef
   }
 }
 
-/// Accepts feedback as a cause (exp_feedback) if its test says so.
+/// Whether the residuals hold what the input did before.
+bool dependsOnInput(const SearchState& state) {
+  for (const Check& check : checkResiduals(state.fit, state.train, state.heavy_tails))
+    if (check.name == "dependence on the input") return !check.passed;
+  return false;
+}
+
+/// Accepts feedback as a cause (exp_feedback) if its test says so. Where the residuals depend on
+/// the earlier input, an input that is predictable over a long time correlates with them a little
+/// without any feedback: it has to be overwhelming.
 void addFeedback(const Effects& effects, SearchState* found) {
-  constexpr double kFeedback = 1e-4;  // p-value
-  if (feedbackProbability(residualsOf(found->fit, found->train), found->train) >= kFeedback) return;
+  constexpr double kFeedback = 1e-4, kOverwhelming = 1e-20;  // p-value
+  const double p_value = feedbackProbability(residualsOf(found->fit, found->train), found->train);
+  if (p_value >= kFeedback || (p_value >= kOverwhelming && dependsOnInput(*found))) return;
   FoundCause cause;
   cause.effect = findEffect(effects, Trait::feedback);
   found->causes.push_back(std::move(cause));

@@ -21,7 +21,7 @@ int scannedDeadTime(const Problem& problem, const NominalModelOptions& options) 
     shortest = std::min(shortest, experiment.samples());
   }
   const int longest = std::min(options.max_delay, shortest / 3);
-  const LeastSquaresStart pooled(all, true);
+  const LeastSquaresStart pooled(all, constantOf(problem.configuration.estimation.offsets));
   const LeastSquaresModel best =
       pooled.steiglitzMcBride(order + 1, order, options.delay, options.delay + longest);
   return std::max(0, best.polynomials.delay - options.delay);

@@ -97,7 +97,7 @@ Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* jo
   estimate.simulation_fit_percent =
       meanPlantFit(model, point, offsetOf(problem, model, point), problem.configuration.estimation,
                    problem.data.experiments)
-          .pooled;
+          .pooledFor(problem.configuration.estimation.offsets);
   estimate.trust = trustOf(fitted, estimate);
   journal->passes += fitted.likelihood->passes();
   return estimate;

@@ -32,7 +32,7 @@ double noiseShare(const std::vector<Experiment>& experiments) {
   std::vector<double> shares;
   const std::size_t stride = 1 + (experiments.size() - 1) / kMostExperiments;
   for (std::size_t r = 0; r < experiments.size(); r += stride) {
-    const LeastSquaresStart one({&experiments[r]}, true, kMostSamples);
+    const LeastSquaresStart one({&experiments[r]}, Constant::common, kMostSamples);
     Moments of_output;
     of_output.add(experiments[r]);
     const double freedom = std::min<double>(of_output.count, kMostSamples) - 3 * kOrder - 1;

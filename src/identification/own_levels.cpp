@@ -13,7 +13,8 @@ constexpr int kOrder = 6, kDelay = 0;
 constexpr int kMostSamples = 5000;  // of each experiment
 
 LeastSquaresModel fitted(const Experiment& experiment, bool with_constant) {
-  return LeastSquaresStart({&experiment}, with_constant, kMostSamples)
+  return LeastSquaresStart({&experiment}, with_constant ? Constant::common : Constant::none,
+                           kMostSamples)
       .arx(kOrder + 1, kOrder, kDelay);
 }
 

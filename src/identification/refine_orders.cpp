@@ -113,8 +113,7 @@ std::vector<int> likelyDelays(const Problem& problem, int order) {
     shortest = std::min(shortest, experiment.samples());
   }
   const Configuration& configuration = problem.configuration;
-  const LeastSquaresStart scan(all, configuration.estimation.offsets != Offsets::none,
-                               kEnoughSamples);
+  const LeastSquaresStart scan(all, constantOf(configuration.estimation.offsets), kEnoughSamples);
   const int longest = std::min(configuration.nominal_model.max_delay, shortest / 4);
   return scan.likelyDelays(order, order, longest);
 }

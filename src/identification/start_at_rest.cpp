@@ -24,7 +24,7 @@ LeastSquaresModel simpleModel(const std::vector<Experiment>& experiments,
     all.push_back(&experiment);
     shortest = std::min(shortest, experiment.samples());
   }
-  const LeastSquaresStart start(all, options.offsets != Offsets::none, kMostSamples);
+  const LeastSquaresStart start(all, constantOf(options.offsets), kMostSamples);
   return start.steiglitzMcBride(kOrder, kOrder, 0, std::min(kLongestDelay, shortest / 4), state);
 }
 

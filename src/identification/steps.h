@@ -208,6 +208,10 @@ Trust trustOfInputs(Trust trust, const CheckedData& data);
 /// `delay` of Go [samples], which was concluded from the data or stated.
 Trust trustOfDirection(Trust trust, const Following& following, int delay, bool delay_is_chosen);
 
+/// Whether data that were not fitted to are simulated far worse [% of fit] than those that were,
+/// and not well.
+bool isFarWorse(double held_out_fit, double fit);
+
 /// The same after simulating experiments that were not fitted; those that were fit by `fit` [%].
 Trust trustAfterValidation(Trust trust, const Validation& validation, std::optional<double> fit);
 

@@ -66,13 +66,12 @@ void addFit(double fit, std::vector<std::string>* reasons) {
                      number(fit) + " %)");
 }
 
-/// Whether data that were not fitted to are simulated far worse than those that were, and not well.
+}  // namespace
+
 bool isFarWorse(double held_out_fit, double fit) {
   constexpr double kFar = 2.5, kGood = 90;  // ratio of errors; [%] fit
   return held_out_fit < kGood && 100 - held_out_fit >= kFar * (100 - fit);
 }
-
-}  // namespace
 
 std::vector<FailedTest> failedTests(const ResidualTests& tests) {
   std::vector<FailedTest> failed;

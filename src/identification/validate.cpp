@@ -66,8 +66,9 @@ Validation validate(const Problem& problem, const FittedModel& fitted, InitialSt
   const bool at_rest = asked == InitialState::zero;
   const SimulationFit fit = fitFrom(at_rest ? InitialState::zero : InitialState::estimate);
   validation.simulation_fit_percent = fit.percent;
-  validation.simulation_fit_percent_pooled = fit.pooled;
-  validation.at_rest_fit_percent_pooled = fitFrom(InitialState::zero).pooled;
+  const Offsets offsets = configuration.estimation.offsets;
+  validation.simulation_fit_percent_pooled = fit.pooledFor(offsets);
+  validation.at_rest_fit_percent_pooled = fitFrom(InitialState::zero).pooledFor(offsets);
   validation.log_density_per_experiment = logDensity(problem, fitted, asked, used, journal);
   if (asked == InitialState::automatic)
     validation.log_density_per_experiment =

@@ -43,6 +43,7 @@ class LinearModel : public Model {
 
   const NominalModel& nominal() const { return *nominal_; }
   const ErrorBasis& basis() const { return basis_; }
+  Offsets offsets() const { return options_.offsets; }
 
   std::vector<std::string> names() const override;
   int regressors() const override { return basis_.dimension(); }

@@ -47,8 +47,8 @@ std::vector<const Experiment*> pointersTo(const std::vector<Experiment>& experim
 /// experiments tell them apart.
 TEST(EmbeddedStart, FindsGoWhereThePooledFitDoesNot) {
   const test::RandomSystem system = clustered();
-  const LeastSquaresModel pooled =
-      LeastSquaresStart(pointersTo(system.experiments), false).steiglitzMcBride(2, 1, 1, 1);
+  const LeastSquaresModel pooled = LeastSquaresStart(pointersTo(system.experiments), Constant::none)
+                                       .steiglitzMcBride(2, 1, 1, 1);
   const auto starts = embeddedStarts(basis(), sizes(), system.experiments, false);
   ASSERT_FALSE(starts.empty());
   EXPECT_LE(starts.size(), 2u);

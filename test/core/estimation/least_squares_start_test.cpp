@@ -42,7 +42,7 @@ void expectTruth(const LeastSquaresModel& found, const dense::Model& truth, doub
 TEST(LeastSquaresStart, FindsNoiseFreeSystemsExactly) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const auto system = test::randomSystem(secondOrder(), seed);
-    const LeastSquaresStart start(pointersTo(system.experiments), false);
+    const LeastSquaresStart start(pointersTo(system.experiments), Constant::none);
     expectTruth(start.arx(2, 2, 3), system.truth, 1e-7);
   }
 }
@@ -52,9 +52,23 @@ TEST(LeastSquaresStart, FindsTheOffsetOfTheOutput) {
   options.output_offset = 4;
   const auto system = test::randomSystem(options, 2);
   const LeastSquaresModel found =
-      LeastSquaresStart(pointersTo(system.experiments), true).arx(2, 2, 3);
+      LeastSquaresStart(pointersTo(system.experiments), Constant::common).arx(2, 2, 3);
   expectTruth(found, system.truth, 1e-7);
   EXPECT_NEAR(found.offset, 4, 1e-6);
+}
+
+/// Levels of the experiments' own, far larger than the answers to the input, are eliminated.
+TEST(LeastSquaresStart, FindsNoiseFreeSystemsAtLevelsOfTheirOwn) {
+  auto system = test::randomSystem(secondOrder(), 2);
+  for (std::size_t r = 0; r < system.experiments.size(); ++r)
+    system.experiments[r].y.array() += 100.0 * static_cast<double>(r * r);
+  const auto found = [&](Constant constant) {
+    return LeastSquaresStart(pointersTo(system.experiments), constant);
+  };
+  expectTruth(found(Constant::of_each).arx(2, 2, 3), system.truth, 1e-7);
+  expectTruth(found(Constant::of_each).steiglitzMcBride(2, 2, 0, 5), system.truth, 1e-4);
+  const LeastSquaresModel at_common = found(Constant::common).arx(2, 2, 3);
+  EXPECT_GT((at_common.polynomials.a - system.truth.a).norm(), 0.1);
 }
 
 /// The constant is filtered as the signals are.
@@ -69,7 +83,8 @@ TEST(LeastSquaresStart, SteiglitzMcBrideFindsTheOffsetToo) {
   system.truth.b = test::vectorOf({0.5, 0.3});
   system = test::simulateSystem(system.truth, options, 3);
   const LeastSquaresModel found =
-      LeastSquaresStart(pointersTo(system.experiments), true).steiglitzMcBride(2, 2, 3, 3);
+      LeastSquaresStart(pointersTo(system.experiments), Constant::common)
+          .steiglitzMcBride(2, 2, 3, 3);
   expectTruth(found, system.truth, 0.1);
   EXPECT_NEAR(found.offset, 4, 0.5);
 }
@@ -83,7 +98,7 @@ TEST(LeastSquaresStart, SteiglitzMcBrideHasLittleBiasInOutputNoise) {
   system.truth.a = test::vectorOf({-1.5, 0.7});
   system.truth.b = test::vectorOf({0.5, 0.3});
   system = test::simulateSystem(system.truth, options, 3);
-  const LeastSquaresStart start(pointersTo(system.experiments), false);
+  const LeastSquaresStart start(pointersTo(system.experiments), Constant::none);
   expectTruth(start.steiglitzMcBride(2, 2, 3, 3), system.truth, 0.02);
   EXPECT_GT((start.arx(2, 2, 3).polynomials.a - system.truth.a).norm(), 0.05);
 }
@@ -94,7 +109,7 @@ TEST(LeastSquaresStart, FindsTheDelay) {
   for (int delay : {0, 1, 5}) {
     options.delay = delay;
     const auto system = test::randomSystem(options, 5);
-    const LeastSquaresStart start(pointersTo(system.experiments), false);
+    const LeastSquaresStart start(pointersTo(system.experiments), Constant::none);
     EXPECT_EQ(start.steiglitzMcBride(2, 2, 0, 8).polynomials.delay, delay);
   }
 }
@@ -109,7 +124,7 @@ TEST(LeastSquaresStart, BridgesGaps) {
       experiment.y[k] = std::numeric_limits<double>::quiet_NaN();
     }
   }
-  const LeastSquaresStart start(pointersTo(system.experiments), false);
+  const LeastSquaresStart start(pointersTo(system.experiments), Constant::none);
   expectTruth(start.steiglitzMcBride(2, 2, 3, 3), system.truth, 0.3);
 }
 
@@ -117,7 +132,7 @@ TEST(LeastSquaresStart, UsesPartOfTooMuchData) {
   test::RandomSystemOptions options = secondOrder();
   options.experiments = 60;
   const auto system = test::randomSystem(options, 5);
-  const LeastSquaresStart start(pointersTo(system.experiments), false, 2000);
+  const LeastSquaresStart start(pointersTo(system.experiments), Constant::none, 2000);
   expectTruth(start.arx(2, 2, 3), system.truth, 1e-7);
 }
 

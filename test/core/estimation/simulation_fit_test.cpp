@@ -78,6 +78,19 @@ TEST(SimulationFit, FromRestEqualsADirectSimulation) {
   }
 }
 
+/// Levels of the experiments' own are no merit of a plant that has an offset for each.
+TEST(SimulationFit, IsMeasuredAboutOwnMeansWhereOffsetsAreOwn) {
+  std::vector<Experiment> experiments(2);
+  for (int r = 0; r < 2; ++r) {
+    experiments[static_cast<std::size_t>(r)].u = VectorXd::Zero(4);
+    experiments[static_cast<std::size_t>(r)].y = test::vectorOf({-1, 1, -1, 1}).array() + 100 * r;
+  }
+  const SimulationFit fit =
+      fitOfErrors({VectorXd::Constant(4, 0.5), VectorXd::Constant(4, 0.5)}, experiments);
+  EXPECT_NEAR(fit.pooledFor(Offsets::per_experiment), 50, 1e-9);  // 100 (1 - 0.5/1)
+  EXPECT_NEAR(fit.pooledFor(Offsets::estimate), 100 * (1 - 0.5 / std::sqrt(2501.0)), 1e-9);
+}
+
 /// The colour of the noise is no business of a free simulation.
 TEST(SimulationFit, IgnoresTheNoiseModel) {
   const auto system = test::randomSystem(noisy(), 4);

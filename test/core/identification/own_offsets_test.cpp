@@ -67,5 +67,43 @@ TEST_F(HeatedTanks, HaveLevelsOfTheirOwnInsteadOfNoiseThatLasts) {
   EXPECT_NEAR(gain, kHeating, 3 * kFlows * kHeating / std::sqrt(10));
 }
 
+/// Five first-order plants whose gains differ by 8 %, at levels that differ by more than what the
+/// input does to them.
+std::vector<Experiment> plantsAtLevels(unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> between(2, 8);
+  std::vector<Experiment> all(5);
+  for (Experiment& experiment : all) {
+    experiment.id = "run_" + std::to_string(&experiment - all.data());
+    experiment.sample_time = 0.1;
+    experiment.u.resize(400);
+    experiment.y.resize(400);
+    const double gain = 1 + 0.08 * normal(random), level = 3 * normal(random);
+    double x = 5, u = 0;
+    for (int k = 0; k < 400; ++k) {
+      if (k % 20 == 0) u = between(random);
+      experiment.u[k] = u;
+      experiment.y[k] = level + x + 0.05 * normal(random);
+      x += 0.1 * (gain * u - x);
+    }
+  }
+  return all;
+}
+
+// The orders are chosen beside the offsets: starts that do not know of levels of their own end far
+// from the plant, and high orders follow.
+TEST(OwnOffsets, LeaveTheOrderOfThePlantToBeFound) {
+  for (const unsigned seed : {5U, 19U, 49U}) {
+    const Estimate found = Identifier(Configuration()).identify(plantsAtLevels(seed));
+    EXPECT_EQ(found.configuration.estimation.offsets, Offsets::per_experiment) << seed;
+    ASSERT_EQ(found.nominal_model.a.size(), 1) << seed;
+    EXPECT_NEAR(found.nominal_model.a[0], -0.9, 0.005) << seed;
+    // The mean of five gains has a standard deviation of 0.08/sqrt(5) = 0.036.
+    EXPECT_NEAR(found.nominal_model.b.sum() / 0.1, 1, 0.12) << seed;
+    EXPECT_TRUE(found.trust.trusted) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

@@ -193,7 +193,7 @@ TEST(WarmStarts, DoNotMisleadLeastSquaresThatAllowForThem) {
   const std::vector<Experiment> data = simulated(ovens);
   std::vector<const Experiment*> all;
   for (const Experiment& one : data) all.push_back(&one);
-  const LeastSquaresStart start(all, true);
+  const LeastSquaresStart start(all, Constant::common);
   const Polynomials found =
       start.steiglitzMcBride(1, 1, 0, 10, LeastSquaresStart::Start::unknown).polynomials;
   EXPECT_EQ(found.delay, 3);

@@ -1,0 +1,131 @@
+// Linear plants that differ from experiment to experiment need no cause, whatever the search found.
+#include "explanation/cause_free_model.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "support/mentions.h"
+
+namespace uncertainty_identification {
+namespace {
+
+/// First-order plants whose gains differ by 8 %, at levels of their own, with the input `acting`
+/// behind the recorded one.
+template <typename Acting>
+std::vector<Experiment> plants(int count, const Acting& acting) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> between(2, 8);
+  std::vector<Experiment> all;
+  for (int r = 0; r < count; ++r) {
+    Experiment experiment;
+    experiment.id = std::to_string(r);
+    experiment.sample_time = 0.1;
+    experiment.u.resize(400);
+    experiment.y.resize(400);
+    const double gain = 1 + 0.08 * normal(random), level = 3 * normal(random);
+    double x = 5;
+    for (int k = 0; k < 400; ++k) {
+      experiment.u[k] = k % 20 == 0 ? between(random) : experiment.u[k - 1];
+      experiment.y[k] = level + x + 0.05 * normal(random);
+      x += 0.1 * (gain * acting(experiment.u[k]) - x);
+    }
+    all.push_back(std::move(experiment));
+  }
+  return all;
+}
+
+std::vector<Experiment> linearPlants() {
+  return plants(6, [](double u) { return u; });
+}
+
+Configuration byDefault() {
+  Configuration configuration;
+  configuration.nominal_model.orders_auto = true;
+  return configuration;
+}
+
+Split firstFive(const std::vector<Experiment>& all) {
+  Split data;
+  data.train.assign(all.begin(), all.begin() + 5);
+  data.held.assign(all.begin() + 5, all.end());
+  return data;
+}
+
+Cause named(const std::string& name) {
+  Cause cause;
+  cause.name = name;
+  cause.group = "actuator";
+  return cause;
+}
+
+Check failed(const std::string& name) {
+  Check check;
+  check.name = name;
+  check.passed = false;
+  return check;
+}
+
+/// What the search ends with: a cause, and a test that still fails.
+Explanation partly(const Cause& cause, const std::string& failing = "whiteness") {
+  Explanation explanation;
+  explanation.verdict = Verdict::partly_explained;
+  explanation.causes = {cause};
+  explanation.checks_before = explanation.checks_after = {failed(failing)};
+  return explanation;
+}
+
+Explanation compared(Explanation explanation, const Configuration& asked, const Split& data) {
+  SearchProgress progress({}, 0);
+  compareWithCauseFreeModel(asked, data, progress, &explanation);
+  return explanation;
+}
+
+TEST(CauseFreeModel, NeedsNoCauseWhereLinearPlantsDiffer) {
+  const Explanation found =
+      compared(partly(named("act_quantisation")), byDefault(), firstFive(linearPlants()));
+  EXPECT_EQ(found.verdict, Verdict::none);
+  EXPECT_TRUE(found.causes.empty());
+  EXPECT_TRUE(test::anyMentions(found.warnings, "act_quantisation: not named"));
+  EXPECT_TRUE(test::mentions(found.message, "From experiment to experiment the gain differs by"))
+      << found.message;
+  EXPECT_TRUE(test::mentions(found.message, "held-out data by")) << found.message;
+  EXPECT_EQ(found.before.configuration.error_model.basis, BasisKind::parameter_spread);
+  for (const Check& check : found.checks_after) EXPECT_TRUE(check.passed) << check.name;
+  ASSERT_FALSE(found.pictures.empty());
+  for (const ExperimentPicture& picture : found.pictures)
+    EXPECT_EQ(picture.id, "5") << "a held-out experiment is drawn";
+}
+
+TEST(CauseFreeModel, LeavesWhatItDoesNotContradict) {
+  const Split data = firstFive(linearPlants());
+  EXPECT_EQ(compared(partly(named("sens_quant")), byDefault(), data).causes.size(), 1u)
+      << "the samples show it";
+  EXPECT_EQ(compared(partly(named("act_lag"), "direction"), byDefault(), data).causes.size(), 1u)
+      << "a controller may compute the input";
+  Configuration stated;
+  EXPECT_EQ(compared(partly(named("act_lag")), stated, data).causes.size(), 1u)
+      << "the user's orders are what is explained";
+  Explanation explained = partly(named("act_lag"));
+  explained.verdict = Verdict::explained;
+  EXPECT_EQ(compared(explained, byDefault(), data).causes.size(), 1u);
+}
+
+TEST(CauseFreeModel, KeepsTheCauseWhereTheDataContradictIt) {
+  const auto behind_dead_zone = [](double u) { return std::max(u - 4, 0.0); };
+  const Explanation found =
+      compared(partly(named("act_deadzone")), byDefault(), firstFive(plants(6, behind_dead_zone)));
+  EXPECT_EQ(found.verdict, Verdict::partly_explained);
+  EXPECT_EQ(found.causes.size(), 1u);
+}
+
+TEST(CauseFreeModel, NothingIsNamedInPlantsThatDifferInGainAndLevel) {
+  Explanation found = explain(byDefault(), linearPlants());
+  EXPECT_EQ(found.verdict, Verdict::none) << found.message;
+  EXPECT_TRUE(found.causes.empty());
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
