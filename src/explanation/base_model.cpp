@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "configuration/require.h"
 #include "curves/curve_words.h"
+#include "model/sensitivity.h"
 #include "uncertainty_identification/effects/catalogue.h"
 #include "uncertainty_identification/errors.h"
 
@@ -15,8 +17,6 @@ bool isCurve(const std::string& name) {
   return std::find(all.begin(), all.end(), name) != all.end();
 }
 
-}  // namespace
-
 void requireKnown(const std::vector<std::string>& excluded,
                   const std::vector<Experiment>& experiments) {
   for (const std::string& name : excluded) {
@@ -25,6 +25,17 @@ void requireKnown(const std::vector<std::string>& excluded,
     throw ConfigurationError("explanation.exclude: found " + name +
                              "; the catalogue has no such effect, the nearest is " + nearest);
   }
+}
+
+}  // namespace
+
+void requireExplainable(const Configuration& configuration,
+                        const std::vector<Experiment>& experiments) {
+  configuration.validate();
+  require(!variesParameters(configuration.error_model.basis), "error_model.basis",
+          nameOf(configuration.error_model.basis),
+          "fir, laguerre or kautz: explain looks for parameters that vary by itself");
+  requireKnown(configuration.explanation.exclude, experiments);
 }
 
 Configuration ofBaseModel(Configuration configuration) {

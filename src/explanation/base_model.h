@@ -8,9 +8,10 @@
 
 namespace uncertainty_identification {
 
-/// Throws ConfigurationError where an excluded effect is not in the catalogue.
-void requireKnown(const std::vector<std::string>& excluded,
-                  const std::vector<Experiment>& experiments);
+/// Throws ConfigurationError where the configuration of the base model is not valid, its error
+/// model one that effects cannot be added to, or an excluded effect not in the catalogue.
+void requireExplainable(const Configuration& configuration,
+                        const std::vector<Experiment>& experiments);
 
 /// The configuration of the base model. Effects can be added to filters in series with Go only, and
 /// where the orders are free the search starts from the best simulation.

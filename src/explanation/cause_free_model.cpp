@@ -71,11 +71,20 @@ std::vector<Check> checksOf(const ResidualTests& tests) {
           checkOf("linearity of predictions", tests.linearity_p_value)};
 }
 
+std::vector<Experiment> heldOutOf(const Split& data) {
+  return data.fitted_to ? std::vector<Experiment>() : data.held;
+}
+
+/// The median and the worst of the held-out experiments, or of all where none are held out.
 std::vector<ExperimentPicture> picturesOf(const Estimate& estimate, const Split& data) {
+  std::vector<SimulatedRun> runs = simulatedRuns(estimate, nullptr, data.train, heldOutOf(data));
+  runs.erase(
+      std::remove_if(runs.begin(), runs.end(),
+                     [&](const SimulatedRun& run) { return run.validation == data.fitted_to; }),
+      runs.end());
+  if (runs.size() > 1) runs.erase(runs.begin());  // the best
   std::vector<ExperimentPicture> pictures;
-  for (const SimulatedRun& run : simulatedRuns(
-           estimate, nullptr, data.train, data.fitted_to ? std::vector<Experiment>() : data.held)) {
-    if (run.validation == data.fitted_to || run.rank == "best") continue;
+  for (const SimulatedRun& run : runs) {
     ExperimentPicture picture;
     picture.id = run.id;
     picture.sample_time = run.time_step;
@@ -119,6 +128,7 @@ void take(const Estimate& estimate, const Split& data, Explanation* explanation)
   if (!data.fitted_to)
     explanation->held_out_fit = estimate.validation.simulation_fit_percent_pooled;
   explanation->pictures = picturesOf(estimate, data);
+  explanation->residual_before = explanation->residual_after = {};  // of the model of the search
 }
 
 }  // namespace
@@ -132,8 +142,7 @@ void compareWithCauseFreeModel(const Configuration& asked, const Split& data,
            (asked.explanation.time_limit <= 0 || progress.seconds() < until);
   };
   try {
-    const Estimate estimate = Identifier(asked).identify(
-        data.train, data.fitted_to ? std::vector<Experiment>() : data.held, go);
+    const Estimate estimate = Identifier(asked).identify(data.train, heldOutOf(data), go);
     const bool is_curve_clear = !leadingCurves(explanation->simulation).empty();
     if (!agrees(estimate) || (is_curve_clear && !estimate.trust.trusted)) return;
     withdrawCauses(explanation);

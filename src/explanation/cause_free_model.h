@@ -16,6 +16,6 @@ namespace uncertainty_identification {
 /// `asked` is the user's configuration; only one that leaves orders and error model to be chosen is
 /// tried. Without time left, nothing is done.
 void compareWithCauseFreeModel(const Configuration& asked, const Split& data,
-                             SearchProgress& progress, Explanation* explanation);
+                               SearchProgress& progress, Explanation* explanation);
 
 }  // namespace uncertainty_identification

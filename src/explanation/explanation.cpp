@@ -4,7 +4,6 @@
 #include <mutex>
 #include <optional>
 
-#include "configuration/require.h"
 #include "configuration/thread_count.h"
 #include "curves/explain_simulation.h"
 #include "data/text.h"
@@ -27,7 +26,6 @@
 #include "explanation/wording.h"
 #include "inspection/closed_loop.h"
 #include "math/interruption.h"
-#include "model/sensitivity.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
@@ -39,7 +37,6 @@ class Explaining {
   Explaining(const Configuration& configuration, SearchProgress& progress)
       : asked_(configuration),
         configuration_(ofBaseModel(configuration)),
-        orders_are_chosen_(configuration.nominal_model.orders_auto),
         progress_(progress),
         pool_(threadCount(configuration.estimation.threads)) {}
 
@@ -48,6 +45,7 @@ class Explaining {
                   const std::vector<Experiment>& validation);
 
  private:
+  bool ordersAreChosen() const { return asked_.nominal_model.orders_auto; }  ///< and not stated
   void searchSimulation(const Split& data);
   Estimate identify(const std::vector<Experiment>& experiments);
   bool lowersOrder();
@@ -58,9 +56,8 @@ class Explaining {
   std::string describeModels(const SearchState& base, const SearchState& found);
   void describe(const SearchState& base, const SearchState& found);
 
-  Configuration asked_, configuration_;  ///< by the user; of the model that the search extends
-  const LimitOptions limits_ = configuration_.limits;
-  bool orders_are_chosen_;  ///< and not stated, whatever becomes of configuration_
+  const Configuration asked_;
+  Configuration configuration_;  ///< of the model that the search extends
   SearchProgress& progress_;
   Following following_;                      ///< of the signals that the model is fitted to
   std::vector<std::string> leading_curves_;  ///< the only effects that the likelihood tries, if any
@@ -114,7 +111,7 @@ Estimate Explaining::identify(const std::vector<Experiment>& experiments) {
 /// orders were stated or are the least.
 bool Explaining::lowersOrder() {
   NominalModelOptions& nominal = configuration_.nominal_model;
-  if (!orders_are_chosen_ || (!nominal.orders_auto && nominal.na == 1)) return false;
+  if (!ordersAreChosen() || (!nominal.orders_auto && nominal.na == 1)) return false;
   const std::string failed =
       nominal.orders_auto ? "that was chosen" : "of order " + std::to_string(nominal.na);
   nominal = ofOrder(nominal.orders_auto ? explanation_.simulation.order : 1);
@@ -198,7 +195,7 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
   if (progress_.outOfTime()) remarks.push_back(kOutOfTime);
   for (std::string& text : remarks)
     if (!text.empty()) explanation_.warnings.push_back(std::move(text));
-  if (!orders_are_chosen_)
+  if (!ordersAreChosen())
     for (FoundCause& cause : best->found.causes) cause.may_be_order = false;
   return std::move(*best);
 }
@@ -206,11 +203,7 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
 /// The steps of docs/explanation.md.
 Explanation Explaining::run(const std::vector<Experiment>& experiments,
                             const std::vector<Experiment>& validation) {
-  configuration_.validate();
-  require(!variesParameters(configuration_.error_model.basis), "error_model.basis",
-          nameOf(configuration_.error_model.basis),
-          "fir, laguerre or kautz: explain looks for parameters that vary by itself");
-  requireKnown(configuration_.explanation.exclude, experiments);
+  requireExplainable(configuration_, experiments);
   Split data = split(configuration_, experiments, validation);
   const std::vector<RejectedExperiment> rejected = leaveOutUnusable(configuration_, &data);
   const std::optional<SpoiltSamples> stray = maskStray(&configuration_, &data);
@@ -246,7 +239,8 @@ std::string Explaining::describeModels(const SearchState& base, const SearchStat
                        progress_.outOfTime() ? kHurried : configuration_.estimation.max_iterations)
           : explanation_.before;
   const double lost = found.fit.log_likelihood - explanation_.after.log_likelihood;
-  explanation_.before.configuration.limits = explanation_.after.configuration.limits = limits_;
+  explanation_.before.configuration.limits = explanation_.after.configuration.limits =
+      asked_.limits;
   explanation_.residual_before = residualPicture(base.fit, base.train);
   explanation_.residual_after = residualPicture(found.fit, found.train);
   explanation_.pictures = picturesOf(base.fit, found.fit, found.held);
@@ -261,7 +255,7 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
   const std::string remark = describeModels(base, found);
   explanation_.checks_after = checkResiduals(found.fit, found.train, found.heavy_tails);
   addFailedPredictions(&explanation_);
-  addUnclearDirection(following_, orders_are_chosen_, &explanation_);
+  addUnclearDirection(following_, ordersAreChosen(), &explanation_);
   const bool passed = allPassed(explanation_.checks_after);
   for (const FoundCause& cause : found.causes) {
     if (cause.effect->has(Trait::feedback)) explanation_.warnings.push_back(kFeedback);

@@ -37,21 +37,30 @@ struct Lag {
   bool varies = false, is_new = false;
 };
 
-/// The lags of the fit and one that answers about as late as its delay does, the slowest first, as
-/// a model that starts from polynomials numbers them.
-std::vector<Lag> lagsOf(const StructureFit& fit, double sample_time) {
+bool isFaster(const Lag& one, const Lag& other) { return one.tau < other.tau; }
+
+/// The lags of the fit, the slowest first, as a model that starts from polynomials numbers them,
+/// and one that answers about as late as its delay does. If there may be no further one, the
+/// fastest is so much later.
+std::vector<Lag> lagsOf(const StructureFit& fit, double sample_time, bool may_add) {
   const NominalModelOptions& options = fit.structure.configuration.nominal_model;
   const Names names = fit.model->nominal().names(),
               &varied = fit.structure.configuration.error_model.parameters;
-  std::vector<Lag> lags{{(options.delay - 0.5) * sample_time, false, true}};
+  double late = (options.delay - 0.5) * sample_time;
+  std::vector<Lag> lags;
   for (std::size_t k = 0; k < names.size(); ++k) {
     const double value = fit.point.parameters[static_cast<Eigen::Index>(k)];
-    if (names[k] == "dead_time") lags.front().tau += value;
+    if (names[k] == "dead_time") late += value;
     if (names[k].rfind("tau", 0) == 0)
       lags.push_back({value, std::find(varied.begin(), varied.end(), names[k]) != varied.end()});
   }
+  const auto fastest = std::min_element(lags.begin(), lags.end(), isFaster);
+  if (may_add)
+    lags.push_back({late, false, true});
+  else
+    fastest->tau += late - 0.5 * sample_time;
   std::stable_sort(lags.begin(), lags.end(),
-                   [](const Lag& left, const Lag& right) { return left.tau > right.tau; });
+                   [](const Lag& left, const Lag& right) { return isFaster(right, left); });
   return lags;
 }
 
@@ -93,15 +102,16 @@ StructureFit withLagForDelay(const Problem& problem, StructureFit fit, Journal* 
   Configuration configuration = fit.structure.configuration;
   if (!isDelayedChainOfLags(fit) ||
       configuration.error_model.basis != BasisKind::parameter_spread ||
-      !allows(problem, configuration.nominal_model.time_constants + 1))
+      !allows(problem, configuration.nominal_model.time_constants))
     return fit;
   NominalModelOptions& nominal = configuration.nominal_model;
-  ++nominal.time_constants;
+  const bool may_add = allows(problem, nominal.time_constants + 1);
+  if (may_add) ++nominal.time_constants;
   nominal.zeros = 0;
   nominal.dead_time = false;
   nominal.delay = 1;
   const double sample_time = problem.data.sampleTime();
-  const std::vector<Lag> lags = lagsOf(fit, sample_time);
+  const std::vector<Lag> lags = lagsOf(fit, sample_time, may_add);
   const StartingPoint start = startOf(fit, *makeNominalModel(nominal, sample_time), lags);
   std::vector<StructureFit> fits{std::move(fit)};
   for (const Names& names : variedWith(fits.front(), lags)) {
