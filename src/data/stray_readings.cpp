@@ -94,6 +94,27 @@ std::vector<Place> straysOf(const Experiment& experiment) {
   return fartherThan(kFar * quantile(distancesOf(places, suspects), kNearlyAll), suspects);
 }
 
+/// Those that lie farther from their neighbours than three times the range of all other readings:
+/// no plant passes them through, and no noise with heavy tails, however few they are.
+std::vector<Place> wild(const std::vector<Place>& strays, const Experiment& experiment) {
+  constexpr double kRanges = 3;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  auto next = strays.begin();
+  for (int t = 0; t < experiment.samples(); ++t) {
+    if (next != strays.end() && next->sample == t) {
+      ++next;
+    } else if (experiment.isValid(t)) {
+      low = std::min(low, experiment.y[t]);
+      high = std::max(high, experiment.y[t]);
+    }
+  }
+  std::vector<Place> found;
+  std::copy_if(strays.begin(), strays.end(), std::back_inserter(found), [&](const Place& place) {
+    return high > low && place.distance > kRanges * (high - low);
+  });
+  return found;
+}
+
 /// Changes of the input that are larger than nine tenths of all, at the samples from which they
 /// act.
 std::vector<int> largeChangesOf(const Eigen::VectorXd& u) {
@@ -141,24 +162,27 @@ StrayReadings strayReadings(const std::vector<Experiment>& experiments, double m
   constexpr int kFewest = 3;
   constexpr double kRarest = 0.001;
   if (!(most > 0)) return {};
-  StrayReadings found;
-  double measured = 0;
-  std::vector<double> sizes;
+  std::vector<std::vector<Place>> strays;
+  double measured = 0, count = 0;
   for (const Experiment& experiment : experiments) {
-    std::vector<int> samples;
-    for (const Place& place : straysOf(experiment)) {
-      samples.push_back(place.sample);
+    strays.push_back(straysOf(experiment));
+    measured += experiment.validSamples();
+    count += static_cast<double>(strays.back().size());
+  }
+  if (!expected && (count < kFewest || count < kRarest * measured))
+    for (std::size_t r = 0; r < strays.size(); ++r) strays[r] = wild(strays[r], experiments[r]);
+  StrayReadings found;
+  std::vector<double> sizes;
+  for (const std::vector<Place>& of_one : strays) {
+    found.samples.emplace_back();
+    for (const Place& place : of_one) {
+      found.samples.back().push_back(place.sample);
       sizes.push_back(place.distance);
     }
-    measured += experiment.validSamples();
-    found.samples.push_back(std::move(samples));
   }
   found.count = static_cast<int>(sizes.size());
   found.share = found.count / std::max(measured, 1.0);
-  const bool too_few = found.count < kFewest || found.share < kRarest;
-  if (found.count == 0 || (too_few && !expected) || found.share > most ||
-      answersInput(found.samples, experiments))
-    return {};
+  if (found.count == 0 || found.share > most || answersInput(found.samples, experiments)) return {};
   found.size = quantile(std::move(sizes), 0.5);
   return found;
 }

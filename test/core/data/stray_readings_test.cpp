@@ -66,6 +66,14 @@ TEST(StrayReadings, MayBeOneInThirty) {
   EXPECT_EQ(strayReadings({withStray(wrong)}, kMost).samples.at(0), wrong);
 }
 
+/// A counter that overflows once.
+TEST(StrayReadings, MayBeASingleOneFarBeyondAllOthers) {
+  EXPECT_EQ(strayReadings({recorded(), withStray({400}, 1e4)}, kMost).samples.at(1),
+            std::vector<int>{400});
+  EXPECT_EQ(strayReadings({withStray({400}, 1e4), withStray({150}, 3)}, kMost).count, 1)
+      << "the other one may be noise";
+}
+
 /// Each differs from the record with stray readings in one way.
 TEST(StrayReadings, AreNotWhatElseLooksLikeThem) {
   const auto count = [](const Experiment& experiment) {
