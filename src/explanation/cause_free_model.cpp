@@ -19,7 +19,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kShare = 0.5;  ///< of explanation.time_limit, in addition to it
+constexpr double kShare = 1;  ///< of explanation.time_limit, in addition to it
 
 bool leavesModelOpen(const Configuration& asked) {
   return asked.nominal_model.orders_auto && asked.effects.empty() &&

@@ -24,8 +24,8 @@ using Eigen::VectorXd;
 /// How plants differ: a centre, and directions that scale with the standard deviations along them.
 struct Directions {
   VectorXd center;
-  MatrixXd all;      ///< a basis, the directions of the largest variation first, kDeviations long
-  Index varied;      ///< number of those that vary by more than the plants' errors of estimation
+  MatrixXd all;  ///< a basis, the directions of the largest variation first, kDeviations long
+  Index varied;  ///< number of those in which plants may differ beyond their errors of estimation
   MatrixXd factors;  ///< less 1, of the experiments: 0 for those whose own plant is not known
 };
 
@@ -58,8 +58,8 @@ ModelParameters startAlong(Index factors, Index count, const OwnPlants& own, dou
 
 /// The principal axes of the plants about their medians, in units of their errors of estimation.
 Directions directionsOf(const OwnPlants& own, int experiments) {
-  constexpr double kMost = 3;   // median magnitudes, beyond which a deviation is cut
-  constexpr double kClear = 2;  // variances of the errors
+  constexpr double kMost = 3;     // median magnitudes, beyond which a deviation is cut
+  constexpr double kClear = 0.7;  // variances of the errors; BIC decides which of them count
   Directions directions;
   directions.center = medians(own.coordinates);
   MatrixXd deviation = own.coordinates.colwise() - directions.center;
