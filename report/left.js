@@ -56,6 +56,10 @@ const kCurves = [
 ];
 
 function showLeft(parent, explanation) {
+  if (explanation.residuals_before.autocorrelation.length === 0) {
+    parent.append(paragraph('Those of the model that identify chooses are in the section "Residuals" of its result.'));
+    return;
+  }
   const sides = sidesOf(explanation), drawn = key => sides.every(({picture}) => picture[key].length > 1);
   parent.append(paragraph('Residuals of the prediction, relative to the standard deviation \u03c3 of the noise. If the model is right they are ' +
     'nothing but noise, and the curves stay near their dashed lines.'));

@@ -64,7 +64,7 @@ function outputAxis({measured, before, after}) {
 
 function showSimulated(parent, {pictures, causes}) {
   if (pictures.length === 0) {
-    parent.append(paragraph('This explanation contains no signals of experiments.'));
+    parent.append(paragraph('This explanation contains no signals of experiments; those that the model of identify simulates are drawn above.'));
     return;
   }
   const parts = pictures.map(partOf), models = causes.length > 0 ? ['before', 'after'] : ['before'], followers = [];

@@ -1,6 +1,7 @@
 #include "explanation/cause_free_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,8 +12,8 @@
 #include "explanation/residual_checks.h"
 #include "explanation/simulation_answer.h"
 #include "explanation/verdict.h"
+#include "explanation/warnings.h"
 #include "identification/steps.h"
-#include "uncertainty_identification/bounds/simulated_runs.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/identifier.h"
 
@@ -61,6 +62,7 @@ bool simulatesWell(const Estimate& estimate) {
 Check checkOf(const std::string& name, double p_value) {
   Check check;
   check.name = name;
+  check.statistic = std::nan("");
   check.p_value = p_value;
   return check;
 }
@@ -73,26 +75,6 @@ std::vector<Check> checksOf(const ResidualTests& tests) {
 
 std::vector<Experiment> heldOutOf(const Split& data) {
   return data.fitted_to ? std::vector<Experiment>() : data.held;
-}
-
-/// The median and the worst of the held-out experiments, or of all where none are held out.
-std::vector<ExperimentPicture> picturesOf(const Estimate& estimate, const Split& data) {
-  std::vector<SimulatedRun> runs = simulatedRuns(estimate, nullptr, data.train, heldOutOf(data));
-  runs.erase(
-      std::remove_if(runs.begin(), runs.end(),
-                     [&](const SimulatedRun& run) { return run.validation == data.fitted_to; }),
-      runs.end());
-  if (runs.size() > 1) runs.erase(runs.begin());  // the best
-  std::vector<ExperimentPicture> pictures;
-  for (const SimulatedRun& run : runs) {
-    ExperimentPicture picture;
-    picture.id = run.id;
-    picture.sample_time = run.time_step;
-    picture.measured = run.measured;
-    picture.simulated_before = picture.simulated_after = run.simulated;
-    pictures.push_back(std::move(picture));
-  }
-  return pictures;
 }
 
 std::string messageOf(const Estimate& estimate) {
@@ -120,15 +102,31 @@ void withdrawCauses(Explanation* explanation) {
   conclude(explanation, true);
 }
 
+/// What was said of the model of the search, but for what is so whatever the model is.
+void forgetSearch(Explanation* explanation) {
+  std::vector<std::string>& warnings = explanation->warnings;
+  const std::string difference = explanation->simulation.difference;
+  warnings.erase(std::remove_if(warnings.begin(), warnings.end(),
+                                [&](const std::string& warning) {
+                                  return warning != kNothingHeldOut && warning != difference;
+                                }),
+                 warnings.end());
+  explanation->pictures.clear();
+  explanation->residual_before = explanation->residual_after = {};
+}
+
 void take(const Estimate& estimate, const Split& data, Explanation* explanation) {
+  forgetSearch(explanation);
+  withdrawCauses(explanation);
+  explanation->warnings.insert(explanation->warnings.end(), estimate.warnings.begin(),
+                               estimate.warnings.end());
   explanation->verdict = Verdict::none;
   explanation->message = messageOf(estimate);
   explanation->before = explanation->after = estimate;
   explanation->checks_before = explanation->checks_after = checksOf(estimate.residual_tests);
   if (!data.fitted_to)
     explanation->held_out_fit = estimate.validation.simulation_fit_percent_pooled;
-  explanation->pictures = picturesOf(estimate, data);
-  explanation->residual_before = explanation->residual_after = {};  // of the model of the search
+  explanation->termination = estimate.termination;
 }
 
 }  // namespace
@@ -145,8 +143,10 @@ void compareWithCauseFreeModel(const Configuration& asked, const Split& data,
     const Estimate estimate = Identifier(asked).identify(data.train, heldOutOf(data), go);
     const bool is_curve_clear = !leadingCurves(explanation->simulation).empty();
     if (!agrees(estimate) || (is_curve_clear && !estimate.trust.trusted)) return;
-    withdrawCauses(explanation);
-    if (simulatesWell(estimate)) take(estimate, data, explanation);
+    if (simulatesWell(estimate))
+      take(estimate, data, explanation);
+    else
+      withdrawCauses(explanation);
   } catch (const DataError& error) {
     explanation->warnings.push_back(
         std::string("the model that identify chooses by default could not be compared: ") +
