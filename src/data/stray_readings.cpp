@@ -94,8 +94,23 @@ std::vector<Place> straysOf(const Experiment& experiment) {
   return fartherThan(kFar * quantile(distancesOf(places, suspects), kNearlyAll), suspects);
 }
 
-/// Those that lie farther from their neighbours than three times the range of all other readings:
-/// no plant passes them through, and no noise with heavy tails, however few they are.
+/// Whether the sample lies at most six behind a change of the input that is half as large as its
+/// largest one.
+bool isBehindChange(const Eigen::VectorXd& u, int sample) {
+  constexpr int kReach = 6;
+  constexpr double kLarge = 0.5;
+  double largest = 0, near = 0;
+  for (int t = 1; t < u.size(); ++t) {
+    const double change = std::abs(u[t] - u[t - 1]);
+    largest = std::max(largest, change);
+    if (t <= sample && t >= sample - kReach) near = std::max(near, change);
+  }
+  return near > 0 && near >= kLarge * largest;
+}
+
+/// Those that lie farther from their neighbours than three times the range of all other readings,
+/// and not behind a large change of the input, which a plant may answer with a single reading:
+/// neither is noise with heavy tails, however few they are.
 std::vector<Place> wild(const std::vector<Place>& strays, const Experiment& experiment) {
   constexpr double kRanges = 3;
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -110,7 +125,8 @@ std::vector<Place> wild(const std::vector<Place>& strays, const Experiment& expe
   }
   std::vector<Place> found;
   std::copy_if(strays.begin(), strays.end(), std::back_inserter(found), [&](const Place& place) {
-    return high > low && place.distance > kRanges * (high - low);
+    return high > low && place.distance > kRanges * (high - low) &&
+           !isBehindChange(experiment.u, place.sample);
   });
   return found;
 }

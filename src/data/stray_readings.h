@@ -22,8 +22,8 @@ struct StrayReadings {
 /// often than by chance (binomial test, p < 0.01), as the answers of a plant do that passes changes
 /// only; where they are more than the share `most` (limits.max_stray); and, unless they are
 /// `expected`, as others of the sensor show some, where there are fewer than three, or less than
-/// one in 1,000, as extremes of noise with heavy tails are, but for those at three times the range
-/// of all others.
+/// one in 1,000, as extremes of noise with heavy tails are, but for those that lie three times the
+/// range of all others from their neighbours, and not behind a large change of the input.
 StrayReadings strayReadings(const std::vector<Experiment>& experiments, double most,
                             bool expected = false);
 

@@ -77,12 +77,11 @@ class RowAccumulator {
   MatrixXd buffer_;
 };
 
-/// Takes the part that filtering by 1/A from rest leaves of an unknown start, the span of the free
-/// responses of 1/A, out of all columns of one record's regression.
-void removeFreeResponse(const VectorXd& prefilter, const std::vector<Index>& times,
-                        MatrixXd* regression) {
-  const Index na = prefilter.size(), rows = regression->rows();
-  if (na == 0 || rows <= 2 * na) return;
+/// What filtering by 1/A from rest leaves of an unknown start: the free responses of 1/A. No column
+/// for a record that is too short to show anything else.
+MatrixXd freeResponses(const VectorXd& prefilter, const std::vector<Index>& times) {
+  const Index na = prefilter.size(), rows = static_cast<Index>(times.size());
+  if (na == 0 || rows <= 2 * na) return MatrixXd(rows, 0);
   VectorXd impulse = VectorXd::Zero(times.back() + na);
   impulse[0] = 1;
   const VectorXd response = overPolynomial(impulse, prefilter);
@@ -91,16 +90,23 @@ void removeFreeResponse(const VectorXd& prefilter, const std::vector<Index>& tim
     for (Index k = 0; k < na; ++k)
       free(i, k) = response[times[static_cast<std::size_t>(i)] - times.front() + k];
   }
-  *regression -= free * free.colPivHouseholderQr().solve(*regression);
+  return free;
 }
 
-/// Takes a constant, which is `one` behind the prefilter, out of all columns of one record's
+/// A constant behind the prefilter, of which `one` is the response, at these times.
+MatrixXd constantAt(const std::vector<Index>& times, const VectorXd& one) {
+  MatrixXd constant(static_cast<Index>(times.size()), 1);
+  for (Index i = 0; i < constant.rows(); ++i)
+    constant(i, 0) = one[times[static_cast<std::size_t>(i)]];
+  return constant;
+}
+
+/// Takes what a record has of its own, the columns of both together, out of all columns of its
 /// regression.
-void removeConstant(const VectorXd& one, const std::vector<Index>& times, MatrixXd* regression) {
-  VectorXd constant(regression->rows());
-  for (Index i = 0; i < constant.size(); ++i) constant[i] = one[times[static_cast<std::size_t>(i)]];
-  const double power = constant.squaredNorm();
-  if (power > 0) *regression -= constant * (constant.transpose() * *regression / power);
+void remove(const MatrixXd& constant, const MatrixXd& free, MatrixXd* regression) {
+  MatrixXd own(regression->rows(), constant.cols() + free.cols());
+  own << constant, free;
+  if (own.size() > 0) *regression -= own * own.colPivHouseholderQr().solve(*regression);
 }
 
 /// Minimises |A w - b| with columns scaled to unit length. Directions that rounding makes
@@ -165,8 +171,9 @@ MatrixXd LeastSquaresStart::triangularFactor(const VectorXd& prefilter, int na, 
       for (Index k = 1; k <= na; ++k) row[columns - 1 - na + k - 1] = -lagged(y, t - k);
       row[columns - 1] = y[t];
     }
-    if (constant_ == Constant::of_each) removeConstant(one, times, &regression);
-    if (start == Start::unknown) removeFreeResponse(prefilter, times, &regression);
+    const MatrixXd nothing(regression.rows(), 0);
+    remove(constant_ == Constant::of_each ? constantAt(times, one) : nothing,
+           start == Start::unknown ? freeResponses(prefilter, times) : nothing, &regression);
     for (Index i = 0; i < regression.rows(); ++i) rows.next() = regression.row(i);
   }
   return rows.factor();

@@ -22,28 +22,40 @@ namespace {
 
 constexpr double kShare = 1;  ///< of explanation.time_limit, in addition to it
 
+const char* const kNotCompared =
+    "there was no time to compare with the model that identify chooses, which may need no cause; a "
+    "longer explanation.time_limit allows it";
+
 bool leavesModelOpen(const Configuration& asked) {
   return asked.nominal_model.orders_auto && asked.effects.empty() &&
          asked.error_model.basis == BasisKind::automatic;
 }
 
-/// Whether tests fail that neither what the samples show nor a controller may account for.
+/// Whether there is no answer, or one that explains only a part, where neither what the samples
+/// show nor a controller nor the noise alone, which identify does not test, may be the reason.
 bool isOpen(const Explanation& explanation) {
   if (explanation.verdict == Verdict::none || explanation.verdict == Verdict::explained)
     return false;
   const std::vector<Check>& checks = explanation.checks_after;
+  const auto controlled = [](const Check& check) {
+    return !check.passed && check.name == kDirection;
+  };
   return std::none_of(explanation.causes.begin(), explanation.causes.end(), isOfSamples) &&
-         std::all_of(checks.begin(), checks.end(),
-                     [](const Check& check) { return check.passed || check.name != kDirection; });
+         std::none_of(checks.begin(), checks.end(), controlled) &&
+         (allPassed(checks) || !isOfNoiseAlone(checks));
 }
 
-/// Whether the tests of its predictions pass, at the level of explain's own checks, and held-out
-/// experiments are not simulated far worse: nothing speaks against a linear plant, although its
-/// bounds may not be trusted for want of data.
-bool agrees(const Estimate& estimate) {
+std::vector<Experiment> heldOutOf(const Split& data) {
+  return data.fitted_to ? std::vector<Experiment>() : data.held;
+}
+
+/// Whether the p-values of its tests are above `level`, and held-out experiments are not simulated
+/// far worse: nothing speaks against a linear plant, although its bounds may not be trusted for
+/// want of data.
+bool agrees(const Estimate& estimate, double level) {
   const std::vector<FailedTest> failed = failedTests(estimate.residual_tests);
-  const bool passes = std::none_of(failed.begin(), failed.end(), [](const FailedTest& test) {
-    return test.p_value < kCheckThreshold;
+  const bool passes = std::none_of(failed.begin(), failed.end(), [level](const FailedTest& test) {
+    return test.p_value < level;
   });
   const double held_out = estimate.validation.simulation_fit_percent_pooled;
   const bool loses = !estimate.validation.experiments.empty() &&
@@ -51,10 +63,35 @@ bool agrees(const Estimate& estimate) {
   return estimate.usable() && estimate.residual_tests.samples > 0 && passes && !loses;
 }
 
-/// Whether the plant alone explains most of the output.
-bool simulatesWell(const Estimate& estimate) {
+double squaredError(double fit) { return (100 - fit) * (100 - fit); }
+
+/// Whether a cause simulates held-out data clearly better than the model without it. What makes
+/// tests fail that passed is no cause all the same, and a curve of no simple shape may stand for
+/// levels that differ.
+bool isConfirmed(const Cause& cause, const Estimate& without, bool passed_before) {
+  constexpr double kClearly = 1.2;  // of the squared error
+  if (passed_before || without.validation.experiments.empty() || !cause.gain) return false;
+  const bool has_shape = !cause.simulation || cause.simulation->what.shape != "curve";
+  return (has_shape || !without.trust.trusted) &&
+         squaredError(without.validation.simulation_fit_percent_pooled) >
+             kClearly * squaredError(cause.gain->nrmse_fit_percent.after);
+}
+
+/// Whether the answer of the search remains beside this model.
+bool stands(const Explanation& explanation, const Estimate& without) {
+  if (!agrees(without, kCheckThreshold)) return true;
+  if (!leadingCurves(explanation.simulation).empty() && !without.trust.trusted) return true;
+  const bool passed_before = allPassed(explanation.checks_before);
+  return std::any_of(explanation.causes.begin(), explanation.causes.end(), [&](const Cause& cause) {
+    return isConfirmed(cause, without, passed_before);
+  });
+}
+
+/// Whether identify's own tests pass, and the plant alone explains most of the output.
+bool isAnswer(const Estimate& estimate) {
   constexpr double kUseful = 50;  // [%] fit
-  return estimate.simulation_fit_percent.value_or(0) >= kUseful &&
+  constexpr double kAnyLevel = 1;
+  return agrees(estimate, kAnyLevel) && estimate.simulation_fit_percent.value_or(0) >= kUseful &&
          (estimate.validation.experiments.empty() ||
           estimate.validation.simulation_fit_percent_pooled >= kUseful);
 }
@@ -67,20 +104,17 @@ Check checkOf(const std::string& name, double p_value) {
   return check;
 }
 
+/// The tests that isAnswer() asks for, which pass.
 std::vector<Check> checksOf(const ResidualTests& tests) {
   return {checkOf("whiteness of predictions", tests.whiteness_p_value),
           checkOf("dependence on the input of predictions", tests.independence_p_value),
           checkOf("linearity of predictions", tests.linearity_p_value)};
 }
 
-std::vector<Experiment> heldOutOf(const Split& data) {
-  return data.fitted_to ? std::vector<Experiment>() : data.held;
-}
-
 std::string messageOf(const Estimate& estimate) {
   std::string text =
-      "the model that identify chooses by default agrees with the data: nothing in its residuals "
-      "speaks against it.";
+      "the model that identify chooses by default agrees with the data: its tests of the plant and "
+      "of the noise's colour find nothing wrong.";
   if (!estimate.variation.empty()) text += " " + estimate.variation;
   const bool was_held_out = !estimate.validation.experiments.empty();
   const std::optional<double> fit = was_held_out ? estimate.validation.simulation_fit_percent_pooled
@@ -95,9 +129,12 @@ std::string messageOf(const Estimate& estimate) {
 void withdrawCauses(Explanation* explanation) {
   if (explanation->causes.empty()) return;
   explanation->warnings.push_back(namesOf(explanation->causes) +
-                                  ": not named, because the tests pass without it where the model "
-                                  "is identified with the error model that identify chooses");
+                                  ": not named, because the model that identify chooses passes "
+                                  "its tests without it and simulates held-out data as well");
   explanation->causes.clear();
+  SimulationCauses& simulation = explanation->simulation;
+  simulation.causes.clear();
+  simulation.fit_after = simulation.fit_before;
   forgetModelWithCauses(explanation);
   conclude(explanation, true);
 }
@@ -105,28 +142,28 @@ void withdrawCauses(Explanation* explanation) {
 /// What was said of the model of the search, but for what is so whatever the model is.
 void forgetSearch(Explanation* explanation) {
   std::vector<std::string>& warnings = explanation->warnings;
-  const std::string difference = explanation->simulation.difference;
-  warnings.erase(std::remove_if(warnings.begin(), warnings.end(),
-                                [&](const std::string& warning) {
-                                  return warning != kNothingHeldOut && warning != difference;
-                                }),
-                 warnings.end());
+  const std::vector<std::string> kept{kNothingHeldOut, kOutOfTime,
+                                      explanation->simulation.difference};
+  const auto is_of_search = [&](const std::string& warning) {
+    return std::find(kept.begin(), kept.end(), warning) == kept.end();
+  };
+  warnings.erase(std::remove_if(warnings.begin(), warnings.end(), is_of_search), warnings.end());
   explanation->pictures.clear();
   explanation->residual_before = explanation->residual_after = {};
 }
 
-void take(const Estimate& estimate, const Split& data, Explanation* explanation) {
+void take(Estimate estimate, const Split& data, Explanation* explanation) {
   forgetSearch(explanation);
   withdrawCauses(explanation);
-  explanation->warnings.insert(explanation->warnings.end(), estimate.warnings.begin(),
-                               estimate.warnings.end());
+  for (const auto* remarks : {&estimate.warnings, &estimate.trust.reasons})
+    explanation->warnings.insert(explanation->warnings.end(), remarks->begin(), remarks->end());
   explanation->verdict = Verdict::none;
   explanation->message = messageOf(estimate);
-  explanation->before = explanation->after = estimate;
   explanation->checks_before = explanation->checks_after = checksOf(estimate.residual_tests);
   if (!data.fitted_to)
     explanation->held_out_fit = estimate.validation.simulation_fit_percent_pooled;
-  explanation->termination = estimate.termination;
+  estimate.rejected = explanation->before.rejected;  // these were left out before the search
+  explanation->before = explanation->after = std::move(estimate);
 }
 
 }  // namespace
@@ -140,12 +177,12 @@ void compareWithCauseFreeModel(const Configuration& asked, const Split& data,
            (asked.explanation.time_limit <= 0 || progress.seconds() < until);
   };
   try {
-    const Estimate estimate = Identifier(asked).identify(data.train, heldOutOf(data), go);
-    const bool is_curve_clear = !leadingCurves(explanation->simulation).empty();
-    if (!agrees(estimate) || (is_curve_clear && !estimate.trust.trusted)) return;
-    if (simulatesWell(estimate))
-      take(estimate, data, explanation);
-    else
+    Estimate estimate = Identifier(asked).identify(data.train, heldOutOf(data), go);
+    if (estimate.termination == Termination::cancelled)
+      explanation->warnings.push_back(kNotCompared);
+    else if (!stands(*explanation, estimate) && isAnswer(estimate))
+      take(std::move(estimate), data, explanation);
+    else if (!stands(*explanation, estimate))
       withdrawCauses(explanation);
   } catch (const DataError& error) {
     explanation->warnings.push_back(

@@ -10,11 +10,13 @@ namespace uncertainty_identification {
 /// The search extends a model whose error is a finite impulse response, with one offset for all
 /// experiments. Where plants differ in a parameter, or each experiment has an offset of its own, no
 /// cause may be found in it although a linear plant describes all that was measured: the one that
-/// identify chooses by default. Where the search ends with tests that fail and no curve that halves
-/// the squared error of the simulation, that model is identified from `data.train`. If nothing
-/// speaks against it, on the held-out experiments either, the verdict becomes `none`.
+/// identify chooses by default. Where the search ends with an answer that explains only a part, or
+/// with none, that model is identified from `data.train`. If its tests pass at the level of
+/// explain's and no cause simulates the held-out experiments clearly better, causes are withdrawn;
+/// the verdict becomes `none` if they pass at their own level and it explains most of the output.
 /// `asked` is the user's configuration; only one that leaves orders and error model to be chosen is
-/// tried. Without time left, nothing is done.
+/// tried. It may take as long again as explanation.time_limit; a warning tells if that is too
+/// short.
 void compareWithCauseFreeModel(const Configuration& asked, const Split& data,
                                SearchProgress& progress, Explanation* explanation);
 

@@ -99,10 +99,14 @@ bool dependsOnInput(const SearchState& state) {
 /// Accepts feedback as a cause (exp_feedback) if its test says so. Where the residuals depend on
 /// the earlier input, an input that is predictable over a long time correlates with them a little
 /// without any feedback: it has to be overwhelming.
-void addFeedback(const Effects& effects, SearchState* found) {
+void addFeedback(const Effects& effects, SearchState* base, SearchState* found) {
   constexpr double kFeedback = 1e-4, kOverwhelming = 1e-20;  // p-value
   const double p_value = feedbackProbability(residualsOf(found->fit, found->train), found->train);
-  if (p_value >= kFeedback || (p_value >= kOverwhelming && dependsOnInput(*found))) return;
+  if (p_value >= kFeedback) return;
+  if (p_value >= kOverwhelming && dependsOnInput(*found)) {
+    if (base->remark.empty()) base->remark = kMayBeFeedback;
+    return;
+  }
   FoundCause cause;
   cause.effect = findEffect(effects, Trait::feedback);
   found->causes.push_back(std::move(cause));
@@ -159,7 +163,7 @@ SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& contex
   SearchState found = base.quantised ? base : search.run(base);
   if (!base.quantised && !only.empty() && !found.causes.empty())
     found = withAnother(std::move(found), whole, context, effects);
-  if (tests_feedback) addFeedback(effects, &found);
+  if (tests_feedback) addFeedback(effects, &base, &found);
   return {std::move(estimate), std::move(base), std::move(found), search.tried(),
           search.refusals()};
 }

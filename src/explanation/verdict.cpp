@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "explanation/prediction_checks.h"
 #include "explanation/residual_checks.h"
 #include "explanation/wording.h"
 
@@ -42,16 +43,6 @@ std::string partlyNamed(const std::string& names) {
   return names +
          " explains part of what is wrong; what would describe the rest is not named as a cause, "
          "for reasons that the warnings tell";
-}
-
-/// Whether all that fails is a matter of the noise alone: how its residuals are distributed, and
-/// when they are large. What the plant lacks shows in the dependence on the input.
-bool isOfNoiseAlone(const std::vector<Check>& checks) {
-  static const std::set<std::string> kOfNoise{"tails", "volatility", "symmetry",
-                                              "variance over time", "variance over experiments"};
-  return std::all_of(checks.begin(), checks.end(), [&](const Check& check) {
-    return check.passed || kOfNoise.count(check.name) > 0;
-  });
 }
 
 std::string ofNoiseAlone(const std::string& failed, bool withheld) {
@@ -98,6 +89,14 @@ const EnumNames<Verdict>& enumNames(Verdict) {
                                          {Verdict::partly_explained, "partly_explained"},
                                          {Verdict::unknown, "unknown"}};
   return kNames;
+}
+
+bool isOfNoiseAlone(const std::vector<Check>& checks) {
+  static const std::set<std::string> kOfNoise{"tails", "volatility", "symmetry",
+                                              "variance over time", "variance over experiments"};
+  return std::all_of(checks.begin(), checks.end(), [&](const Check& check) {
+    return check.passed || kOfNoise.count(check.name) > 0;
+  });
 }
 
 bool isSymptom(const FoundCause& found, const SearchState& state) {
@@ -168,8 +167,8 @@ void conclude(Explanation* explanation, bool withheld) {
   }
   const bool ended_early = explanation->termination == Termination::iteration_limit;
   const std::string direction = ofUnclearDirection(explanation->before.nominal_model.delay);
-  const bool is_direction_alone = failed == "direction" && !withheld && !ended_early;
-  if (failed.find("direction") != std::string::npos &&
+  const bool is_direction_alone = failed == kDirection && !withheld && !ended_early;
+  if (failed.find(kDirection) != std::string::npos &&
       !(is_direction_alone && explanation->verdict == Verdict::unknown))
     explanation->warnings.push_back(direction);
   if (explanation->verdict == Verdict::unknown && is_direction_alone)

@@ -28,6 +28,10 @@ void addFailedParsimony(const SearchState& base, const SearchState& named,
 /// The causes in words with their names in parentheses, as messages list them.
 std::string describedNames(const std::vector<Cause>& causes);
 
+/// Whether all that fails is a matter of the noise alone: how its residuals are distributed, and
+/// when they are large. What the plant lacks shows in the dependence on the input.
+bool isOfNoiseAlone(const std::vector<Check>& checks);
+
 /// Sets verdict and message of an explanation from its causes and checks. `withheld`: causes were
 /// found that are not named.
 void conclude(Explanation* explanation, bool withheld = false);

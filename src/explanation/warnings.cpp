@@ -9,6 +9,10 @@ const char* const kNothingHeldOut =
     "too few experiments to hold any out of the fit: gains are measured on those fitted to, "
     "which makes them too large; record four or more, or give others by --validation";
 
+const char* const kMayBeFeedback =
+    "the input may depend on the output (closed loop), which would bias the model; the residuals "
+    "depend on the earlier input, too, so that the data do not clearly show it";
+
 const char* const kOutOfTime =
     "the search ended at explanation.time_limit, before all causes were tried; give it more time, "
     "or fewer or shorter experiments";

@@ -23,5 +23,6 @@ std::vector<std::string> refusalWarnings(const SearchOutcome& best);
 extern const char* const kNothingHeldOut;
 extern const char* const kOutOfTime;
 extern const char* const kFeedback;
+extern const char* const kMayBeFeedback;
 
 }  // namespace uncertainty_identification

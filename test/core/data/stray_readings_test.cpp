@@ -68,10 +68,24 @@ TEST(StrayReadings, MayBeOneInThirty) {
 
 /// A counter that overflows once.
 TEST(StrayReadings, MayBeASingleOneFarBeyondAllOthers) {
-  EXPECT_EQ(strayReadings({recorded(), withStray({400}, 1e4)}, kMost).samples.at(1),
-            std::vector<int>{400});
-  EXPECT_EQ(strayReadings({withStray({400}, 1e4), withStray({150}, 3)}, kMost).count, 1)
+  EXPECT_EQ(strayReadings({recorded(), withStray({420}, 1e4)}, kMost).samples.at(1),
+            std::vector<int>{420});
+  EXPECT_EQ(strayReadings({withStray({420}, 1e4), withStray({150}, 3)}, kMost).count, 1)
       << "the other one may be noise";
+}
+
+/// A plant that passes changes only answers a step, or a blow of a hammer, with a single reading.
+TEST(StrayReadings, AreNoAnswersToASingleStep) {
+  Experiment step;
+  step.sample_time = 0.1;
+  step.u = step.y = Eigen::VectorXd::Zero(400);
+  step.u.tail(200).setOnes();
+  for (int t = 0; t < 400; ++t) step.y[t] = 0.01 * std::sin(1.0 * t);
+  step.y[201] = 1;
+  EXPECT_EQ(strayReadings({step}, kMost).count, 0);
+  step.y[201] = 0;
+  step.y[320] = 1;
+  EXPECT_EQ(strayReadings({step}, kMost).count, 1);
 }
 
 /// Each differs from the record with stray readings in one way.

@@ -67,6 +67,9 @@ TEST(LeastSquaresStart, FindsNoiseFreeSystemsAtLevelsOfTheirOwn) {
   };
   expectTruth(found(Constant::of_each).arx(2, 2, 3), system.truth, 1e-7);
   expectTruth(found(Constant::of_each).steiglitzMcBride(2, 2, 0, 5), system.truth, 1e-4);
+  expectTruth(
+      found(Constant::of_each).steiglitzMcBride(2, 2, 3, 3, LeastSquaresStart::Start::unknown),
+      system.truth, 1e-4);
   const LeastSquaresModel at_common = found(Constant::common).arx(2, 2, 3);
   EXPECT_GT((at_common.polynomials.a - system.truth.a).norm(), 0.1);
 }
