@@ -6,6 +6,7 @@
 #include "curves/curve_words.h"
 #include "model/sensitivity.h"
 #include "uncertainty_identification/effects/catalogue.h"
+#include "uncertainty_identification/enum_names.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {

@@ -168,7 +168,8 @@ struct Estimate {
   std::vector<ExperimentEstimate> experiments;
   std::vector<Candidate> candidates;
   /// 100 (1 - |y - ysim| / |y - mean y|) [%] of the free simulation of Go, over the experiments
-  /// that the model was identified from; absent in results of older versions.
+  /// that the model was identified from; about the mean of each experiment where offsets are of
+  /// each, otherwise about that of all. Absent in results of older versions.
   std::optional<double> simulation_fit_percent;
   Validation validation;
   ResidualTests residual_tests;

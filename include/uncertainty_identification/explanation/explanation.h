@@ -118,7 +118,9 @@ struct Explanation {
   SimulationCauses simulation;  ///< what the free simulation shows, whether or not it is the answer
   std::vector<TriedEffect> candidates;
   std::vector<std::string> warnings;
-  Estimate before, after;  ///< models without and with the causes, from the same experiments
+  /// Models without and with the causes, from the same experiments. Both are that of identify()
+  /// where it needs no cause and is the answer; pictures and residuals are then empty.
+  Estimate before, after;
   /// Ids of the held-out experiments, on which the gains were measured. Empty where there were too
   /// few experiments to hold any out; the gains were then measured on those fitted to.
   std::vector<std::string> held_out;
@@ -137,8 +139,10 @@ struct Explanation {
 /// residuals, and extends it by effects of the catalogue in a forward selection with backward
 /// elimination, until the checks pass or no effect is accepted. Where the tests of the residuals
 /// still fail, or the simulation gains much less by these effects than by the curves, the curves
-/// are the answer (docs/explanation.md). Gains are measured on `validation`; if it is empty, on a
-/// share of the experiments that is drawn with the configuration's seed and held out of the fit.
+/// are the answer (docs/explanation.md). What explains only a part is compared with the model that
+/// identify() chooses, which may need no cause. Gains are measured on `validation`; if it is empty,
+/// on a share of the experiments that is drawn with the configuration's seed and held out of the
+/// fit.
 ///
 /// `progress` returns false to cancel. The result does not depend on the number of threads. Throws
 /// DataError where no experiment is usable, ConfigurationError for an invalid configuration.
