@@ -18,19 +18,6 @@ Eigen::VectorXd heldOutErrors(const SimulationData& held, const CurveModel& mode
 /// of the held-out ones. What tells one place from another needs all the evidence there is.
 Eigen::VectorXd unseenErrors(const WindowFit& fit, const SimulationData& held);
 
-/// Squared error of each held-out window where each record may have a gain and an offset of its
-/// own, and each window an initial state: nothing is left of a cause that only imitates differences
-/// between records, and a curve that shows within a record remains. Empty where every input is a
-/// single step, which shows nothing but gain and offset.
-Eigen::VectorXd errorsBeyondGain(const SimulationData& held, const CurveModel& model);
-
-/// Whether the unseen windows show what differs between experiments: those held out are of several,
-/// or they are few and those fitted to are of several.
-bool showDifferences(const SimulationData& data, const SimulationData& held);
-
-/// unseenErrors() beyond what differs between experiments. Empty where errorsBeyondGain() is.
-Eigen::VectorXd unseenBeyondGain(const WindowFit& fit, const SimulationData& held);
-
 /// Number of first samples of each window that the initial state of its simulation is taken from.
 int seenSamples(const SimulationData& held, const CurveModel& model);
 

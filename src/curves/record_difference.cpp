@@ -14,18 +14,6 @@ namespace {
 
 using In = RecordDifference::In;
 
-/// The windows of one record.
-SimulationData onlyOf(const SimulationData& held, const std::vector<int>& windows) {
-  SimulationData record = held;
-  record.windows.clear();
-  record.longest = 0;
-  for (const int w : windows) {
-    record.windows.push_back(held.windows[static_cast<std::size_t>(w)]);
-    record.longest = std::max(record.longest, record.windows.back().samples());
-  }
-  return record;
-}
-
 /// One signal over all windows, what was not measured being zero.
 Eigen::VectorXd joined(const SimulationData& record, const std::vector<Eigen::VectorXd>& signals) {
   Eigen::Index total = 0;

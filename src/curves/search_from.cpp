@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "curves/beyond_differences.h"
 #include "curves/fit_comparison.h"
 #include "curves/held_out.h"
 #include "curves/split_model.h"
+#include "math/distributions.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -26,8 +28,8 @@ class CurveSearch {
   bool convinces(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const;
   bool convincesHeld(const WindowFit& fit, const Eigen::VectorXd& errors, bool beyond) const;
   bool takeCause(std::vector<CurveCandidate>* all, const Eigen::VectorXd& now, bool beyond);
-  std::vector<CurveCandidate> beyondGain(std::vector<CurveCandidate> all,
-                                         const Eigen::VectorXd& now) const;
+  std::vector<CurveCandidate> beyondDifferences(std::vector<CurveCandidate> all,
+                                                const Eigen::VectorXd& now) const;
   Round takeBest(std::vector<CurveCandidate> all, const Eigen::VectorXd& now, bool beyond);
   void dropNeedless();
   void nameAgain();
@@ -54,7 +56,8 @@ Eigen::VectorXd CurveSearch::heldErrors(const WindowFit& fit) const {
 
 /// Unseen errors beyond what differs between experiments; empty where the windows do not show it.
 Eigen::VectorXd CurveSearch::unseenBeyond(const WindowFit& fit) const {
-  return showDifferences(data_, held_) ? unseenBeyondGain(fit, held_) : Eigen::VectorXd();
+  return showDifferences(data_, held_) ? unseenBeyondDifferences(data_, fit, held_)
+                                       : Eigen::VectorXd();
 }
 
 bool CurveSearch::isWorth(const CurveCandidate& candidate, const Eigen::VectorXd& now,
@@ -81,7 +84,7 @@ bool CurveSearch::convinces(const Eigen::VectorXd& before, const Eigen::VectorXd
          pairedT(before, after) >= limits_.least_held_t;
 }
 
-/// Whether held-out windows gain, also where each record has its own gain and offset. Whether the
+/// Whether held-out windows gain, also where each record has a linear plant of its own. Whether the
 /// latter is significant, all unseen windows tell for the first cause, because two or three
 /// held-out experiments or windows cannot; a further cause may only mend the first. `beyond`: the
 /// gain is looked for in the latter way only, and there is no loss otherwise.
@@ -90,13 +93,15 @@ bool CurveSearch::convincesHeld(const WindowFit& fit, const Eigen::VectorXd& err
   const double share = errors.sum() / held_errors_.sum();
   const bool is_material = !result_.causes.empty() || share <= 1 - limits_.least_first_gain;
   const bool as_it_is = beyond ? share < 1 : is_material && convinces(held_errors_, errors);
-  const Eigen::VectorXd before = errorsBeyondGain(held_, result_.fit.model),
-                        after = errorsBeyondGain(held_, fit.model);
+  const Eigen::VectorXd before = errorsBeyondDifferences(held_, result_.fit.model),
+                        after = errorsBeyondDifferences(held_, fit.model);
   const Eigen::VectorXd all = unseenBeyond(result_.fit);
   if (!as_it_is || all.size() == 0 || !result_.causes.empty())
     return as_it_is && convinces(before, after);
+  const double least_t =
+      studentQuantile(0.95, static_cast<double>(std::max<Eigen::Index>(all.size() - 1, 1)));
   return after.sum() <= (1 - limits_.least_first_gain) * before.sum() &&
-         pairedT(all, unseenBeyond(fit)) >= limits_.least_held_t;
+         pairedT(all, unseenBeyond(fit)) >= std::max(least_t, limits_.least_held_t);
 }
 
 /// Accepts the best of the curves if held-out windows gain; otherwise drops it.
@@ -124,8 +129,8 @@ bool CurveSearch::takeCause(std::vector<CurveCandidate>* all, const Eigen::Vecto
 /// The curves with their errors beyond what differs between experiments, the best first. Only those
 /// with which unseen windows are simulated better also as they are; nothing where the windows do
 /// not show what experiments differ by.
-std::vector<CurveCandidate> CurveSearch::beyondGain(std::vector<CurveCandidate> all,
-                                                    const Eigen::VectorXd& now) const {
+std::vector<CurveCandidate> CurveSearch::beyondDifferences(std::vector<CurveCandidate> all,
+                                                           const Eigen::VectorXd& now) const {
   std::vector<CurveCandidate> curves;
   for (CurveCandidate& each : all) {
     if (each.kind != CandidateKind::curve || each.unseen.sum() >= now.sum()) continue;
@@ -170,7 +175,7 @@ CurveSearch::Round CurveSearch::round() {
   const Eigen::VectorXd now = unseenErrors(result_.fit, held_);
   const Round did = takeBest(all, now, false);
   if (did != Round::nothing || !result_.causes.empty()) return did;
-  std::vector<CurveCandidate> curves = beyondGain(std::move(all), now);
+  std::vector<CurveCandidate> curves = beyondDifferences(std::move(all), now);
   if (curves.empty()) return Round::nothing;
   return takeBest(std::move(curves), unseenBeyond(result_.fit), true);
 }

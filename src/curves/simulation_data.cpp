@@ -23,4 +23,18 @@ std::vector<std::vector<int>> windowsByRecord(const SimulationData& data) {
   return windows;
 }
 
+SimulationData onlyOf(const SimulationData& data, const std::vector<int>& windows) {
+  SimulationData record;
+  record.scales = data.scales;
+  record.sample_time = data.sample_time;
+  for (const int w : windows) {
+    record.groups.push_back(static_cast<int>(record.windows.size()));
+    record.windows.push_back(data.windows[static_cast<std::size_t>(w)]);
+    record.longest = std::max(record.longest, record.windows.back().samples());
+    record.samples += record.windows.back().measuredSamples();
+  }
+  record.groups.push_back(static_cast<int>(record.windows.size()));
+  return record;
+}
+
 }  // namespace uncertainty_identification

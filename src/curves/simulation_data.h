@@ -63,4 +63,7 @@ struct SimulationData {
 /// Indices of the windows of each record.
 std::vector<std::vector<int>> windowsByRecord(const SimulationData& data);
 
+/// The windows of one record.
+SimulationData onlyOf(const SimulationData& data, const std::vector<int>& windows);
+
 }  // namespace uncertainty_identification

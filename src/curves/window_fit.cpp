@@ -85,37 +85,6 @@ Eigen::MatrixXd ridged(const Eigen::MatrixXd& information, const Eigen::VectorXd
   return ridge;
 }
 
-/// What left_out_beyond_gain of a fit is; leaving out is exact as in leaveGroupsOut().
-std::vector<double> leftOutBeyondGain(const SimulationData& data, const Linearisation& at,
-                                      const CurveModel& model, const Eigen::VectorXd& step,
-                                      const Eigen::MatrixXd& ridge) {
-  std::vector<std::vector<int>> left_out_together = windowsByRecord(data);
-  if (left_out_together.size() == 1) {
-    left_out_together.clear();
-    for (std::size_t w = 0; w < data.windows.size(); ++w)
-      left_out_together.push_back({static_cast<int>(w)});
-  }
-  const Eigen::MatrixXd own = gainAndOffset(model);
-  std::vector<double> errors(data.windows.size());
-  for (const std::vector<int>& windows : left_out_together) {
-    Eigen::MatrixXd rest = at.sum.jj + ridge;
-    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(rest.rows());
-    std::vector<WindowProducts::Block> blocks;
-    blocks.reserve(windows.size());
-    for (const int w : windows) {
-      blocks.push_back(at.windows[static_cast<std::size_t>(w)].total());
-      rest -= blocks.back().jj;
-      gradient += blocks.back().jr - blocks.back().jj * step;
-    }
-    const Eigen::VectorXd beyond = errorsBeyond(blocks, step - solved(rest, gradient), own);
-    for (std::size_t k = 0; k < windows.size(); ++k) {
-      const double error = beyond[static_cast<Eigen::Index>(k)];
-      errors[static_cast<std::size_t>(windows[k])] = std::isfinite(error) ? error : kHopeless;
-    }
-  }
-  return errors;
-}
-
 /// Exact leave-one-group-out of the linearised fit: theta without a group differs by
 /// (H - H_g + R)^-1 g_g.
 void leaveGroupsOut(const SimulationData& data, const Linearisation& at, WindowFit* fit) {
@@ -127,7 +96,6 @@ void leaveGroupsOut(const SimulationData& data, const Linearisation& at, WindowF
   Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(information.rows(), information.cols());
   const bool many = static_cast<int>(data.groups.size()) - 1 >= kManyGroups;
   std::vector<double> parts;
-  std::vector<double> beyond = leftOutBeyondGain(data, at, fit->model, step, ridge);
   fit->squared_error = fit->left_out = 0;
   for (std::size_t g = 0; g + 1 < data.groups.size(); ++g) {
     Eigen::MatrixXd rest = information + ridge;
@@ -156,8 +124,6 @@ void leaveGroupsOut(const SimulationData& data, const Linearisation& at, WindowF
   if (!std::isfinite(fit->squared_error)) fit->squared_error = kHopeless;
   fit->left_out_of =
       Eigen::Map<Eigen::VectorXd>(parts.data(), static_cast<Eigen::Index>(parts.size()));
-  fit->left_out_beyond_gain =
-      Eigen::Map<Eigen::VectorXd>(beyond.data(), static_cast<Eigen::Index>(beyond.size()));
   const Eigen::MatrixXd inverse = (information + ridge).inverse();
   const auto groups = static_cast<double>(data.groups.size() - 1);
   fit->covariance = groups / std::max(groups - 1, 1.0) * (inverse * spread * inverse);
@@ -241,6 +207,26 @@ WindowFit fitFreely(const SimulationData& data, CurveModel model, const FitLimit
     error = at.squared_error;
   }
   return concluded(data, std::move(model), at, {});
+}
+
+std::vector<Eigen::VectorXd> thetaWithout(const SimulationData& data, const WindowFit& fit,
+                                          const std::vector<std::vector<int>>& windows) {
+  const Linearisation at = linearise(data, fit.model);
+  const Eigen::MatrixXd information =
+      at.sum.jj + ridged(at.sum.jj, priorPrecision(fit.model, at.sum.rr, data.samples));
+  std::vector<Eigen::VectorXd> all;
+  all.reserve(windows.size());
+  for (const std::vector<int>& together : windows) {
+    Eigen::MatrixXd rest = information;
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(rest.rows());
+    for (const int w : together) {
+      const WindowProducts::Block own = at.windows[static_cast<std::size_t>(w)].total();
+      rest -= own.jj;
+      gradient += own.jr;
+    }
+    all.push_back(fit.model.theta - solved(rest, gradient));
+  }
+  return all;
 }
 
 WindowFit stepLinearly(const SimulationData& data, const CurveModel& model) {

@@ -16,9 +16,6 @@ struct WindowFit {
   double squared_error = 0;     ///< of all windows, their initial states fitted
   double left_out = 0;          ///< of all windows, each predicted from the others
   Eigen::VectorXd left_out_of;  ///< its parts: groups, or thirds of windows where groups are few
-  /// Of each window, predicted from the other records with a gain and an offset of its record's
-  /// own; where all windows are of one record, from the other windows, with those of its own.
-  Eigen::VectorXd left_out_beyond_gain;
   std::vector<Eigen::VectorXd> residuals;  ///< of each window, 0 where y is missing
   Eigen::VectorXd step;                    ///< of theta, of a linearised fit
   Eigen::MatrixXd covariance;              ///< of theta, robust: groups are the independent units
@@ -38,6 +35,10 @@ double simulationError(const SimulationData& data, const CurveModel& model);
 
 /// Levenberg and Marquardt on the free simulation. The windows' initial states are eliminated.
 WindowFit fitFreely(const SimulationData& data, CurveModel model, const FitLimits& limits);
+
+/// theta of a fit without each of these sets of windows, exact for the linearised model.
+std::vector<Eigen::VectorXd> thetaWithout(const SimulationData& data, const WindowFit& fit,
+                                          const std::vector<std::vector<int>>& windows);
 
 /// One linearised step from the model, whose curves are at zero, without a further simulation.
 WindowFit stepLinearly(const SimulationData& data, const CurveModel& model);

@@ -1,8 +1,5 @@
 #include "curves/window_products.h"
 
-#include <Eigen/Cholesky>
-#include <cmath>
-
 namespace uncertainty_identification {
 /// By Gram and Schmidt, twice.
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
@@ -56,31 +53,6 @@ WindowProducts productsOf(const CurveModel& model, const std::vector<CurveTable>
   }
   products.residual = std::move(residual);
   return products;
-}
-
-Eigen::MatrixXd gainAndOffset(const CurveModel& model) {
-  const int n = model.order;
-  Eigen::MatrixXd own = Eigen::MatrixXd::Zero(model.parameters(), 2);
-  own.col(0).segment(n, n) = model.theta.segment(n, n);
-  if (model.direct) own(2 * n, 0) = model.directGain();
-  own(model.biasIndex(), 1) = 1;
-  return own;
-}
-
-Eigen::VectorXd errorsBeyond(const std::vector<WindowProducts::Block>& record,
-                             const Eigen::VectorXd& step, const Eigen::MatrixXd& own) {
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(own.cols());
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(own.cols(), own.cols());
-  for (const WindowProducts::Block& window : record) {
-    gradient += own.transpose() * (window.jr - window.jj * step);
-    information += own.transpose() * window.jj * own;
-  }
-  information.diagonal().array() += 1e-9 * information.trace() + 1e-12;
-  const Eigen::VectorXd with_own = step + own * information.ldlt().solve(gradient);
-  Eigen::VectorXd errors(static_cast<Eigen::Index>(record.size()));
-  for (std::size_t w = 0; w < record.size(); ++w)
-    errors[static_cast<Eigen::Index>(w)] = errorAfter(record[w], with_own);
-  return errors;
 }
 
 double errorAfter(const WindowProducts::Block& block, const Eigen::VectorXd& step) {

@@ -31,15 +31,6 @@ WindowProducts productsOf(const CurveModel& model, const std::vector<CurveTable>
 /// Orthonormal columns that span those of `columns`.
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns);
 
-/// What the errors of a record's windows become when theta changes by `step`, and a gain and an
-/// offset of the record's own, which the columns of `own` are as changes of theta, are fitted to
-/// it.
-Eigen::VectorXd errorsBeyond(const std::vector<WindowProducts::Block>& record,
-                             const Eigen::VectorXd& step, const Eigen::MatrixXd& own);
-
-/// Changes of theta that stand for a gain and an offset.
-Eigen::MatrixXd gainAndOffset(const CurveModel& model);
-
 /// What the error of a block becomes when theta changes by `step` in the linearised model.
 double errorAfter(const WindowProducts::Block& block, const Eigen::VectorXd& step);
 

@@ -14,6 +14,8 @@
 #include "explanation/verdict.h"
 #include "explanation/warnings.h"
 #include "identification/steps.h"
+#include "inspection/closed_loop.h"
+#include "uncertainty_identification/effects/catalogue.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/identifier.h"
 
@@ -32,17 +34,19 @@ bool leavesModelOpen(const Configuration& asked) {
 }
 
 /// Whether there is no answer, or one that explains only a part, where neither what the samples
-/// show nor a controller nor the noise alone, which identify does not test, may be the reason.
+/// show alone nor a controller nor the noise alone, which identify does not test, may be the
+/// reason.
 bool isOpen(const Explanation& explanation) {
   if (explanation.verdict == Verdict::none || explanation.verdict == Verdict::explained)
     return false;
+  const std::vector<Cause>& causes = explanation.causes;
   const std::vector<Check>& checks = explanation.checks_after;
-  const auto controlled = [](const Check& check) {
-    return !check.passed && check.name == kDirection;
-  };
-  return std::none_of(explanation.causes.begin(), explanation.causes.end(), isOfSamples) &&
-         std::none_of(checks.begin(), checks.end(), controlled) &&
-         (allPassed(checks) || !isOfNoiseAlone(checks));
+  const auto fails = [](const Check& check) { return !check.passed && check.name == kDirection; };
+  const auto is_loop = [](const Cause& cause) { return hasTrait(cause.name, Trait::feedback); };
+  const bool is_controlled = std::any_of(checks.begin(), checks.end(), fails) ||
+                             std::any_of(causes.begin(), causes.end(), is_loop);
+  const bool has_other = causes.empty() || !std::all_of(causes.begin(), causes.end(), isOfSamples);
+  return has_other && !is_controlled && (allPassed(checks) || !isOfNoiseAlone(checks));
 }
 
 std::vector<Experiment> heldOutOf(const Split& data) {
@@ -63,37 +67,78 @@ bool agrees(const Estimate& estimate, double level) {
   return estimate.usable() && estimate.residual_tests.samples > 0 && passes && !loses;
 }
 
+/// [%] of held-out experiments or, where there are none, of those fitted to.
+std::optional<double> simulationFitOf(const Estimate& estimate) {
+  if (estimate.validation.experiments.empty()) return estimate.simulation_fit_percent;
+  return estimate.validation.simulation_fit_percent_pooled;
+}
+
+/// The same about the common mean of all outputs, as the fits of causes are, also where every
+/// experiment has an offset of its own.
+std::optional<double> fitAboutCommonMean(const Estimate& estimate, const Split& data) {
+  const Validation& validation = estimate.validation;
+  if (validation.experiments.empty()) return estimate.simulation_fit_percent;
+  double error = 0, sum = 0, squares = 0, count = 0;
+  for (const Experiment& experiment : data.held) {
+    const auto& ids = validation.experiments;
+    const auto id = std::find(ids.begin(), ids.end(), experiment.id);
+    if (id == ids.end()) continue;
+    double of_sum = 0, of_squares = 0, of_count = 0;
+    for (Eigen::Index k = 0; k < experiment.y.size(); ++k) {
+      const double y = experiment.y[k];
+      if (!std::isfinite(y)) continue;
+      of_sum += y;
+      of_squares += y * y;
+      of_count += 1;
+    }
+    const double share =
+        1 - validation.simulation_fit_percent[static_cast<std::size_t>(id - ids.begin())] / 100;
+    error += share * share * (of_squares - of_sum * of_sum / std::max(of_count, 1.0));
+    sum += of_sum;
+    squares += of_squares;
+    count += of_count;
+  }
+  return 100 * (1 - std::sqrt(error / std::max(squares - sum * sum / count, 1e-300)));
+}
+
 double squaredError(double fit) { return (100 - fit) * (100 - fit); }
 
 /// Whether a cause simulates held-out data clearly better than the model without it. What makes
-/// tests fail that passed is no cause all the same, and a curve of no simple shape may stand for
-/// levels that differ.
-bool isConfirmed(const Cause& cause, const Estimate& without, bool passed_before) {
+/// tests fail that passed is no cause all the same, a curve of no simple shape may stand for
+/// levels that differ, and what differs between experiments is in the model without it as well.
+bool isConfirmed(const Cause& cause, const Estimate& without, std::optional<double> fit,
+                 bool passed_before) {
   constexpr double kClearly = 1.2;  // of the squared error
-  if (passed_before || without.validation.experiments.empty() || !cause.gain) return false;
+  if (passed_before || !fit || !cause.gain || hasTrait(cause.name, Trait::by_experiment))
+    return false;
   const bool has_shape = !cause.simulation || cause.simulation->what.shape != "curve";
   return (has_shape || !without.trust.trusted) &&
-         squaredError(without.validation.simulation_fit_percent_pooled) >
-             kClearly * squaredError(cause.gain->nrmse_fit_percent.after);
+         squaredError(*fit) > kClearly * squaredError(cause.gain->nrmse_fit_percent.after);
 }
 
 /// Whether the answer of the search remains beside this model.
-bool stands(const Explanation& explanation, const Estimate& without) {
+bool stands(const Explanation& explanation, const Estimate& without, const Split& data) {
   if (!agrees(without, kCheckThreshold)) return true;
   if (!leadingCurves(explanation.simulation).empty() && !without.trust.trusted) return true;
   const bool passed_before = allPassed(explanation.checks_before);
+  const std::optional<double> fit = fitAboutCommonMean(without, data);
   return std::any_of(explanation.causes.begin(), explanation.causes.end(), [&](const Cause& cause) {
-    return isConfirmed(cause, without, passed_before);
+    return !isOfSamples(cause) && isConfirmed(cause, without, fit, passed_before);
   });
 }
 
-/// Whether identify's own tests pass, and the plant alone explains most of the output.
-bool isAnswer(const Estimate& estimate) {
+/// Whether identify's own tests pass, the plant alone explains most of the output, also in parts
+/// that were held out, and the model cannot be that of a controller: those tests pass as well.
+bool isAnswer(const Estimate& estimate, const Split& data) {
   constexpr double kUseful = 50;  // [%] fit
   constexpr double kAnyLevel = 1;
-  return agrees(estimate, kAnyLevel) && estimate.simulation_fit_percent.value_or(0) >= kUseful &&
-         (estimate.validation.experiments.empty() ||
-          estimate.validation.simulation_fit_percent_pooled >= kUseful);
+  const NominalModelEstimate& nominal = estimate.nominal_model;
+  const bool is_plant =
+      trustOfDirection({}, followingOf(data.train), nominal.delay, true).trusted &&
+      trustOfOrders({}, estimate.candidates, nominal.a.size(), estimate.simulation_fit_percent)
+          .trusted;
+  return is_plant && agrees(estimate, kAnyLevel) && estimate.simulation_fit_percent.value_or(0) >= kUseful &&
+         simulationFitOf(estimate).value_or(0) >= kUseful;
 }
 
 Check checkOf(const std::string& name, double p_value) {
@@ -111,27 +156,30 @@ std::vector<Check> checksOf(const ResidualTests& tests) {
           checkOf("linearity of predictions", tests.linearity_p_value)};
 }
 
-std::string messageOf(const Estimate& estimate) {
-  std::string text =
+std::string messageOf(const std::vector<Cause>& causes, const Estimate& estimate) {
+  std::string text = causes.empty() ? "" : describedNames(causes) + ". Apart from this, ";
+  text +=
       "the model that identify chooses by default agrees with the data: its tests of the plant and "
       "of the noise's colour find nothing wrong.";
   if (!estimate.variation.empty()) text += " " + estimate.variation;
   const bool was_held_out = !estimate.validation.experiments.empty();
-  const std::optional<double> fit = was_held_out ? estimate.validation.simulation_fit_percent_pooled
-                                                 : estimate.simulation_fit_percent;
-  if (fit)
+  if (const std::optional<double> fit = simulationFitOf(estimate))
     text += std::string(" Its simulation fits ") + (was_held_out ? "held-out data" : "the data") +
             " by " + rounded(*fit) + " %";
   return text;
 }
 
-/// Without a cause, the linear plant describes the data as well.
+/// Without a cause, but for those that the samples show, the linear plant describes the data as
+/// well.
 void withdrawCauses(Explanation* explanation) {
-  if (explanation->causes.empty()) return;
-  explanation->warnings.push_back(namesOf(explanation->causes) +
+  std::vector<Cause> kept, withdrawn;
+  for (const Cause& cause : explanation->causes)
+    (isOfSamples(cause) ? kept : withdrawn).push_back(cause);
+  if (withdrawn.empty()) return;
+  explanation->warnings.push_back(namesOf(withdrawn) +
                                   ": not named, because the model that identify chooses passes "
                                   "its tests without it and simulates held-out data as well");
-  explanation->causes.clear();
+  explanation->causes = std::move(kept);
   SimulationCauses& simulation = explanation->simulation;
   simulation.causes.clear();
   simulation.fit_after = simulation.fit_before;
@@ -157,8 +205,8 @@ void take(Estimate estimate, const Split& data, Explanation* explanation) {
   withdrawCauses(explanation);
   for (const auto* remarks : {&estimate.warnings, &estimate.trust.reasons})
     explanation->warnings.insert(explanation->warnings.end(), remarks->begin(), remarks->end());
-  explanation->verdict = Verdict::none;
-  explanation->message = messageOf(estimate);
+  explanation->verdict = explanation->causes.empty() ? Verdict::none : Verdict::explained;
+  explanation->message = messageOf(explanation->causes, estimate);
   explanation->checks_before = explanation->checks_after = checksOf(estimate.residual_tests);
   if (!data.fitted_to)
     explanation->held_out_fit = estimate.validation.simulation_fit_percent_pooled;
@@ -180,9 +228,9 @@ void compareWithCauseFreeModel(const Configuration& asked, const Split& data,
     Estimate estimate = Identifier(asked).identify(data.train, heldOutOf(data), go);
     if (estimate.termination == Termination::cancelled)
       explanation->warnings.push_back(kNotCompared);
-    else if (!stands(*explanation, estimate) && isAnswer(estimate))
+    else if (!stands(*explanation, estimate, data) && isAnswer(estimate, data))
       take(std::move(estimate), data, explanation);
-    else if (!stands(*explanation, estimate))
+    else if (!stands(*explanation, estimate, data))
       withdrawCauses(explanation);
   } catch (const DataError& error) {
     explanation->warnings.push_back(

@@ -3,45 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "curves/fit_comparison.h"
 #include "curves/held_out.h"
 #include "curves/initial_states.h"
 #include "curves/starts.h"
+#include "support/first_order_windows.h"
 
 namespace uncertainty_identification {
 namespace {
-
-constexpr double kPole = 0.8, kGain = 0.3;
-
-/// Windows of y(k+1) = 0.8 y(k) + 0.3 u(k), each from another initial state, in white noise.
-SimulationData firstOrderWindows(int windows, int samples, double noise, unsigned seed) {
-  std::mt19937_64 engine(seed);
-  std::normal_distribution<double> normal;
-  SimulationData data;
-  data.sample_time = 1;
-  for (int w = 0; w < windows; ++w) {
-    SimulationWindow window;
-    window.record = w;
-    window.u.resize(samples);
-    window.y.resize(samples);
-    double x = 2 * normal(engine);
-    for (int k = 0; k < samples; ++k) {
-      window.u[k] = normal(engine);
-      window.y[k] = x + noise * normal(engine);
-      x = kPole * x + kGain * window.u[k];
-    }
-    window.measured = Eigen::ArrayXd::Ones(samples);
-    window.time = Eigen::VectorXd::LinSpaced(samples, 0, 1);
-    data.windows.push_back(window);
-    data.groups.push_back(w);
-  }
-  data.groups.push_back(windows);
-  data.longest = samples;
-  data.samples = windows * samples;
-  return data;
-}
 
 /// `data` without one window.
 SimulationData without(const SimulationData& data, std::size_t left_out) {
@@ -50,10 +20,6 @@ SimulationData without(const SimulationData& data, std::size_t left_out) {
   rest.groups.pop_back();
   rest.samples -= data.longest;
   return rest;
-}
-
-WindowFit fitted(const SimulationData& data) {
-  return fitFreely(data, linearStart(data, 1, false, 0), {});
 }
 
 TEST(WindowFit, FindsThePlantAndEachWindowsInitialState) {
@@ -134,79 +100,6 @@ TEST(WithCancellingPair, SimulatesTheSame) {
   EXPECT_EQ(large.order, 2);
   large.initial = initialStates(data, large, data.longest);
   EXPECT_LT(simulationError(data, large), small.squared_error * 1.001);
-}
-
-/// A window's own gain and offset are no cause, and no fault of the model.
-TEST(HeldOut, ErrorsBeyondGainIgnoreGainAndOffset) {
-  SimulationData held = firstOrderWindows(6, 100, 0.05, 6);
-  const WindowFit fit = fitted(firstOrderWindows(20, 100, 0.05, 7));
-  const double before = errorsBeyondGain(held, fit.model).sum();
-  const double plain = heldOutErrors(held, fit.model).sum();
-  for (SimulationWindow& window : held.windows) window.y = (1.3 * window.y.array() + 0.5).matrix();
-  EXPECT_GT(heldOutErrors(held, fit.model).sum(), 5 * plain);
-  EXPECT_LT(errorsBeyondGain(held, fit.model).sum(), 2 * before);  // the noise has grown by 1.7
-  EXPECT_GT(heldOutFit(held, errorsBeyondGain(held, fit.model)), 85);
-}
-
-/// What windows of one record differ by is no difference between records.
-TEST(HeldOut, WindowsOfARecordShareTheirGainAndOffset) {
-  SimulationData held = firstOrderWindows(6, 100, 0.05, 6),
-                 fit_to = firstOrderWindows(20, 100, 0.05, 7);
-  for (std::size_t w = 0; w < 6; ++w) {
-    held.windows[w].y.array() += w % 2 == 0 ? 0.3 : -0.3;
-    held.windows[w].record = 0;
-  }
-  const WindowFit fit = fitted(fit_to);
-  const double of_one_record = errorsBeyondGain(held, fit.model).sum();
-  for (std::size_t w = 0; w < 6; ++w) held.windows[w].record = static_cast<int>(w);
-  EXPECT_GT(of_one_record, 5 * errorsBeyondGain(held, fit.model).sum());
-
-  for (std::size_t w = 0; w < 20; ++w) {
-    fit_to.windows[w].y.array() += w % 2 == 0 ? 0.3 : -0.3;
-    fit_to.windows[w].record = static_cast<int>(w) / 10;
-  }
-  const double of_two_records = fitted(fit_to).left_out_beyond_gain.sum();
-  for (std::size_t w = 0; w < 20; ++w) fit_to.windows[w].record = static_cast<int>(w);
-  EXPECT_GT(of_two_records, 2 * fitted(fit_to).left_out_beyond_gain.sum());
-}
-
-/// Windows that are left out may have a gain and an offset of their own as well.
-TEST(HeldOut, UnseenErrorsBeyondGainIgnoreGainAndOffset) {
-  const SimulationData held = firstOrderWindows(6, 100, 0.05, 6);
-  SimulationData alike = firstOrderWindows(20, 100, 0.05, 7), different = alike;
-  for (std::size_t w = 0; w < 20; ++w) different.windows[w].y *= w % 2 == 0 ? 1.3 : 0.7;
-  const WindowFit of_alike = fitted(alike), of_different = fitted(different);
-  EXPECT_GT(of_different.left_out, 5 * of_alike.left_out);
-  const Eigen::VectorXd beyond = unseenBeyondGain(of_different, held);
-  ASSERT_EQ(beyond.size(), 26);
-  EXPECT_EQ(beyond.tail(6), errorsBeyondGain(held, of_different.model));
-  EXPECT_LT(beyond.head(20).sum(), 1.5 * of_alike.left_out);
-}
-
-/// The unseen windows of a few records show whether the records differ.
-TEST(HeldOut, SeveralRecordsOrFewWindowsBesideSeveralShowDifferences) {
-  const auto of = [](const std::vector<int>& records) {
-    SimulationData data;
-    for (const int record : records) {
-      data.windows.emplace_back();
-      data.windows.back().record = record;
-    }
-    return data;
-  };
-  EXPECT_TRUE(showDifferences(of({0, 0}), of({0, 1})));
-  EXPECT_TRUE(showDifferences(of({0, 1}), of({0, 0, 0})));
-  EXPECT_FALSE(showDifferences(of({0, 1}), of({0, 0, 0, 0}))) << "one record has enough windows";
-  EXPECT_FALSE(showDifferences(of({0, 0}), of({0, 0})));
-}
-
-TEST(HeldOut, SingleStepsShowNothingBeyondGain) {
-  SimulationData held = firstOrderWindows(4, 50, 0.05, 8);
-  const WindowFit fit = fitted(firstOrderWindows(20, 100, 0.05, 7));
-  for (SimulationWindow& window : held.windows) {
-    window.u.setOnes();
-    window.u.head(5).setZero();
-  }
-  EXPECT_EQ(errorsBeyondGain(held, fit.model).size(), 0);
 }
 
 }  // namespace

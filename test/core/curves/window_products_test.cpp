@@ -48,25 +48,5 @@ TEST(WindowProducts, GiveTheErrorAfterAStep) {
   EXPECT_NEAR(errorAfter(products.total(), step), after.total().rr, 1e-9);
 }
 
-/// r = [3 1 2], J = I: a record's own level along the first two parameters takes their errors away.
-TEST(WindowProducts, ARecordsOwnGainAndOffsetAreFittedToIt) {
-  WindowProducts::Block block;
-  block.jj = Eigen::Matrix3d::Identity();
-  block.jr = Eigen::Vector3d(3, 1, 2);
-  block.rr = 14;
-  Eigen::MatrixXd own = Eigen::MatrixXd::Zero(3, 2);
-  own(0, 0) = 5;
-  own(1, 1) = -2;
-  EXPECT_NEAR(errorsBeyond({block}, Eigen::Vector3d::Zero(), own)[0], 4, 1e-6);
-  EXPECT_NEAR(errorsBeyond({block}, Eigen::Vector3d(7, 7, 1.5), own)[0], 0.25, 1e-6);
-  // With a second window r = [1 1 2] the record's level of the first parameter is 2.
-  WindowProducts::Block second = block;
-  second.jr[0] = 1;
-  second.rr = 6;
-  const Eigen::VectorXd errors = errorsBeyond({block, second}, Eigen::Vector3d::Zero(), own);
-  EXPECT_NEAR(errors[0], 4 + 1, 1e-6);
-  EXPECT_NEAR(errors[1], 4 + 1, 1e-6);
-}
-
 }  // namespace
 }  // namespace uncertainty_identification

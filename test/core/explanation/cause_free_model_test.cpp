@@ -135,6 +135,52 @@ TEST(CauseFreeModel, LeavesACauseThatSimulatesHeldOutDataBetter) {
   EXPECT_TRUE(compared(found, byDefault(), data).causes.empty()) << "of no simple shape";
 }
 
+TEST(CauseFreeModel, NamesNothingThatDiffersBetweenExperiments) {
+  const Explanation found =
+      compared(partly(confirmed("exp_clock")), byDefault(), firstFive(linearPlants()));
+  EXPECT_EQ(found.verdict, Verdict::none) << "its model has a spread as well";
+}
+
+/// The fit of a cause is about the mean of all held-out outputs, to which levels count.
+TEST(CauseFreeModel, ComparesFitsAboutTheSameMean) {
+  const std::vector<Experiment> all = linearPlants();
+  Split data;
+  data.train.assign(all.begin(), all.begin() + 4);
+  data.held.assign(all.begin() + 4, all.end());
+  data.held[1].y.array() += 100;
+  Explanation found = partly(confirmed("act_ratelimit"));
+  found.causes[0].gain->nrmse_fit_percent.after = 96;  // by the levels alone, 98 or more
+  EXPECT_TRUE(compared(found, byDefault(), data).causes.empty());
+}
+
+TEST(CauseFreeModel, KeepsWhatTheSamplesShowBesideTheLinearPlant) {
+  Explanation before = partly(named("exp_clock"));
+  before.causes.push_back(named("sens_outliers"));
+  before.causes.back().seen_in_samples = true;
+  const Explanation found = compared(before, byDefault(), firstFive(linearPlants()));
+  EXPECT_EQ(found.verdict, Verdict::explained);
+  ASSERT_EQ(found.causes.size(), 1u);
+  EXPECT_EQ(found.causes[0].name, "sens_outliers");
+  EXPECT_TRUE(test::mentions(found.message, "Apart from this, the model that identify chooses"));
+}
+
+/// A controller computes the input from the output: the model that agrees is the controller's.
+TEST(CauseFreeModel, IsNoAnswerWhereTheInputFollowsTheOutput) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal;
+  std::vector<Experiment> all = linearPlants();
+  for (Experiment& experiment : all) {
+    double x = 0, load = 0;
+    for (int k = 0; k < 400; ++k) {
+      load = 0.9 * load + normal(random);
+      experiment.y[k] = x + load;
+      experiment.u[k] = -2 * experiment.y[k] + 0.1 * normal(random);
+      x += 0.1 * (experiment.u[k] - x);
+    }
+  }
+  EXPECT_NE(compared(partly(named("act_lag")), byDefault(), firstFive(all)).verdict, Verdict::none);
+}
+
 TEST(CauseFreeModel, LeavesWhatIdentifyDoesNotTest) {
   const Explanation found =
       compared(partly(named("act_lag"), "volatility"), byDefault(), firstFive(linearPlants()));
