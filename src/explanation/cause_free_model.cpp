@@ -137,7 +137,8 @@ bool isAnswer(const Estimate& estimate, const Split& data) {
       trustOfDirection({}, followingOf(data.train), nominal.delay, true).trusted &&
       trustOfOrders({}, estimate.candidates, nominal.a.size(), estimate.simulation_fit_percent)
           .trusted;
-  return is_plant && agrees(estimate, kAnyLevel) && estimate.simulation_fit_percent.value_or(0) >= kUseful &&
+  return is_plant && agrees(estimate, kAnyLevel) &&
+         estimate.simulation_fit_percent.value_or(0) >= kUseful &&
          simulationFitOf(estimate).value_or(0) >= kUseful;
 }
 
