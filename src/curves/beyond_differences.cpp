@@ -26,13 +26,13 @@ constexpr double kDiverged = 1e6;  ///< error of a simulation that diverges
 
 enum class Differ { in_gain_and_offset, in_linear_plant };
 
-/// A record of one plant among several may have another linear plant, if its input moves often
-/// enough to show one.
-Differ differOf(const SimulationData& record, const CurveModel& model, bool of_several) {
+/// A record of one plant among several may have another linear plant, but for records of a single
+/// step, which would leave nothing to tell a curve by. Thinning leaves two changes of a step.
+Differ differOf(const SimulationData& record, bool of_several) {
+  constexpr int kOfAStep = 2;
   int changes = 0;
   for (const SimulationWindow& window : record.windows) changes += changesOf(window.u);
-  return of_several && changes > model.linearParameters() ? Differ::in_linear_plant
-                                                          : Differ::in_gain_and_offset;
+  return of_several && changes > kOfAStep ? Differ::in_linear_plant : Differ::in_gain_and_offset;
 }
 
 /// The changes of theta by which records may differ.
@@ -131,7 +131,7 @@ std::vector<double> errorsOf(const SimulationData& record, const CurveModel& mod
                              bool of_several) {
   Eigen::VectorXd step = Eigen::VectorXd::Zero(model.parameters());
   std::vector<WindowProducts> products;
-  if (differOf(record, model, of_several) == Differ::in_linear_plant) {
+  if (differOf(record, of_several) == Differ::in_linear_plant) {
     products = ofOwnPlant(record, model);
   } else {
     products = productsOf(record, model);

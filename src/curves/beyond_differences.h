@@ -9,10 +9,10 @@
 namespace uncertainty_identification {
 
 /// Squared error of each held-out window where each record may have a linear plant and an offset of
-/// its own (where there is one record only, a gain and an offset), and each window an initial
-/// state: nothing is left of a cause that only imitates differences between records, and a curve
-/// that shows within a record remains. Empty where every input is a single step, which shows
-/// nothing but these.
+/// its own (a gain and an offset where there is one record only, or its input makes a single step),
+/// and each window an initial state: nothing is left of a cause that only imitates differences
+/// between records, and a curve that shows within a record remains. Empty where every input is a
+/// single step, which shows nothing but these.
 Eigen::VectorXd errorsBeyondDifferences(const SimulationData& held, const CurveModel& model);
 
 /// The same of each window of a fit, predicted from the other records; where all windows are of one
