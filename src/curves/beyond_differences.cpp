@@ -15,13 +15,6 @@
 namespace uncertainty_identification {
 namespace {
 
-/// How often a signal changes its value.
-int changesOf(const Eigen::VectorXd& signal) {
-  int count = 0;
-  for (Eigen::Index k = 1; k < signal.size(); ++k) count += signal[k] != signal[k - 1];
-  return count;
-}
-
 constexpr double kDiverged = 1e6;  ///< error of a simulation that diverges
 
 enum class Differ { in_gain_and_offset, in_linear_plant };

@@ -34,15 +34,6 @@ std::string sentenceOf(const WindowPlan& plan, const WindowSearch& search, std::
   return text.str();
 }
 
-/// Number of samples at which a signal changes.
-int changesOf(const Eigen::VectorXd& signal) {
-  const Eigen::Index count = signal.size();
-  return count < 2
-             ? 0
-             : static_cast<int>(
-                   (signal.tail(count - 1).array() != signal.head(count - 1).array()).count());
-}
-
 bool isConstant(const Scale& signal) {
   return !(signal.unit > 1e-9 * (1 + std::abs(signal.offset)));
 }

@@ -37,4 +37,12 @@ SimulationData onlyOf(const SimulationData& data, const std::vector<int>& window
   return record;
 }
 
+int changesOf(const Eigen::VectorXd& signal) {
+  const Eigen::Index count = signal.size();
+  return count < 2
+             ? 0
+             : static_cast<int>(
+                   (signal.tail(count - 1).array() != signal.head(count - 1).array()).count());
+}
+
 }  // namespace uncertainty_identification

@@ -66,4 +66,7 @@ std::vector<std::vector<int>> windowsByRecord(const SimulationData& data);
 /// The windows of one record.
 SimulationData onlyOf(const SimulationData& data, const std::vector<int>& windows);
 
+/// How often a signal changes its value.
+int changesOf(const Eigen::VectorXd& signal);
+
 }  // namespace uncertainty_identification

@@ -127,8 +127,9 @@ bool stands(const Explanation& explanation, const Estimate& without, const Split
   });
 }
 
-/// Whether identify's own tests pass, the plant alone explains most of the output, also in parts
-/// that were held out, and the model cannot be that of a controller: those tests pass as well.
+/// Whether the model can be given as the answer: identify's own tests pass, the plant alone
+/// explains most of the output, parts that were held out are not simulated far worse, and the model
+/// is not that of a controller which computes the input from the output.
 bool isAnswer(const Estimate& estimate, const Split& data) {
   constexpr double kUseful = 50;  // [%] fit
   constexpr double kAnyLevel = 1;
