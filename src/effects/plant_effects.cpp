@@ -67,7 +67,8 @@ MadeEffects plantCubicStiffness(const DataSummary& data) {
                      })};
 }
 
-/// The plant's input is u - friction tanh(v/width), v the change of the output per sample.
+/// The plant's input is u - friction tanh(v/width), v the change of the output per sample. A
+/// friction as large as the input would hold the plant at rest, and one beyond it is a damping.
 MadeEffects plantCoulombFriction(const DataSummary& data) {
   std::vector<VectorXd> starts;
   for (const double width : {0.05, 0.3})
@@ -80,7 +81,7 @@ MadeEffects plantCoulombFriction(const DataSummary& data) {
        {},
        Stage::loop,
        ScreeningKind::regression,
-       {{"friction", "unit of u", 0.1 * data.input_deviation},
+       {{"friction", "unit of u", 0.1 * data.input_deviation, 0, 3 * data.input_deviation},
         {"width", "unit of y per sample", 0.1 * data.output_deviation,
          0.005 * data.output_deviation, 10 * data.output_deviation}},
        starts,

@@ -4,6 +4,7 @@
 
 #include "configuration/require.h"
 #include "curves/curve_words.h"
+#include "identification/own_levels.h"
 #include "model/sensitivity.h"
 #include "uncertainty_identification/effects/catalogue.h"
 #include "uncertainty_identification/enum_names.h"
@@ -44,12 +45,18 @@ Configuration ofBaseModel(Configuration configuration) {
     configuration.error_model.basis = BasisKind::fir;
   InitialState& start = configuration.estimation.initial_state;
   if (start == InitialState::automatic) start = InitialState::estimate;
-  Offsets& offsets = configuration.estimation.offsets;
-  if (offsets == Offsets::automatic) offsets = Offsets::estimate;
   configuration.estimation.thinning = 1;  // long records are thinned for all steps together
   NominalModelOptions& nominal = configuration.nominal_model;
   if (nominal.orders_auto && nominal.focus == Focus::simulation) nominal.fit = PlantFit::simulation;
   return configuration;
+}
+
+Offsets offsetsOfBaseModel(const Configuration& asked, const std::vector<Experiment>& experiments) {
+  constexpr std::size_t kFewest = 3;
+  const Offsets offsets = asked.estimation.offsets;
+  if (offsets != Offsets::automatic) return offsets;
+  const bool is_open = asked.nominal_model.orders_auto && experiments.size() >= kFewest;
+  return is_open && levelsDiffer(experiments) ? Offsets::automatic : Offsets::estimate;
 }
 
 }  // namespace uncertainty_identification

@@ -17,4 +17,9 @@ void requireExplainable(const Configuration& configuration,
 /// where the orders are free the search starts from the best simulation.
 Configuration ofBaseModel(Configuration configuration);
 
+/// The offsets of the base model, `estimate` or those stated. Where the orders are left to be
+/// chosen, so is whether each experiment has an offset of its own, if their levels differ: a common
+/// offset would make slow dynamics of the levels. The base model's estimate tells what was chosen.
+Offsets offsetsOfBaseModel(const Configuration& asked, const std::vector<Experiment>& experiments);
+
 }  // namespace uncertainty_identification

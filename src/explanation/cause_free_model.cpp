@@ -33,13 +33,29 @@ bool leavesModelOpen(const Configuration& asked) {
          asked.error_model.basis == BasisKind::automatic;
 }
 
-/// Whether there is no answer, or one that explains only a part, where neither what the samples
-/// show alone nor a controller nor the noise alone, which identify does not test, may be the
-/// reason.
+/// Whether parameters of the plant differ, as in the model that identify chooses.
+bool isOfSpread(const Cause& cause) {
+  return hasTrait(cause.name, Trait::by_experiment) && hasTrait(cause.name, Trait::in_mixture);
+}
+
+/// Whether a cause describes what else differs between experiments, or a line in the spectrum of
+/// the residuals: plants that differ leave both.
+bool mayBeDifference(const Cause& cause) {
+  return !isOfSpread(cause) &&
+         (hasTrait(cause.name, Trait::by_experiment) || hasTrait(cause.name, Trait::spectral_line));
+}
+
+/// Whether there is no answer, one of nothing but differences between experiments, or one that
+/// explains only a part, where neither what the samples show alone nor a controller nor the noise
+/// alone, which identify does not test, may be the reason.
 bool isOpen(const Explanation& explanation) {
-  if (explanation.verdict == Verdict::none || explanation.verdict == Verdict::explained)
-    return false;
   const std::vector<Cause>& causes = explanation.causes;
+  if (explanation.verdict == Verdict::none) return false;
+  if (explanation.verdict == Verdict::explained)
+    return std::any_of(causes.begin(), causes.end(), mayBeDifference) &&
+           std::all_of(causes.begin(), causes.end(), [](const Cause& cause) {
+             return isOfSamples(cause) || isOfSpread(cause) || mayBeDifference(cause);
+           });
   const std::vector<Check>& checks = explanation.checks_after;
   const auto fails = [](const Check& check) { return !check.passed && check.name == kDirection; };
   const auto is_loop = [](const Cause& cause) { return hasTrait(cause.name, Trait::feedback); };
@@ -116,9 +132,23 @@ bool isConfirmed(const Cause& cause, const Estimate& without, std::optional<doub
          squaredError(*fit) > kClearly * squaredError(cause.gain->nrmse_fit_percent.after);
 }
 
+/// Whether the causes make the same data far more likely than the model without them, which may
+/// differ from experiment to experiment in other ways: those held out as well, or, where there are
+/// none, by far more. A weak cause shows so although gains that differ are most of the error of a
+/// simulation.
+bool makesLikelier(const AnswerLikelihood& with, const Estimate& without, const Split& data) {
+  const double far = with.held_out ? 20 : 100;  // [nats]
+  double samples = 0;
+  for (const Experiment& experiment : data.train) samples += experiment.validSamples();
+  if (with.samples != samples || !(with.training > far - without.bic / 2)) return false;
+  return !with.held_out || without.validation.experiments.empty() ||
+         *with.held_out > without.validation.log_density_per_experiment;
+}
+
 /// Whether the answer of the search remains beside this model.
-bool stands(const Explanation& explanation, const Estimate& without, const Split& data) {
-  if (!agrees(without, kCheckThreshold)) return true;
+bool stands(const Explanation& explanation, const AnswerLikelihood& with_causes,
+            const Estimate& without, const Split& data) {
+  if (!agrees(without, kCheckThreshold) || makesLikelier(with_causes, without, data)) return true;
   if (!leadingCurves(explanation.simulation).empty() && !without.trust.trusted) return true;
   const bool passed_before = allPassed(explanation.checks_before);
   const std::optional<double> fit = fitAboutCommonMean(without, data);
@@ -219,7 +249,8 @@ void take(Estimate estimate, const Split& data, Explanation* explanation) {
 }  // namespace
 
 void compareWithCauseFreeModel(const Configuration& asked, const Split& data,
-                               SearchProgress& progress, Explanation* explanation) {
+                               const AnswerLikelihood& with_causes, SearchProgress& progress,
+                               Explanation* explanation) {
   if (!leavesModelOpen(asked) || !isOpen(*explanation)) return;
   const double until = progress.seconds() + kShare * asked.explanation.time_limit;
   const auto go = [&](const Progress& at) {
@@ -230,9 +261,11 @@ void compareWithCauseFreeModel(const Configuration& asked, const Split& data,
     Estimate estimate = Identifier(asked).identify(data.train, heldOutOf(data), go);
     if (estimate.termination == Termination::cancelled)
       explanation->warnings.push_back(kNotCompared);
-    else if (!stands(*explanation, estimate, data) && isAnswer(estimate, data))
+    else if (stands(*explanation, with_causes, estimate, data))
+      return;
+    else if (isAnswer(estimate, data))
       take(std::move(estimate), data, explanation);
-    else if (!stands(*explanation, estimate, data))
+    else
       withdrawCauses(explanation);
   } catch (const DataError& error) {
     explanation->warnings.push_back(

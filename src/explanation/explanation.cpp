@@ -12,6 +12,7 @@
 #include "explanation/doubtful_curves.h"
 #include "explanation/estimate_fit.h"
 #include "explanation/gains.h"
+#include "explanation/last_thirds.h"
 #include "explanation/limits_of_time.h"
 #include "explanation/named_causes.h"
 #include "explanation/order_candidates.h"
@@ -49,8 +50,8 @@ class Explaining {
   void searchSimulation(const Split& data);
   Estimate identify(const std::vector<Experiment>& experiments);
   bool lowersOrder();
-  std::vector<SearchOutcome> outcomesOf(const std::vector<Estimate>& candidates, const Split& data,
-                                        const std::vector<SpoiltSamples>& spoilt);
+  std::vector<SearchOutcome> outcomesWith(Offsets offsets, const Split& data,
+                                          const std::vector<SpoiltSamples>& spoilt);
   SearchOutcome bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt);
   FitContext context(const Estimate& estimate);
   std::string describeModels(const SearchState& base, const SearchState& found);
@@ -143,56 +144,50 @@ FitContext Explaining::context(const Estimate& estimate) {
   return context;
 }
 
-/// What is found on top of each model, until one explains all. Models that cannot be evaluated are
-/// passed over; throws DataError where none can.
-std::vector<SearchOutcome> Explaining::outcomesOf(const std::vector<Estimate>& candidates,
-                                                  const Split& data,
-                                                  const std::vector<SpoiltSamples>& spoilt) {
-  std::vector<SearchOutcome> outcomes;
-  for (const Estimate& candidate : candidates) {
-    try {
-      outcomes.push_back(searchOnTopOf(configuration_.explanation, context(candidate), candidate,
-                                       data, spoilt, leading_curves_));
-    } catch (const DataError&) {
-      if (outcomes.empty() && &candidate == &candidates.back()) throw;
-      continue;
-    }
-    const SearchState& first = outcomes.front().found;
-    if (!progress_.inTime() ||
-        (!first.causes.empty() &&
-         allPassed(checkResiduals(first.fit, first.train, first.heavy_tails))))
-      break;
-  }
-  return outcomes;
-}
-
 /// Looks for causes on top of the model. If the orders were not given, it does so on top of several
 /// models, since a model with more poles and zeros may absorb what an effect with fewer parameters
 /// explains on top of a smaller one.
-SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt) {
-  Estimate chosen;
-  std::vector<SearchOutcome> outcomes;
-  while (outcomes.empty()) {
+std::vector<SearchOutcome> Explaining::outcomesWith(Offsets offsets, const Split& data,
+                                                    const std::vector<SpoiltSamples>& spoilt) {
+  configuration_.estimation.offsets = offsets;
+  const auto going_on = [this](const Progress& at) {
+    return progress_.report("choosing orders", 0.3, at.log_likelihood) && progress_.inTime();
+  };
+  const auto search = [&](const Estimate& on) {
+    return searchOnTopOf(configuration_.explanation, context(on), on, data, spoilt,
+                         leading_curves_);
+  };
+  for (;;) {
     try {
-      chosen = identify(data.train);
+      const Estimate chosen = identify(data.train);
       if (progress_.cancelled()) throw CancelledError("cancelled");
-      const auto going_on = [this](const Progress& at) {
-        return progress_.report("choosing orders", 0.3, at.log_likelihood) && progress_.inTime();
-      };
-      outcomes =
-          outcomesOf(orderCandidates(configuration_, chosen, data.train, context(chosen), going_on),
-                     data, spoilt);
+      configuration_.estimation.offsets = chosen.configuration.estimation.offsets;
+      return outcomesOf(
+          orderCandidates(configuration_, chosen, data.train, context(chosen), going_on), chosen,
+          search, [this] { return progress_.inTime(); });
     } catch (const DataError&) {
       if (!lowersOrder()) throw;
     }
   }
+}
+
+/// Where each experiment has an offset of its own, and no cause is found that explains all, causes
+/// are also looked for with a common offset: own ones take part of a cause up.
+SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt) {
+  std::vector<SearchOutcome> outcomes =
+      outcomesWith(offsetsOfBaseModel(asked_, data.train), data, spoilt);
+  if (configuration_.estimation.offsets != asked_.estimation.offsets &&
+      configuration_.estimation.offsets == Offsets::per_experiment &&
+      !outcomes.front().explainsAll() && progress_.inTime())
+    for (SearchOutcome& other : outcomesWith(Offsets::estimate, data, spoilt))
+      outcomes.push_back(std::move(other));
   SearchOutcome* const best = bestOf(&outcomes, configuration_.explanation.acceptance);
   explanation_.warnings = best->estimate.warnings;
   std::vector<std::string> remarks{thinning_, simplification_, best->base.remark,
-                                   otherOrdersWarning(chosen, best->estimate)};
+                                   otherOrdersWarning(best->chosen_orders, best->estimate),
+                                   progress_.outOfTime() ? kOutOfTime : ""};
   for (const SearchOutcome& other : outcomes) remarks.push_back(tieWarning(other, *best));
   for (const std::string& warning : refusalWarnings(*best)) remarks.push_back(warning);
-  if (progress_.outOfTime()) remarks.push_back(kOutOfTime);
   for (std::string& text : remarks)
     if (!text.empty()) explanation_.warnings.push_back(std::move(text));
   if (!ordersAreChosen())
@@ -222,7 +217,7 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
       checkResiduals(best.base.fit, best.base.train, best.base.heavy_tails);
   explanation_.candidates = best.tried;
   describe(best.base, best.found);
-  compareWithCauseFreeModel(asked_, whole, progress_, &explanation_);
+  compareWithCauseFreeModel(asked_, whole, likelihoodOf(best), progress_, &explanation_);
   if (progress_.cancelled()) throw CancelledError("cancelled");
   explanation_.seconds = progress_.seconds();
   return std::move(explanation_);
@@ -273,7 +268,8 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
   explanation_.termination =
       progress_.outOfTime() ? Termination::iteration_limit : Termination::converged;
   conclude(&explanation_, withheld);
-  joinSimulation(&explanation_);
+  joinSimulation(&explanation_, gainOnLastThirds(base, found, context(explanation_.before)));
+  doubtAgreement(found, &explanation_);
 }
 
 }  // namespace

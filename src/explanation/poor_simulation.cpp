@@ -134,13 +134,16 @@ void withdraw(const std::string& lacks, bool is_worse_than_constant, Explanation
                      : describedNames(causes) + " is there, but explains only a part: " + lacks;
 }
 
-/// Says how well the model simulates with which nothing is wrong: what the noise hides is not seen.
+/// Says how well the model without causes simulates. Where nothing is wrong, what the noise hides
+/// is not seen; where something is, this says how much.
 void tellFit(Explanation* explanation) {
   const bool was_held_out = explanation->held_out_fit.has_value();
   const std::optional<double> fit =
       was_held_out ? explanation->held_out_fit : explanation->before.simulation_fit_percent;
   if (!fit) return;
-  explanation->message += std::string(". Its simulation fits ") +
+  explanation->message += std::string(explanation->verdict == Verdict::none
+                                          ? ". Its simulation fits "
+                                          : ". The simulation without a cause fits ") +
                           (was_held_out ? "held-out data" : "the data") + " by " + rounded(*fit) +
                           " %";
   if (!explanation->simulation.skipped.empty())
@@ -160,6 +163,7 @@ void warnOfPoorSimulation(Explanation* explanation) {
   if (explanation->verdict == Verdict::unknown) {
     const std::string lacks = shortcomingWithoutStructure(*explanation, simulated);
     if (!lacks.empty()) explanation->warnings.push_back(lacks);
+    tellFit(explanation);
     return;
   }
   const std::string lacks = is_aside ? shortcomingWithoutStructure(*explanation, simulated)

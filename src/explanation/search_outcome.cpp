@@ -9,7 +9,9 @@
 #include "explanation/feedback_check.h"
 #include "explanation/residual_checks.h"
 #include "explanation/spectral_peaks.h"
+#include "explanation/verdict.h"
 #include "explanation/warnings.h"
+#include "explanation/wording.h"
 #include "identification/steps.h"
 #include "math/information_criterion.h"
 #include "model/sensitivity.h"
@@ -134,6 +136,46 @@ double SearchOutcome::penalisedLikelihood() const {
   return base.fit.log_likelihood - bicPenalty(parameters, base.train.samples()) + found.total;
 }
 
+bool SearchOutcome::explainsAll() const {
+  return describesAll(found) &&
+         std::any_of(found.causes.begin(), found.causes.end(), isInEveryExperiment);
+}
+
+std::vector<SearchOutcome> outcomesOf(const std::vector<Estimate>& candidates,
+                                      const Estimate& chosen,
+                                      const std::function<SearchOutcome(const Estimate&)>& search,
+                                      const std::function<bool()>& in_time) {
+  std::vector<SearchOutcome> outcomes;
+  for (const Estimate& candidate : candidates) {
+    try {
+      outcomes.push_back(search(candidate));
+      outcomes.back().chosen_orders = orderText(chosen);
+    } catch (const DataError&) {
+      if (outcomes.empty() && &candidate == &candidates.back()) throw;
+      continue;
+    }
+    const SearchState& first = outcomes.front().found;
+    if (!in_time() || (!first.causes.empty() && describesAll(first))) break;
+  }
+  return outcomes;
+}
+
+AnswerLikelihood likelihoodOf(const SearchOutcome& outcome) {
+  const SearchState& found = outcome.found;
+  const auto& causes = found.causes;
+  const auto of_noise = [](const FoundCause& cause) { return isOfNoise(*cause.effect); };
+  const auto counts = [](const FoundCause& cause) {
+    return cause.score > 0 && !cause.may_be_order;
+  };
+  if (std::none_of(causes.begin(), causes.end(), counts) ||
+      std::any_of(causes.begin(), causes.end(), of_noise))
+    return {};
+  AnswerLikelihood likelihood{outcome.penalisedLikelihood(), {}, found.train.samples()};
+  if (!found.fitted_to)
+    likelihood.held_out = evaluateOn(found.fit, found.held).log_likelihood / found.held.count();
+  return likelihood;
+}
+
 FitContext contextOf(const Estimate& estimate, std::uint64_t seed) {
   FitContext context;
   context.options.constraint = estimate.configuration.error_model.constraint;
@@ -164,8 +206,8 @@ SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& contex
   if (!base.quantised && !only.empty() && !found.causes.empty())
     found = withAnother(std::move(found), whole, context, effects);
   if (tests_feedback) addFeedback(effects, &base, &found);
-  return {std::move(estimate), std::move(base), std::move(found), search.tried(),
-          search.refusals()};
+  return {std::move(estimate), std::move(base),   std::move(found),
+          search.tried(),      search.refusals(), ""};
 }
 
 SearchOutcome* bestOf(std::vector<SearchOutcome>* outcomes, double acceptance) {

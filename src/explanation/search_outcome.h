@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,11 +19,34 @@ struct SearchOutcome {
   SearchState base, found;  ///< before and after the search
   std::vector<TriedEffect> tried;
   Refusals refusals;
+  std::string chosen_orders = "";  ///< orderText() of the model that others were tried beside
+
+  /// Whether a cause isInEveryExperiment() and all tests pass with the causes.
+  bool explainsAll() const;
 
   /// Log-likelihood with the causes, minus the BIC penalties of the model and of the causes [nats].
   /// Outcomes on top of models of different orders are compared by it.
   double penalisedLikelihood() const;
 };
+
+/// What `search` finds on top of each model, until one explains all: those of other orders beside
+/// the one that was chosen. Models that cannot be evaluated are passed over; throws DataError where
+/// none can.
+std::vector<SearchOutcome> outcomesOf(const std::vector<Estimate>& candidates,
+                                      const Estimate& chosen,
+                                      const std::function<SearchOutcome(const Estimate&)>& search,
+                                      const std::function<bool()>& in_time);
+
+/// How likely the causes make the data.
+struct AnswerLikelihood {
+  double training = -std::numeric_limits<double>::infinity();  ///< [nats], minus BIC penalties
+  std::optional<double> held_out;                              ///< [nats] per experiment
+  double samples = 0;                                          ///< that were fitted to
+};
+
+/// Minus infinity where nothing was found but what samples show and what may be an order, or where
+/// causes of the noise count as well.
+AnswerLikelihood likelihoodOf(const SearchOutcome& outcome);
 
 /// The context of fits that start from an estimate. It has no threads, and its callbacks do
 /// nothing.

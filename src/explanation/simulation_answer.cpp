@@ -176,19 +176,39 @@ void dropCausesThatSimulateWorse(Explanation* explanation) {
   conclude(explanation, true);
 }
 
+/// Whether one cause alone describes all, and the last thirds of the records clearly.
+bool isConfirmed(const std::optional<LastThirds>& gains, const Explanation& explanation) {
+  constexpr double kClear = 6, kBetter = 0.8;  // [nats], of the squared error
+  const std::vector<Cause>& causes = explanation.causes;
+  return gains && explanation.verdict == Verdict::explained &&
+         std::count_if(causes.begin(), causes.end(), isStructural) == 1 &&
+         gains->log_density > kClear && gains->error_ratio < kBetter;
+}
+
+std::string confirmation(const LastThirds& gains) {
+  return "no experiment is held out; fitted again to the first two thirds of each record, the "
+         "model "
+         "with the cause makes the last third more likely by " +
+         rounded(gains.log_density) + " nats and its simulation error " +
+         rounded(100 * std::sqrt(gains.error_ratio)) + " % of that without";
+}
+
 /// What makes the residuals white may stand for what the simulation lacks. Where the data or
 /// the steps of the input are too few to search for that, a structural cause has to make the
 /// simulation of held-out experiments better, and a curve to halve its error. Where none are held
 /// out, every parameter makes it better: the free simulation must show the cause in windows that
-/// were left out or, of a kind that it cannot show, the cause halve the error.
-void dropUnverified(Explanation* explanation) {
+/// were left out, the last thirds of the records confirm it or, of a kind that it cannot show, the
+/// cause halve the error.
+void dropUnverified(const std::optional<LastThirds>& last_thirds, Explanation* explanation) {
   const std::string& skipped = explanation->simulation.skipped;
   const bool few_data = skipped.rfind("fewer than", 0) == 0;
   const bool too_few = skipped.find("fewer than") != std::string::npos;  // data, or steps
   const bool in_sample = explanation->held_out.empty();
   if (!too_few && !in_sample) return;
   constexpr double kBetter = 0.95, kHalved = 0.5;  // of the squared error
+  const bool confirmed = !few_data && isConfirmed(last_thirds, *explanation);
   const auto gains_enough = [&](const Cause& cause) {
+    if (confirmed) return true;
     if (in_sample && (few_data || isCurve(cause))) return false;
     return errorRatio(*cause.gain) < (in_sample || isCurve(cause) ? kHalved : kBetter);
   };
@@ -196,7 +216,10 @@ void dropUnverified(Explanation* explanation) {
       explanation->causes.begin(), explanation->causes.end(), [&](const Cause& cause) {
         return !isStructural(cause) || !cause.gain || cause.simulation || gains_enough(cause);
       });
-  if (first == explanation->causes.end()) return;
+  if (first == explanation->causes.end()) {
+    if (confirmed) explanation->warnings.push_back(confirmation(*last_thirds));
+    return;
+  }
   const std::vector<Cause> dropped(first, explanation->causes.end());
   explanation->causes.erase(first, explanation->causes.end());
   explanation->warnings.push_back(
@@ -250,14 +273,14 @@ std::vector<std::string> leadingCurves(const SimulationCauses& simulation) {
   return names;
 }
 
-void joinSimulation(Explanation* explanation) {
+void joinSimulation(Explanation* explanation, const std::optional<LastThirds>& last_thirds) {
   if (!explanation->simulation.refused.empty())
     explanation->warnings.push_back(explanation->simulation.refused);
   if (!explanation->simulation.difference.empty())
     explanation->warnings.push_back(explanation->simulation.difference);
   if (explanation->simulation.skipped.empty()) joinCurves(explanation);
   if (explanation->simulation.causes.empty()) dropCausesThatSimulateWorse(explanation);
-  dropUnverified(explanation);
+  dropUnverified(last_thirds, explanation);
   warnOfPoorSimulation(explanation);
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "explanation/last_thirds.h"
 #include "uncertainty_identification/explanation/explanation.h"
 
 namespace uncertainty_identification {
@@ -16,7 +18,9 @@ std::vector<std::string> leadingCurves(const SimulationCauses& simulation);
 /// them, or little by the curves. Otherwise the curves are the causes: effects of noise, samples
 /// and experiments that were found beside a curve that the likelihood's model cannot contain may
 /// only be its symptoms. Where tests pass though the simulation fits by less than 50 %, a warning
-/// says so.
-void joinSimulation(Explanation* explanation);
+/// says so. Of records of which none is held out, `last_thirds` may confirm a curve that the free
+/// simulation does not find.
+void joinSimulation(Explanation* explanation,
+                    const std::optional<LastThirds>& last_thirds = std::nullopt);
 
 }  // namespace uncertainty_identification

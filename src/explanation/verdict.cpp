@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "data/text.h"
+#include "explanation/input_lines.h"
 #include "explanation/prediction_checks.h"
 #include "explanation/residual_checks.h"
 #include "explanation/wording.h"
@@ -81,6 +83,22 @@ bool isUnconfirmedNoise(const FoundCause& found, const SearchState& state) {
   return state.train.count() == 1 && !confirmed && groupOf(found.effect->name()) == "noise";
 }
 
+/// Whether a line in the spectrum may be the model's error in the response to a line of the input.
+bool isLineOfInput(const FoundCause& found, const SearchState& state) {
+  if (!found.effect->has(Trait::spectral_line) || !state.fit.model) return false;
+  const Effects& effects = state.fit.model->effects();
+  const auto at = std::find(effects.begin(), effects.end(), found.effect);
+  const auto& parameters = found.effect->description().parameters;
+  const auto frequency =
+      std::find_if(parameters.begin(), parameters.end(),
+                   [](const EffectParameter& each) { return each.name == "frequency"; });
+  if (at == effects.end() || frequency == parameters.end()) return false;
+  const int first = state.fit.model->offsetOf(static_cast<std::size_t>(at - effects.begin()));
+  const double value = state.fit.at.parameters[first + (frequency - parameters.begin())];
+  const std::vector<Experiment>& train = state.train.experiments();
+  return mayComeFromInput(value * train.front().sample_time, train);
+}
+
 }  // namespace
 
 const EnumNames<Verdict>& enumNames(Verdict) {
@@ -113,6 +131,11 @@ std::string reasonNotToName(const FoundCause& found, const SearchState& state, b
     return named(*found.effect) +
            ": the orders of the model were chosen, not stated, and one order more may be all that "
            "this describes; it is not named as a cause";
+  if (isLineOfInput(found, state))
+    return named(*found.effect) +
+           ": the input has a line in its spectrum there, or at a fraction of that frequency, so "
+           "that it may be the response to the input that the model lacks; it is not named as a "
+           "cause";
   if (passed && isUnconfirmedNoise(found, state))
     return named(*found.effect) +
            " would describe the residuals, but a single record does not tell noise from what the "
@@ -121,6 +144,29 @@ std::string reasonNotToName(const FoundCause& found, const SearchState& state, b
   if (passed || !isSymptom(found, state)) return "";
   return named(*found.effect) +
          " describes part of what is wrong, but may be only a symptom: not all of it is explained";
+}
+
+bool isInEveryExperiment(const FoundCause& found) {
+  const Effect& effect = *found.effect;
+  return found.score > 0 && !found.may_be_order && !isOfNoise(effect) && !isOfMixture(effect) &&
+         !effect.has(Trait::by_experiment);
+}
+
+void doubtAgreement(const SearchState& found, Explanation* explanation) {
+  constexpr double kFarMoreLikely = 30;  // [nats]
+  if (explanation->verdict != Verdict::none) return;
+  double gain = 0;
+  std::string names;
+  for (const FoundCause& cause : found.causes) {
+    if (!isInEveryExperiment(cause)) continue;
+    gain += cause.score;
+    names = joined(names, named(*cause.effect));
+  }
+  if (gain < kFarMoreLikely) return;
+  explanation->verdict = Verdict::unknown;
+  explanation->message = "the checks of the residuals find nothing wrong without a cause, but " +
+                         names + " would make the data far more likely (by " + rounded(gain) +
+                         " nats); it is not named as a cause, for reasons that the warnings tell";
 }
 
 Check parsimony(const SearchState& state) {

@@ -16,6 +16,14 @@ std::string reasonNotToName(const FoundCause& found, const SearchState& state, b
 /// themselves are no symptoms.
 bool isSymptom(const FoundCause& found, const SearchState& state);
 
+/// Whether a cause changes every experiment, in a way that is neither of the noise nor of single
+/// samples nor a higher order.
+bool isInEveryExperiment(const FoundCause& found);
+
+/// Where all tests pass without causes, but what was found and not named makes the data far more
+/// likely, the tests are too weak: the verdict becomes `unknown`, not `none`.
+void doubtAgreement(const SearchState& found, Explanation* explanation);
+
 /// A check of the number of causes outside the noise. Several independent faults at once are
 /// unlikely: three causes that describe the data together are more often one that the catalogue
 /// lacks.

@@ -32,10 +32,10 @@ std::vector<std::string> refusalWarnings(const SearchOutcome& best) {
   return best.refusals.warnings(causes);
 }
 
-std::string otherOrdersWarning(const Estimate& chosen, const Estimate& explained) {
-  const std::string before = orderText(chosen), after = orderText(explained);
-  if (before == after) return "";
-  return "nominal_model.orders: auto chose " + before +
+std::string otherOrdersWarning(const std::string& chosen, const Estimate& explained) {
+  const std::string after = orderText(explained);
+  if (chosen == after) return "";
+  return "nominal_model.orders: auto chose " + chosen +
          " by the error of simulations; the likelihood of all experiments "
          "asks for " +
          after + ", and that model is explained";

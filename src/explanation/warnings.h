@@ -8,8 +8,9 @@
 /// Warnings about the model that is explained.
 namespace uncertainty_identification {
 
-/// The likelihood asks for other orders than the simulation chose. Empty: it does not.
-std::string otherOrdersWarning(const Estimate& chosen, const Estimate& explained);
+/// The likelihood asks for other orders than those that the simulation chose, an orderText().
+/// Empty: it does not.
+std::string otherOrdersWarning(const std::string& chosen, const Estimate& explained);
 
 /// The sensor's steps are a noticeable share of the noise variance, and not most of it.
 std::string quantisationRemark(double step, double share);

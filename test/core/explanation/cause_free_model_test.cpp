@@ -7,6 +7,7 @@
 #include <random>
 
 #include "support/mentions.h"
+#include "uncertainty_identification/identifier.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -78,9 +79,10 @@ Explanation partly(const Cause& cause, const std::string& failing = "whiteness")
   return explanation;
 }
 
-Explanation compared(Explanation explanation, const Configuration& asked, const Split& data) {
+Explanation compared(Explanation explanation, const Configuration& asked, const Split& data,
+                     const AnswerLikelihood& with_causes = {}) {
   SearchProgress progress({}, 0);
-  compareWithCauseFreeModel(asked, data, progress, &explanation);
+  compareWithCauseFreeModel(asked, data, with_causes, progress, &explanation);
   return explanation;
 }
 
@@ -133,6 +135,48 @@ TEST(CauseFreeModel, LeavesACauseThatSimulatesHeldOutDataBetter) {
   found = partly(confirmed("plant_product"));
   found.causes[0].simulation.emplace().what.shape = "curve";
   EXPECT_TRUE(compared(found, byDefault(), data).causes.empty()) << "of no simple shape";
+}
+
+/// Where gains differ, a weak cause hardly makes the simulation of held-out experiments better.
+TEST(CauseFreeModel, LeavesACauseThatMakesTheDataFarLikelier) {
+  const Split data = firstFive(linearPlants());
+  const Estimate without = Identifier(byDefault()).identify(data.train, data.held, {});
+  const double held_out = without.validation.log_density_per_experiment;
+  const AnswerLikelihood far{-without.bic / 2 + 25, held_out + 1, 2000};
+  const auto causesLeft = [&](const AnswerLikelihood& likelihood) {
+    return compared(partly(named("act_quantisation")), byDefault(), data, likelihood).causes.size();
+  };
+  EXPECT_EQ(causesLeft(far), 1u);
+  AnswerLikelihood other = far;
+  other.training -= 10;
+  EXPECT_EQ(causesLeft(other), 0u) << "not far";
+  other = far;
+  other.held_out = held_out - 1;
+  EXPECT_EQ(causesLeft(other), 0u) << "but not those held out";
+  other = far;
+  other.samples = 1000;
+  EXPECT_EQ(causesLeft(other), 0u) << "of other samples";
+}
+
+/// All tests pass with a clock of each experiment; they do without it as well.
+TEST(CauseFreeModel, IsComparedWithAnExplanationOfDifferencesAlone) {
+  const Split data = firstFive(linearPlants());
+  Explanation explained = partly(named("exp_clock"));
+  explained.verdict = Verdict::explained;
+  EXPECT_EQ(compared(explained, byDefault(), data).verdict, Verdict::none);
+  explained.causes = {named("plant_parameter_spread")};
+  EXPECT_EQ(compared(explained, byDefault(), data).causes.size(), 1u) << "as in that model";
+  explained.causes = {named("exp_clock"), named("act_deadzone")};
+  EXPECT_EQ(compared(explained, byDefault(), data).causes.size(), 2u);
+}
+
+/// Own offsets are part of the model that effects are added to: a common one would make a slow pole
+/// of levels that differ by 60 times the noise.
+TEST(CauseFreeModel, LeavesStepsOfTheActuatorWherePlantsDifferInGainAndLevel) {
+  const Explanation found = explain(byDefault(), plants(6, [](double u) { return std::round(u); }));
+  EXPECT_TRUE(std::any_of(found.causes.begin(), found.causes.end(), [](const Cause& cause) {
+    return cause.name == "act_quantisation";
+  })) << found.message;
 }
 
 TEST(CauseFreeModel, NamesNothingThatDiffersBetweenExperiments) {

@@ -60,5 +60,16 @@ TEST(PoorSimulation, NothingIsSaidWithTheFitAndWithWhatWasNotLookedFor) {
       << found.message;
 }
 
+/// A fit of 99 % says that what is wrong is small.
+TEST(PoorSimulation, WhatIsUnknownIsSaidWithTheFit) {
+  Explanation explanation = answered(95);
+  explanation.verdict = Verdict::unknown;
+  explanation.message = "something is wrong";
+  warnOfPoorSimulation(&explanation);
+  EXPECT_TRUE(test::mentions(explanation.message,
+                             "wrong. The simulation without a cause fits held-out data by 95 %"))
+      << explanation.message;
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

@@ -61,6 +61,26 @@ TEST(SearchState, ExcludesEffectsThatHaveNothingLeftToDescribe) {
   EXPECT_FALSE(with({}).excludes(*bias.effect));
 }
 
+/// Tests that pass are too weak where a cause that is not named makes the data far more likely.
+TEST(DoubtAgreement, IsOfCausesThatChangeEveryExperimentAndAreNotNamed) {
+  const auto verdictBeside = [](const FoundCause& cause) {
+    Explanation explanation;
+    explanation.verdict = Verdict::none;
+    doubtAgreement(with({cause}), &explanation);
+    return explanation.verdict;
+  };
+  EXPECT_EQ(verdictBeside(found("act_ratelimit", 100)), Verdict::unknown);
+  EXPECT_EQ(verdictBeside(found("act_ratelimit", 20)), Verdict::none);
+  FoundCause lag = found("plant_pole", 100);
+  lag.may_be_order = true;
+  EXPECT_EQ(verdictBeside(lag), Verdict::none);
+  for (const Trait trait : {Trait::of_noise, Trait::of_mixture, Trait::by_experiment}) {
+    FoundCause other = found("another", 100);
+    other.effect = std::make_shared<Idle>("another", std::vector<Trait>{trait});
+    EXPECT_EQ(verdictBeside(other), Verdict::none);
+  }
+}
+
 TEST(ReasonNotToName, IsThatTestsFailAndItMayBeASymptom) {
   const FoundCause first = found("act_deadzone", 100), second = found("sens_hum", 50);
   EXPECT_EQ(reasonNotToName(first, with({first, second}), false), "");
