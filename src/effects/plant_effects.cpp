@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "effects/built_in_effects.h"
@@ -68,8 +69,9 @@ MadeEffects plantCubicStiffness(const DataSummary& data) {
 }
 
 /// The plant's input is u - friction tanh(v/width), v the change of the output per sample. A
-/// friction as large as the input would hold the plant at rest, and one beyond it is a damping.
+/// friction beyond the largest input would hold the plant at rest, and is a damping.
 MadeEffects plantCoulombFriction(const DataSummary& data) {
+  const double largest = data.input_sizes.size() > 0 ? data.input_sizes.maxCoeff() : 0;
   std::vector<VectorXd> starts;
   for (const double width : {0.05, 0.3})
     starts.push_back(Eigen::Vector2d(0.1 * data.input_deviation, width * data.output_deviation));
@@ -81,7 +83,8 @@ MadeEffects plantCoulombFriction(const DataSummary& data) {
        {},
        Stage::loop,
        ScreeningKind::regression,
-       {{"friction", "unit of u", 0.1 * data.input_deviation, 0, 3 * data.input_deviation},
+       {{"friction", "unit of u", 0.1 * data.input_deviation, 0,
+         std::max(largest, 2 * data.input_deviation)},
         {"width", "unit of y per sample", 0.1 * data.output_deviation,
          0.005 * data.output_deviation, 10 * data.output_deviation}},
        starts,

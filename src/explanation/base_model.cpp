@@ -52,7 +52,7 @@ Configuration ofBaseModel(Configuration configuration) {
 }
 
 Offsets offsetsOfBaseModel(const Configuration& asked, const std::vector<Experiment>& experiments) {
-  constexpr std::size_t kFewest = 3;
+  constexpr std::size_t kFewest = 4;  // of which one is held out
   const Offsets offsets = asked.estimation.offsets;
   if (offsets != Offsets::automatic) return offsets;
   const bool is_open = asked.nominal_model.orders_auto && experiments.size() >= kFewest;

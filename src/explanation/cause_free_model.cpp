@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "data/text.h"
+#include "explanation/measure.h"
 #include "explanation/named_causes.h"
 #include "explanation/prediction_checks.h"
 #include "explanation/residual_checks.h"
@@ -93,7 +94,13 @@ std::optional<double> simulationFitOf(const Estimate& estimate) {
 /// experiment has an offset of its own.
 std::optional<double> fitAboutCommonMean(const Estimate& estimate, const Split& data) {
   const Validation& validation = estimate.validation;
-  if (validation.experiments.empty()) return estimate.simulation_fit_percent;
+  if (validation.experiments.empty()) {
+    const bool is_about_own = estimate.configuration.estimation.offsets == Offsets::per_experiment;
+    const double levels = is_about_own ? spreadOfLevels(data.train) : 1;
+    return estimate.simulation_fit_percent
+               ? std::optional<double>(100 - (100 - *estimate.simulation_fit_percent) / levels)
+               : std::nullopt;
+  }
   double error = 0, sum = 0, squares = 0, count = 0;
   for (const Experiment& experiment : data.held) {
     const auto& ids = validation.experiments;
@@ -136,19 +143,26 @@ bool isConfirmed(const Cause& cause, const Estimate& without, std::optional<doub
 /// differ from experiment to experiment in other ways: those held out as well, or, where there are
 /// none, by far more. A weak cause shows so although gains that differ are most of the error of a
 /// simulation.
-bool makesLikelier(const AnswerLikelihood& with, const Estimate& without, const Split& data) {
-  const double far = with.held_out ? 20 : 100;  // [nats]
-  double samples = 0;
-  for (const Experiment& experiment : data.train) samples += experiment.validSamples();
-  if (with.samples != samples || !(with.training > far - without.bic / 2)) return false;
-  return !with.held_out || without.validation.experiments.empty() ||
-         *with.held_out > without.validation.log_density_per_experiment;
+bool makesLikelier(const AnswerLikelihood& with, const Estimate& without,
+                   const Explanation& explanation) {
+  const double far = with.held_out ? 50 : 100;  // [nats]
+  const std::vector<Cause>& named = explanation.causes;
+  const auto is_named = [&](const std::string& name) {
+    return std::any_of(named.begin(), named.end(),
+                       [&](const Cause& cause) { return cause.name == name; });
+  };
+  const bool is_of_answer =
+      named.empty() || std::all_of(with.causes.begin(), with.causes.end(), is_named);
+  if (!is_of_answer || with.samples != static_cast<double>(without.sample_count)) return false;
+  return with.training > far - without.bic / 2 &&
+         (!with.held_out || *with.held_out > without.validation.log_density_per_experiment);
 }
 
 /// Whether the answer of the search remains beside this model.
 bool stands(const Explanation& explanation, const AnswerLikelihood& with_causes,
             const Estimate& without, const Split& data) {
-  if (!agrees(without, kCheckThreshold) || makesLikelier(with_causes, without, data)) return true;
+  if (!agrees(without, kCheckThreshold) || makesLikelier(with_causes, without, explanation))
+    return true;
   if (!leadingCurves(explanation.simulation).empty() && !without.trust.trusted) return true;
   const bool passed_before = allPassed(explanation.checks_before);
   const std::optional<double> fit = fitAboutCommonMean(without, data);

@@ -1,7 +1,6 @@
 #include "uncertainty_identification/explanation/explanation.h"
 
 #include <algorithm>
-#include <mutex>
 #include <optional>
 
 #include "configuration/thread_count.h"
@@ -52,6 +51,8 @@ class Explaining {
   bool lowersOrder();
   std::vector<SearchOutcome> outcomesWith(Offsets offsets, const Split& data,
                                           const std::vector<SpoiltSamples>& spoilt);
+  void addWithCommonOffset(const Split& data, const std::vector<SpoiltSamples>& spoilt,
+                           std::vector<SearchOutcome>* outcomes);
   SearchOutcome bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt);
   FitContext context(const Estimate& estimate);
   std::string describeModels(const SearchState& base, const SearchState& found);
@@ -63,9 +64,6 @@ class Explaining {
   Following following_;                      ///< of the signals that the model is fitted to
   std::vector<std::string> leading_curves_;  ///< the only effects that the likelihood tries, if any
   std::string thinning_, simplification_;    ///< of long records and orders, as warnings tell them
-  std::mutex sharing_;                       // guards the next two, which any thread sets
-  double share_searched_ = 0;                ///< share of the search that is done, 0 to 1
-  std::string fitting_;                      ///< what the search fits, as its progress tells
   WorkerPool pool_;
   Explanation explanation_;
 };
@@ -127,20 +125,11 @@ FitContext Explaining::context(const Estimate& estimate) {
   FitContext context = contextOf(estimate, configuration_.estimation.seed);
   context.pool = &pool_;
   context.going_on = [this, reached = estimate.log_likelihood] {
-    const std::lock_guard<std::mutex> lock(sharing_);
-    return progress_.report("searching causes" + fitting_, 0.3 + 0.6 * share_searched_, reached) &&
-           progress_.inTime();
+    return progress_.reportSearch(reached);
   };
   context.options.on_iterate = [ask = context.going_on](const TracePoint&) { return ask(); };
-  context.report_searched = [this](double share) {
-    const std::lock_guard<std::mutex> lock(sharing_);
-    share_searched_ = std::max(share_searched_, share);
-    fitting_.clear();
-  };
-  context.report_fitted = [this](const std::string& what) {
-    const std::lock_guard<std::mutex> lock(sharing_);
-    fitting_ = ": fitting " + what;
-  };
+  context.report_searched = [this](double share) { progress_.tellShare(share); };
+  context.report_fitted = [this](const std::string& what) { progress_.tellFitting(what); };
   return context;
 }
 
@@ -162,9 +151,11 @@ std::vector<SearchOutcome> Explaining::outcomesWith(Offsets offsets, const Split
       const Estimate chosen = identify(data.train);
       if (progress_.cancelled()) throw CancelledError("cancelled");
       configuration_.estimation.offsets = chosen.configuration.estimation.offsets;
-      return outcomesOf(
-          orderCandidates(configuration_, chosen, data.train, context(chosen), going_on), chosen,
-          search, [this] { return progress_.inTime(); });
+      std::vector<SearchOutcome> outcomes =
+          outcomesOf(orderCandidates(configuration_, chosen, data.train, context(chosen), going_on),
+                     chosen, search, [this] { return progress_.inTime(); });
+      for (SearchOutcome& outcome : outcomes) outcome.simplification = simplification_;
+      return outcomes;
     } catch (const DataError&) {
       if (!lowersOrder()) throw;
     }
@@ -172,18 +163,29 @@ std::vector<SearchOutcome> Explaining::outcomesWith(Offsets offsets, const Split
 }
 
 /// Where each experiment has an offset of its own, and no cause is found that explains all, causes
-/// are also looked for with a common offset: own ones take part of a cause up.
+/// are also looked for with a common offset, if there is time: own ones take part of a cause up.
+void Explaining::addWithCommonOffset(const Split& data, const std::vector<SpoiltSamples>& spoilt,
+                                     std::vector<SearchOutcome>* outcomes) {
+  constexpr double kShare = 0.35;  // of the time limit, which the first search has left
+  const double limit = asked_.explanation.time_limit;
+  if (configuration_.estimation.offsets == asked_.estimation.offsets ||
+      configuration_.estimation.offsets != Offsets::per_experiment ||
+      outcomes->front().explainsAll() || (limit > 0 && progress_.seconds() > kShare * limit))
+    return;
+  try {
+    for (SearchOutcome& other : outcomesWith(Offsets::estimate, data, spoilt))
+      outcomes->push_back(std::move(other));
+  } catch (const DataError&) {  // the first ones remain
+  }
+}
+
 SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt) {
   std::vector<SearchOutcome> outcomes =
       outcomesWith(offsetsOfBaseModel(asked_, data.train), data, spoilt);
-  if (configuration_.estimation.offsets != asked_.estimation.offsets &&
-      configuration_.estimation.offsets == Offsets::per_experiment &&
-      !outcomes.front().explainsAll() && progress_.inTime())
-    for (SearchOutcome& other : outcomesWith(Offsets::estimate, data, spoilt))
-      outcomes.push_back(std::move(other));
+  addWithCommonOffset(data, spoilt, &outcomes);
   SearchOutcome* const best = bestOf(&outcomes, configuration_.explanation.acceptance);
   explanation_.warnings = best->estimate.warnings;
-  std::vector<std::string> remarks{thinning_, simplification_, best->base.remark,
+  std::vector<std::string> remarks{thinning_, best->simplification, best->base.remark,
                                    otherOrdersWarning(best->chosen_orders, best->estimate),
                                    progress_.outOfTime() ? kOutOfTime : ""};
   for (const SearchOutcome& other : outcomes) remarks.push_back(tieWarning(other, *best));
@@ -210,8 +212,8 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   if (!thinning_.empty()) configuration_.sample_time = 0;
   const std::vector<SpoiltSamples> spoilt = maskSpoilt(stray, &configuration_, &data);
   const SearchOutcome best = bestOutcome(data, spoilt);
-  describeHeldOut(best.base, &explanation_);
   explanation_.before = best.estimate;
+  describeHeldOut(best.base, &explanation_);
   explanation_.before.rejected = rejected;
   explanation_.checks_before =
       checkResiduals(best.base.fit, best.base.train, best.base.heavy_tails);
@@ -268,7 +270,9 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
   explanation_.termination =
       progress_.outOfTime() ? Termination::iteration_limit : Termination::converged;
   conclude(&explanation_, withheld);
-  joinSimulation(&explanation_, gainOnLastThirds(base, found, context(explanation_.before)));
+  joinSimulation(&explanation_, explanation_.verdict == Verdict::explained
+                                    ? gainOnLastThirds(base, found, context(explanation_.before))
+                                    : std::nullopt);
   doubtAgreement(found, &explanation_);
 }
 

@@ -89,7 +89,9 @@ void describeHeldOut(const SearchState& base, Explanation* explanation) {
   }
   for (const Experiment& experiment : base.held.experiments())
     explanation->held_out.push_back(experiment.id);
-  const double fit = heldOut(base.fit, base.held).nrmse_fit_percent;
+  double fit = heldOut(base.fit, base.held).nrmse_fit_percent;
+  if (explanation->before.configuration.estimation.offsets == Offsets::per_experiment)
+    fit = 100 - (100 - fit) * spreadOfLevels(base.held.experiments());
   if (std::isfinite(fit)) explanation->held_out_fit = fit;
 }
 

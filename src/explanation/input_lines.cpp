@@ -64,9 +64,10 @@ bool mayComeFromInput(double frequency, const std::vector<Experiment>& experimen
   std::vector<VectorXd> inputs;
   for (const Experiment& experiment : experiments) inputs.push_back(windowed(experiment.u));
   for (int harmonic = 1; harmonic <= kHarmonics; ++harmonic) {
-    double sum = 0;
-    for (const VectorXd& input : inputs) sum += prominence(input, frequency / harmonic);
-    if (sum > kLine * static_cast<double>(inputs.size())) return true;
+    const auto with_line = std::count_if(inputs.begin(), inputs.end(), [&](const VectorXd& input) {
+      return prominence(input, frequency / harmonic) > kLine;
+    });
+    if (2 * with_line >= static_cast<std::ptrdiff_t>(inputs.size())) return true;
   }
   return false;
 }

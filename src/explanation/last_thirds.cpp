@@ -20,18 +20,18 @@ FitData masked(std::vector<Experiment> experiments, bool masks_last) {
   return FitData(std::move(experiments));
 }
 
-/// The log density of the last thirds given the rest, and the share of their squares that a
-/// simulation leaves.
-struct OnLast {
-  double log_density = 0, error = 0;
+/// The log density of the first two thirds, of the last thirds given these, and the share of the
+/// last's squares that a simulation leaves.
+struct OnParts {
+  double first = 0, last = 0, error = 0;
 };
 
-OnLast onLast(const Fit& fit, const FitData& whole, const FitData& first, const FitData& last,
-              const FitContext& context) {
+OnParts onParts(const Fit& fit, const FitData& whole, const FitData& first, const FitData& last,
+                const FitContext& context) {
   const Fit fitted = optimise(evaluated(fit.model, fit.at, first), first, context);
   const double left = 1 - heldOut(fitted, last).nrmse_fit_percent / 100;
-  return {evaluateOn(fitted, whole).log_likelihood - evaluateOn(fitted, first).log_likelihood,
-          left * left};
+  const double of_first = evaluateOn(fitted, first).log_likelihood;
+  return {of_first, evaluateOn(fitted, whole).log_likelihood - of_first, left * left};
 }
 
 }  // namespace
@@ -42,9 +42,10 @@ std::optional<LastThirds> gainOnLastThirds(const SearchState& base, const Search
   const FitData& whole = found.train;
   const FitData first = masked(whole.experiments(), true),
                 last = masked(whole.experiments(), false);
-  const OnLast without = onLast(base.fit, whole, first, last, context),
-               with = onLast(found.fit, whole, first, last, context);
-  const LastThirds gains{with.log_density - without.log_density, with.error / without.error};
+  const OnParts without = onParts(base.fit, whole, first, last, context),
+                with = onParts(found.fit, whole, first, last, context);
+  const LastThirds gains{with.last - without.last, with.first - without.first,
+                         with.error / without.error};
   if (!std::isfinite(gains.log_density) || !std::isfinite(gains.error_ratio) || !context.going_on())
     return std::nullopt;
   return gains;

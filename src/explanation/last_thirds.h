@@ -10,6 +10,8 @@ namespace uncertainty_identification {
 /// fitted to the rest.
 struct LastThirds {
   double log_density = 0;  ///< [nats] gain, given the first two thirds
+  double first = 0;        ///< [nats] gain on these: where they do not show a cause, its parameters
+                           ///< stay as the last third has made them
   double error_ratio = 1;  ///< squared error of the simulation, with over without
 };
 

@@ -137,6 +137,24 @@ HeldOut heldOut(const Fit& fit, const FitData& data) {
   return measured;
 }
 
+double spreadOfLevels(const std::vector<Experiment>& experiments) {
+  double all = 0, sum = 0, count = 0, own = 0;
+  for (const Experiment& experiment : experiments) {
+    double of_squares = 0, of_sum = 0, of_count = 0;
+    for (int k = 0; k < experiment.samples(); ++k) {
+      if (!experiment.isValid(k)) continue;
+      of_squares += experiment.y[k] * experiment.y[k];
+      of_sum += experiment.y[k];
+      of_count += 1;
+    }
+    all += of_squares;
+    sum += of_sum;
+    count += of_count;
+    own += of_squares - of_sum * of_sum / std::max(of_count, 1.0);
+  }
+  return std::sqrt((all - sum * sum / std::max(count, 1.0)) / std::max(own, 1e-300));
+}
+
 MeanGain meanGain(const PairedGains& gains) {
   const auto squares = [](const VectorXd& values) {
     return values.size() > 0 ? (values.array() - values.mean()).square().sum() : 0.0;

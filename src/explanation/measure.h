@@ -17,7 +17,13 @@ struct HeldOut {
 /// Log predictive density of each experiment [nats]; -1e300 where it cannot be computed.
 Eigen::VectorXd logDensities(const Fit& fit, const FitData& data);
 
+/// The fit is about the mean of all outputs, also where each experiment has an offset of its own.
 HeldOut heldOut(const Fit& fit, const FitData& data);
+
+/// Root of the sum of squares of all outputs about their common mean, over that about each
+/// experiment's own: a fit f [%] about the former is 100 - (100 - f) spreadOfLevels() about the
+/// latter.
+double spreadOfLevels(const std::vector<Experiment>& experiments);
 
 /// Gains of one model over another: differences of the log densities of each experiment [nats].
 struct PairedGains {

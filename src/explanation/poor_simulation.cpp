@@ -79,7 +79,10 @@ std::string shortcoming(const Explanation& explanation, const Simulated& simulat
   constexpr double kPoor = 50;          // [%] fit
   constexpr double kFewCovered = 0.75;  // of the samples
   const double linear = explanation.simulation.fit_before;
-  const bool is_behind = simulated.fit < linear - kFar;
+  // The linear model has one offset for all: its fit is about another mean.
+  const bool own_offsets =
+      explanation.before.configuration.estimation.offsets == Offsets::per_experiment;
+  const bool is_behind = !own_offsets && simulated.fit < linear - kFar;
   if (simulated.coverage < kFewCovered)
     return "the 95 % intervals of the simulation hold " + rounded(100 * simulated.coverage) +
            " % of the samples only: the model does not know how far its simulation is off";
@@ -134,9 +137,24 @@ void withdraw(const std::string& lacks, bool is_worse_than_constant, Explanation
                      : describedNames(causes) + " is there, but explains only a part: " + lacks;
 }
 
+/// Whether nothing was looked for, since the data are too few, in a model that is not to be relied
+/// on: tests that pass say little then.
+bool saysLittle(const Explanation& explanation) {
+  const Trust& trust = explanation.before.trust;
+  const std::string& skipped = explanation.simulation.skipped;
+  return skipped.rfind("fewer than", 0) == 0 && !trust.trusted && !trust.reasons.empty();
+}
+
 /// Says how well the model without causes simulates. Where nothing is wrong, what the noise hides
 /// is not seen; where something is, this says how much.
 void tellFit(Explanation* explanation) {
+  if (explanation->verdict == Verdict::none && saysLittle(*explanation)) {
+    explanation->verdict = Verdict::unknown;
+    explanation->message =
+        "the checks of the residuals find nothing wrong, but the data are too few, and the model "
+        "is not to be relied on: " +
+        explanation->before.trust.reasons.front();
+  }
   const bool was_held_out = explanation->held_out_fit.has_value();
   const std::optional<double> fit =
       was_held_out ? explanation->held_out_fit : explanation->before.simulation_fit_percent;

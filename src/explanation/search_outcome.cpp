@@ -162,15 +162,17 @@ std::vector<SearchOutcome> outcomesOf(const std::vector<Estimate>& candidates,
 
 AnswerLikelihood likelihoodOf(const SearchOutcome& outcome) {
   const SearchState& found = outcome.found;
-  const auto& causes = found.causes;
-  const auto of_noise = [](const FoundCause& cause) { return isOfNoise(*cause.effect); };
-  const auto counts = [](const FoundCause& cause) {
-    return cause.score > 0 && !cause.may_be_order;
+  AnswerLikelihood likelihood;
+  const auto is_of_plant = [](const FoundCause& cause) {
+    return isInEveryExperiment(cause) && !cause.effect->has(Trait::spectral_line);
   };
-  if (std::none_of(causes.begin(), causes.end(), counts) ||
-      std::any_of(causes.begin(), causes.end(), of_noise))
-    return {};
-  AnswerLikelihood likelihood{outcome.penalisedLikelihood(), {}, found.train.samples()};
+  if (std::none_of(found.causes.begin(), found.causes.end(), is_of_plant)) return {};
+  for (const FoundCause& cause : found.causes) {
+    if (isOfNoise(*cause.effect)) return {};
+    if (cause.score > 0 && !cause.may_be_order) likelihood.causes.push_back(cause.effect->name());
+  }
+  likelihood.training = outcome.penalisedLikelihood();
+  likelihood.samples = found.train.samples();
   if (!found.fitted_to)
     likelihood.held_out = evaluateOn(found.fit, found.held).log_likelihood / found.held.count();
   return likelihood;
@@ -206,8 +208,8 @@ SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& contex
   if (!base.quantised && !only.empty() && !found.causes.empty())
     found = withAnother(std::move(found), whole, context, effects);
   if (tests_feedback) addFeedback(effects, &base, &found);
-  return {std::move(estimate), std::move(base),   std::move(found),
-          search.tried(),      search.refusals(), ""};
+  return {std::move(estimate), std::move(base), std::move(found), search.tried(),
+          search.refusals()};
 }
 
 SearchOutcome* bestOf(std::vector<SearchOutcome>* outcomes, double acceptance) {

@@ -19,7 +19,8 @@ struct SearchOutcome {
   SearchState base, found;  ///< before and after the search
   std::vector<TriedEffect> tried;
   Refusals refusals;
-  std::string chosen_orders = "";  ///< orderText() of the model that others were tried beside
+  std::string chosen_orders = "";   ///< orderText() of the model that others were tried beside
+  std::string simplification = "";  ///< of the orders, as a warning tells it
 
   /// Whether a cause isInEveryExperiment() and all tests pass with the causes.
   bool explainsAll() const;
@@ -42,10 +43,11 @@ struct AnswerLikelihood {
   double training = -std::numeric_limits<double>::infinity();  ///< [nats], minus BIC penalties
   std::optional<double> held_out;                              ///< [nats] per experiment
   double samples = 0;                                          ///< that were fitted to
+  std::vector<std::string> causes{};                           ///< names of those that count
 };
 
-/// Minus infinity where nothing was found but what samples show and what may be an order, or where
-/// causes of the noise count as well.
+/// Minus infinity where nothing was found that isInEveryExperiment() and no line of the spectrum,
+/// or where causes of the noise count as well.
 AnswerLikelihood likelihoodOf(const SearchOutcome& outcome);
 
 /// The context of fits that start from an estimate. It has no threads, and its callbacks do

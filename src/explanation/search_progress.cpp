@@ -1,5 +1,7 @@
 #include "explanation/search_progress.h"
 
+#include <algorithm>
+
 namespace uncertainty_identification {
 
 bool SearchProgress::report(const std::string& phase, double fraction,
@@ -8,6 +10,23 @@ bool SearchProgress::report(const std::string& phase, double fraction,
   last_ = {phase, fraction, log_likelihood};
   if (!cancelled_ && callback_ && !callback_(last_)) cancelled_ = true;
   return !cancelled_;
+}
+
+bool SearchProgress::reportSearch(double log_likelihood) {
+  const std::lock_guard<std::mutex> lock(sharing_);
+  return report("searching causes" + fitting_, 0.3 + 0.6 * share_searched_, log_likelihood) &&
+         inTime();
+}
+
+void SearchProgress::tellShare(double share) {
+  const std::lock_guard<std::mutex> lock(sharing_);
+  share_searched_ = std::max(share_searched_, share);
+  fitting_.clear();
+}
+
+void SearchProgress::tellFitting(const std::string& what) {
+  const std::lock_guard<std::mutex> lock(sharing_);
+  fitting_ = ": fitting " + what;
 }
 
 bool SearchProgress::repeat() {

@@ -22,6 +22,13 @@ class SearchProgress {
   /// False once the caller has cancelled.
   bool report(const std::string& phase, double fraction, std::optional<double> log_likelihood);
 
+  /// The same of the search for causes; false also once the time limit has passed.
+  bool reportSearch(double log_likelihood);
+
+  /// Tells the share of that search that is done, 0 to 1, or what it fits.
+  void tellShare(double share);
+  void tellFitting(const std::string& what);
+
   /// Reports the last progress once more.
   bool repeat();
 
@@ -43,6 +50,9 @@ class SearchProgress {
   const Stopwatch watch_;
   std::mutex mutex_;  // guards last_ and keeps calls apart
   Progress last_;
+  std::mutex sharing_;         // guards the next two
+  double share_searched_ = 0;  ///< of the search for causes
+  std::string fitting_;        ///< what it fits
   std::atomic<bool> cancelled_{false}, out_of_time_{false};
 };
 

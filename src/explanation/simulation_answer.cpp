@@ -182,7 +182,7 @@ bool isConfirmed(const std::optional<LastThirds>& gains, const Explanation& expl
   const std::vector<Cause>& causes = explanation.causes;
   return gains && explanation.verdict == Verdict::explained &&
          std::count_if(causes.begin(), causes.end(), isStructural) == 1 &&
-         gains->log_density > kClear && gains->error_ratio < kBetter;
+         gains->log_density > kClear && gains->first > kClear && gains->error_ratio < kBetter;
 }
 
 std::string confirmation(const LastThirds& gains) {

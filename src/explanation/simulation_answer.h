@@ -20,7 +20,6 @@ std::vector<std::string> leadingCurves(const SimulationCauses& simulation);
 /// only be its symptoms. Where tests pass though the simulation fits by less than 50 %, a warning
 /// says so. Of records of which none is held out, `last_thirds` may confirm a curve that the free
 /// simulation does not find.
-void joinSimulation(Explanation* explanation,
-                    const std::optional<LastThirds>& last_thirds = std::nullopt);
+void joinSimulation(Explanation* explanation, const std::optional<LastThirds>& last_thirds);
 
 }  // namespace uncertainty_identification

@@ -142,13 +142,13 @@ TEST(CauseFreeModel, LeavesACauseThatMakesTheDataFarLikelier) {
   const Split data = firstFive(linearPlants());
   const Estimate without = Identifier(byDefault()).identify(data.train, data.held, {});
   const double held_out = without.validation.log_density_per_experiment;
-  const AnswerLikelihood far{-without.bic / 2 + 25, held_out + 1, 2000};
+  const AnswerLikelihood far{-without.bic / 2 + 60, held_out + 1, 2000};
   const auto causesLeft = [&](const AnswerLikelihood& likelihood) {
     return compared(partly(named("act_quantisation")), byDefault(), data, likelihood).causes.size();
   };
   EXPECT_EQ(causesLeft(far), 1u);
   AnswerLikelihood other = far;
-  other.training -= 10;
+  other.training -= 20;
   EXPECT_EQ(causesLeft(other), 0u) << "not far";
   other = far;
   other.held_out = held_out - 1;
@@ -156,6 +156,14 @@ TEST(CauseFreeModel, LeavesACauseThatMakesTheDataFarLikelier) {
   other = far;
   other.samples = 1000;
   EXPECT_EQ(causesLeft(other), 0u) << "of other samples";
+  other = far;
+  other.causes = {"act_quantisation", "sens_hum"};
+  EXPECT_EQ(causesLeft(other), 0u) << "by what is not named, too";
+  other = far;
+  other.held_out.reset();
+  EXPECT_EQ(causesLeft(other), 0u) << "in sample, everything gains";
+  other.training += 50;
+  EXPECT_EQ(causesLeft(other), 1u);
 }
 
 /// All tests pass with a clock of each experiment; they do without it as well.

@@ -54,6 +54,7 @@ TEST(LastThirds, ATrueCauseGainsThere) {
   const auto gains = gainOnLastThirds(in_sample.base, in_sample.found, context);
   ASSERT_TRUE(gains);
   EXPECT_GT(gains->log_density, 20);
+  EXPECT_GT(gains->first, 20);
   EXPECT_LT(gains->error_ratio, 0.5);
   SearchState as_before = in_sample.found;
   as_before.fit = in_sample.base.fit;
@@ -88,14 +89,16 @@ TEST(LastThirds, ConfirmOneCauseThatExplainsAll) {
     joinSimulation(&found, gains);
     return found;
   };
-  const Explanation confirmed = answered({"act_saturation"}, {20, 0.36});
+  const Explanation confirmed = answered({"act_saturation"}, {20, 30, 0.36});
   EXPECT_EQ(confirmed.verdict, Verdict::explained);
   ASSERT_EQ(confirmed.causes.size(), 1u);
   EXPECT_TRUE(test::anyMentions(confirmed.warnings, "more likely by 20 nats"));
   EXPECT_TRUE(test::anyMentions(confirmed.warnings, "60 % of that without"));
-  EXPECT_TRUE(answered({"act_saturation"}, {5, 0.36}).causes.empty());
-  EXPECT_TRUE(answered({"act_saturation"}, {20, 0.9}).causes.empty());
-  EXPECT_TRUE(answered({"act_saturation", "act_lag"}, {20, 0.36}).causes.empty());
+  EXPECT_TRUE(answered({"act_saturation"}, {5, 30, 0.36}).causes.empty());
+  EXPECT_TRUE(answered({"act_saturation"}, {20, 30, 0.9}).causes.empty());
+  EXPECT_TRUE(answered({"act_saturation"}, {20, 0, 0.36}).causes.empty())
+      << "only the last third shows it, which it is fitted to";
+  EXPECT_TRUE(answered({"act_saturation", "act_lag"}, {20, 30, 0.36}).causes.empty());
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ Explanation withFriction(bool passes, std::vector<Cause> causes) {
 TEST(SimulationAnswer, ReplacesCausesWithWhichTestsStillFail) {
   Explanation found =
       withFriction(false, {ofLikelihood("sens_hum", 90, 89), ofLikelihood("exp_feedback", 0, 0)});
-  joinSimulation(&found);
+  joinSimulation(&found, {});
   ASSERT_EQ(found.causes.size(), 2u);
   const Cause& friction = found.causes[0];
   EXPECT_EQ(friction.name, "plant_coulomb");
@@ -67,7 +67,7 @@ TEST(SimulationAnswer, ReplacesCausesWithWhichTestsStillFail) {
 
 TEST(SimulationAnswer, LeavesCausesWithWhichTestsPassAndTheSimulationGains) {
   Explanation found = withFriction(true, {ofLikelihood("plant_coulomb", 90, 97)});
-  joinSimulation(&found);
+  joinSimulation(&found, {});
   ASSERT_EQ(found.causes.size(), 1u);
   EXPECT_EQ(found.causes[0].confidence, 0.99);
   ASSERT_TRUE(found.causes[0].simulation);
@@ -79,7 +79,7 @@ TEST(SimulationAnswer, WarnsWhereTestsPassThoughTheSimulationIsPoor) {
   const auto warnings = [](double fit) {
     Explanation found = withFriction(true, {ofLikelihood("noise_tails", fit, fit)});
     found.simulation.causes.clear();
-    joinSimulation(&found);
+    joinSimulation(&found, {});
     return found.warnings;
   };
   ASSERT_EQ(warnings(9.8).size(), 1u);
@@ -91,7 +91,7 @@ TEST(SimulationAnswer, DropsCurvesWithWhichTheModelSimulatesWorseThanALinearPlan
   for (const double fit : {70, 88}) {  // a linear plant: 90
     Explanation found = withFriction(true, {ofLikelihood("plant_coulomb", 0, fit)});
     found.simulation.causes.clear();
-    joinSimulation(&found);
+    joinSimulation(&found, {});
     EXPECT_EQ(found.verdict, fit < 85 ? Verdict::unknown : Verdict::explained) << fit;
   }
 }
@@ -100,7 +100,7 @@ TEST(SimulationAnswer, IsNoExplanationWhereTheInputExplainsLittle) {
   const auto answered = [](double fit) {
     Explanation found = withFriction(true, {ofLikelihood("sens_quant", fit, fit)});
     found.simulation.causes.clear();
-    joinSimulation(&found);
+    joinSimulation(&found, {});
     return found;
   };
   EXPECT_EQ(answered(85).verdict, Verdict::explained);
@@ -115,7 +115,7 @@ TEST(SimulationAnswer, IsNoExplanationWhereIntervalsHoldFewSamples) {
     Explanation found = withFriction(true, {ofLikelihood("sens_quant", 87, 87)});
     found.causes[0].gain->coverage_95.after = coverage;
     found.simulation.causes.clear();
-    joinSimulation(&found);
+    joinSimulation(&found, {});
     return found;
   };
   EXPECT_EQ(answered(0.9).verdict, Verdict::explained);
@@ -130,7 +130,7 @@ TEST(SimulationAnswer, IsUnknownWhereAConstantSimulatesBetter) {
     found.verdict = Verdict::none;
     found.simulation.causes.clear();
     found.simulation.fit_before = found.simulation.fit_after = fit;
-    joinSimulation(&found);
+    joinSimulation(&found, {});
     return found;
   };
   EXPECT_EQ(answered(80).verdict, Verdict::none);
@@ -145,7 +145,7 @@ TEST(SimulationAnswer, TellsThatNoiseChangesNoSimulation) {
     Explanation found = withFriction(true, {ofLikelihood(name, 74, 74)});
     found.causes[0].group = group;
     found.simulation = {};
-    joinSimulation(&found);
+    joinSimulation(&found, {});
     return found.message;
   };
   const std::string told = "The simulation is the same with it and fits held-out data by 74 %";
@@ -155,7 +155,7 @@ TEST(SimulationAnswer, TellsThatNoiseChangesNoSimulation) {
   unknown_fit.causes[0].group = "noise";
   unknown_fit.simulation = {};
   unknown_fit.simulation.skipped = "the input is constant";
-  joinSimulation(&unknown_fit);
+  joinSimulation(&unknown_fit, {});
   EXPECT_FALSE(test::mentions(unknown_fit.message, "nan")) << unknown_fit.message;
 }
 
@@ -167,7 +167,7 @@ TEST(SimulationAnswer, NoiseExplainsNoSimulationThatFitsByLessThanHalf) {
       found.causes[0].group = "noise";
       found.simulation = {};
       found.simulation.skipped = skipped;
-      joinSimulation(&found);
+      joinSimulation(&found, {});
       return found;
     };
     EXPECT_EQ(answered(26).verdict, Verdict::unknown) << skipped;
@@ -183,7 +183,7 @@ TEST(SimulationAnswer, TooFewSamplesToSearchItNeedCausesThatMakeItBetter) {
     found.simulation = {};
     found.simulation.skipped = "fewer than 200 samples";
     if (!is_held_out) found.held_out.clear();
-    joinSimulation(&found);
+    joinSimulation(&found, {});
     return found;
   };
   const Explanation dropped = answered("sensor", 84.1);
@@ -204,7 +204,7 @@ TEST(SimulationAnswer, IsNoExplanationWhereAnotherLinearModelSimulatesFarBetter)
     Explanation found = withFriction(true, {ofLikelihood("noise_tails", fit, fit)});
     found.causes[0].group = group;
     found.simulation.causes.clear();  // its linear model fits by 90 %
-    joinSimulation(&found);
+    joinSimulation(&found, {});
     return found.verdict;
   };
   EXPECT_EQ(verdict("noise", 88), Verdict::explained);
@@ -218,7 +218,7 @@ TEST(SimulationAnswer, WithoutHeldOutDataTheSimulationOfLeftOutWindowsMustShowTh
     Explanation found = withFriction(true, {ofLikelihood(name, 90, 98)});
     found.causes[0].group = group;
     found.held_out.clear();
-    joinSimulation(&found);
+    joinSimulation(&found, {});
     return found;
   };
   const Explanation unseen = answered("act_hammerstein", "actuator");
@@ -241,7 +241,7 @@ TEST(SimulationAnswer, ACauseThatNothingConfirmsHasToSimulateAsALinearPlantDoes)
     found.before.simulation_fit_percent = without_causes;
     found.simulation = {};
     found.simulation.skipped = "the input makes fewer than six steps";
-    joinSimulation(&found);
+    joinSimulation(&found, {});
     return found;
   };
   EXPECT_EQ(answered(75).causes.size(), 1u);
@@ -255,7 +255,7 @@ TEST(SimulationAnswer, NoiseBesideWhatIsNotConfirmedHidesNoCurve) {
   found.causes[0].group = "actuator";
   found.causes[1].group = "noise";
   found.held_out.clear();
-  joinSimulation(&found);
+  joinSimulation(&found, {});
   ASSERT_EQ(found.causes.size(), 1u);
   EXPECT_EQ(found.causes[0].name, "plant_coulomb");
 }
@@ -268,7 +268,7 @@ TEST(SimulationAnswer, NothingIsNotSaidWhereHeldOutDataAreSimulatedFarWorse) {
     found.simulation.causes.clear();
     found.simulation.fit_before = found.simulation.fit_after = fit;
     found.simulation.held_out_error_ratio = error_ratio;
-    joinSimulation(&found);
+    joinSimulation(&found, {});
     return found;
   };
   const Explanation lost = answered(69, 4);
@@ -282,7 +282,7 @@ TEST(SimulationAnswer, NothingIsNotSaidWhereHeldOutDataAreSimulatedFarWorse) {
   of_one_record.simulation.causes.clear();
   of_one_record.simulation.fit_before = of_one_record.simulation.fit_after = 69;
   of_one_record.simulation.held_out_error_ratio = 4;
-  joinSimulation(&of_one_record);
+  joinSimulation(&of_one_record, {});
   EXPECT_EQ(of_one_record.verdict, Verdict::none) << "its last third is no other record";
 }
 
@@ -294,7 +294,7 @@ TEST(SimulationAnswer, FewPlantsThatDifferAreNotExplainedByTheSensor) {
     found.before.experiment_count = experiments;
     found.simulation.causes.clear();
     found.simulation.fit_before = found.simulation.fit_after = with_one_plant;
-    joinSimulation(&found);
+    joinSimulation(&found, {});
     return found;
   };
   const Explanation few = answered(4, 65);
@@ -312,7 +312,7 @@ TEST(SimulationAnswer, KeepsALimitOfTheSensorThatTheSimulationShows) {
   found.simulation.causes[0].what.name = "sens_clip";
   found.simulation.causes[0].fit_after = found.simulation.fit_after = 98;
   found.simulation.causes[0].fit_before = found.simulation.fit_before = 60;
-  joinSimulation(&found);
+  joinSimulation(&found, {});
   ASSERT_EQ(found.causes.size(), 1u);
   EXPECT_TRUE(test::mentions(found.message, "rises from 60 to 98 %")) << found.message;
 }
@@ -321,7 +321,7 @@ TEST(SimulationAnswer, KeepsALimitOfTheSensorThatTheSimulationShows) {
 TEST(SimulationAnswer, SampleDefectsExplainNoPartOfAPoorSimulation) {
   Explanation found = withFriction(false, {ofLikelihood("sens_quant", -271, -271)});
   found.simulation.causes.clear();
-  joinSimulation(&found);
+  joinSimulation(&found, {});
   EXPECT_EQ(found.verdict, Verdict::unknown);
   EXPECT_TRUE(found.causes.empty());
 }
@@ -338,7 +338,7 @@ TEST(SimulationAnswer, LeadsWhereCurvesTakeHalfOfTheSquaredErrorAway) {
 /// White residuals alone are no explanation: a lag or a pole makes most errors white.
 TEST(SimulationAnswer, ReplacesCausesByWhichTheSimulationGainsLittle) {
   Explanation found = withFriction(true, {ofLikelihood("sens_lag", 90, 90.5)});
-  joinSimulation(&found);
+  joinSimulation(&found, {});
   ASSERT_EQ(found.causes.size(), 1u);
   EXPECT_EQ(found.causes[0].name, "plant_coulomb");
 }
@@ -346,7 +346,7 @@ TEST(SimulationAnswer, ReplacesCausesByWhichTheSimulationGainsLittle) {
 TEST(SimulationAnswer, LeavesWhatPassesWhereCurvesGainLittle) {
   Explanation found = withFriction(true, {ofLikelihood("plant_parameter_spread", 90, 90)});
   found.simulation.fit_after = 91;
-  joinSimulation(&found);
+  joinSimulation(&found, {});
   ASSERT_EQ(found.causes.size(), 1u);
   EXPECT_EQ(found.causes[0].name, "plant_parameter_spread");
 }
@@ -357,7 +357,7 @@ TEST(SimulationAnswer, DropsWhatNeitherTestsNorSimulationConfirm) {
   found.simulation.causes.clear();
   found.causes[0].gain->standard_error = found.causes[1].gain->standard_error = 1;
   found.causes[0].gain->lower_90 = found.causes[1].gain->lower_90 = 0.1;
-  joinSimulation(&found);
+  joinSimulation(&found, {});
   ASSERT_EQ(found.causes.size(), 1u);
   EXPECT_EQ(found.causes[0].name, "noise_tails");
   EXPECT_EQ(found.verdict, Verdict::partly_explained);
@@ -371,7 +371,7 @@ TEST(SimulationAnswer, DropsWhatLeavesAUselessSimulation) {
     found.simulation.causes.clear();
     found.causes[0].gain->standard_error = 1;
     found.causes[0].gain->lower_90 = -0.1;
-    joinSimulation(&found);
+    joinSimulation(&found, {});
     EXPECT_EQ(found.causes.size(), after > 50 ? 1u : 0u);
     EXPECT_EQ(found.verdict, after > 50 ? Verdict::partly_explained : Verdict::unknown);
   }
@@ -382,12 +382,12 @@ TEST(SimulationAnswer, ChangesNothingWhereTheSimulationWasNotSearched) {
   found.causes[0].group = "noise";
   found.simulation.causes.clear();
   found.simulation.skipped = "fewer than 200 samples";
-  joinSimulation(&found);
+  joinSimulation(&found, {});
   ASSERT_EQ(found.causes.size(), 1u);
   Explanation nothing = withFriction(true, {});
   nothing.simulation = {};
   nothing.simulation.skipped = "fewer than 200 samples";
-  joinSimulation(&nothing);
+  joinSimulation(&nothing, {});
   EXPECT_TRUE(nothing.warnings.empty()) << "what was not simulated fits by no percentage";
 }
 
