@@ -163,8 +163,10 @@ std::shared_ptr<const Effect> findEffect(const Effects& catalogue, Trait trait) 
 bool hasTrait(const std::string& name, Trait trait) {
   static const MadeEffects all = [] {
     MadeEffects made;
+    DataSummary data;
+    data.plant_parameters.emplace_back("any");
     for (const BuiltIn& effect : kCatalogue)
-      for (auto& each : effect.make({})) made.push_back(std::move(each));
+      for (auto& each : effect.make(data)) made.push_back(std::move(each));
     return made;
   }();
   return std::any_of(all.begin(), all.end(), [&](const auto& effect) {

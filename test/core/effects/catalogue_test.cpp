@@ -177,6 +177,7 @@ TEST(Traits, AreThoseThatTheEffectsDeclare) {
   EXPECT_THROW(findEffect({}, Trait::feedback), std::logic_error);
   EXPECT_TRUE(hasTrait("sens_clip", Trait::output_limit));
   EXPECT_FALSE(hasTrait("sens_clip", Trait::feedback));
+  EXPECT_TRUE(hasTrait("plant_parameter_spread", Trait::by_experiment)) << "of any plant";
   EXPECT_FALSE(hasTrait("no_such_effect", Trait::output_limit));
   EXPECT_EQ(findEffect(all(), "act_offset", "")->description().excludes,
             std::vector<std::string>{"sens_bias"});

@@ -172,6 +172,8 @@ TEST(CauseFreeModel, IsComparedWithAnExplanationOfDifferencesAlone) {
   Explanation explained = partly(named("exp_clock"));
   explained.verdict = Verdict::explained;
   EXPECT_EQ(compared(explained, byDefault(), data).verdict, Verdict::none);
+  explained.causes = {named("plant_parameter_spread"), named("sens_hum")};
+  EXPECT_TRUE(compared(explained, byDefault(), data).causes.empty());
   explained.causes = {named("plant_parameter_spread")};
   EXPECT_EQ(compared(explained, byDefault(), data).causes.size(), 1u) << "as in that model";
   explained.causes = {named("exp_clock"), named("act_deadzone")};
