@@ -62,6 +62,7 @@ bool mayComeFromInput(double frequency, const std::vector<Experiment>& experimen
   // Of a random input the ratio is exponentially distributed, with a mean of 1.4.
   constexpr double kLine = 30;
   std::vector<VectorXd> inputs;
+  inputs.reserve(experiments.size());
   for (const Experiment& experiment : experiments) inputs.push_back(windowed(experiment.u));
   for (int harmonic = 1; harmonic <= kHarmonics; ++harmonic) {
     const auto with_line = std::count_if(inputs.begin(), inputs.end(), [&](const VectorXd& input) {
