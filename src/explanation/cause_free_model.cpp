@@ -9,6 +9,7 @@
 #include "data/text.h"
 #include "explanation/measure.h"
 #include "explanation/named_causes.h"
+#include "explanation/poor_simulation.h"
 #include "explanation/prediction_checks.h"
 #include "explanation/residual_checks.h"
 #include "explanation/simulation_answer.h"
@@ -277,7 +278,7 @@ void compareWithCauseFreeModel(const Configuration& asked, const Split& data,
       explanation->warnings.push_back(kNotCompared);
     else if (stands(*explanation, with_causes, estimate, data))
       return;
-    else if (isAnswer(estimate, data))
+    else if (isAnswer(estimate, data) && !saysLittle(estimate.trust, explanation->simulation))
       take(std::move(estimate), data, explanation);
     else
       withdrawCauses(explanation);

@@ -137,23 +137,22 @@ void withdraw(const std::string& lacks, bool is_worse_than_constant, Explanation
                      : describedNames(causes) + " is there, but explains only a part: " + lacks;
 }
 
-/// Whether nothing was looked for, since the data are too few, in a model that is not to be relied
-/// on: tests that pass say little then.
-bool saysLittle(const Explanation& explanation) {
-  const Trust& trust = explanation.before.trust;
-  const std::string& skipped = explanation.simulation.skipped;
-  return skipped.rfind("fewer than", 0) == 0 && !trust.trusted && !trust.reasons.empty();
+/// A reason of identify's, without its advice to try this program.
+std::string withoutAdvice(const std::string& reason) {
+  const std::size_t advice = reason.find("try explain");
+  return advice == std::string::npos || advice < 2 ? reason : reason.substr(0, advice - 2);
 }
 
 /// Says how well the model without causes simulates. Where nothing is wrong, what the noise hides
 /// is not seen; where something is, this says how much.
 void tellFit(Explanation* explanation) {
-  if (explanation->verdict == Verdict::none && saysLittle(*explanation)) {
+  if (explanation->verdict == Verdict::none &&
+      saysLittle(explanation->before.trust, explanation->simulation)) {
     explanation->verdict = Verdict::unknown;
     explanation->message =
         "the checks of the residuals find nothing wrong, but the data are too few, and the model "
         "is not to be relied on: " +
-        explanation->before.trust.reasons.front();
+        withoutAdvice(explanation->before.trust.reasons.front());
   }
   const bool was_held_out = explanation->held_out_fit.has_value();
   const std::optional<double> fit =
@@ -170,6 +169,10 @@ void tellFit(Explanation* explanation) {
 }
 
 }  // namespace
+
+bool saysLittle(const Trust& trust, const SimulationCauses& simulation) {
+  return simulation.skipped.rfind("fewer than", 0) == 0 && !trust.trusted && !trust.reasons.empty();
+}
 
 void warnOfPoorSimulation(Explanation* explanation) {
   const std::vector<Cause>& causes = explanation->causes;

@@ -235,6 +235,17 @@ TEST(CauseFreeModel, IsNoAnswerWhereTheInputFollowsTheOutput) {
   EXPECT_NE(compared(partly(named("act_lag")), byDefault(), firstFive(all)).verdict, Verdict::none);
 }
 
+TEST(CauseFreeModel, IsNoAnswerOfFewDataWhereItIsNotTrusted) {
+  const std::vector<Experiment> all = linearPlants();
+  const Split two{{all[0], all[1]}, {all[0], all[1]}, true};  // too few to show how plants differ
+  Explanation unknown = partly(named("act_lag"));
+  unknown.causes.clear();
+  unknown.verdict = Verdict::unknown;
+  EXPECT_EQ(compared(unknown, byDefault(), two).verdict, Verdict::none);
+  unknown.simulation.skipped = "fewer than 200 samples";
+  EXPECT_EQ(compared(unknown, byDefault(), two).verdict, Verdict::unknown);
+}
+
 TEST(CauseFreeModel, LeavesWhatIdentifyDoesNotTest) {
   const Explanation found =
       compared(partly(named("act_lag"), "volatility"), byDefault(), firstFive(linearPlants()));

@@ -64,14 +64,14 @@ TEST(PoorSimulation, NothingIsNotSaidOfFewDataByAModelThatIsNotTrusted) {
   Explanation explanation;
   explanation.verdict = Verdict::none;
   explanation.before.simulation_fit_percent = 85;
-  explanation.before.trust = {false, {"a pole is at the edge of stability"}};
+  explanation.before.trust = {false, {"a pole is at the edge; try explain, which looks"}};
   Explanation searched = explanation;
   warnOfPoorSimulation(&searched);
   EXPECT_EQ(searched.verdict, Verdict::none) << "of enough data";
   explanation.simulation.skipped = "fewer than 200 samples";
   warnOfPoorSimulation(&explanation);
   EXPECT_EQ(explanation.verdict, Verdict::unknown);
-  EXPECT_TRUE(test::mentions(explanation.message, "relied on: a pole is at the edge"))
+  EXPECT_TRUE(test::mentions(explanation.message, "relied on: a pole is at the edge. The sim"))
       << explanation.message;
 }
 
