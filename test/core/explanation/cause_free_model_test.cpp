@@ -180,8 +180,7 @@ TEST(CauseFreeModel, IsComparedWithAnExplanationOfDifferencesAlone) {
   EXPECT_EQ(compared(explained, byDefault(), data).causes.size(), 2u);
 }
 
-/// Own offsets are part of the model that effects are added to: a common one would make a slow pole
-/// of levels that differ by 60 times the noise.
+/// Of levels that differ by 60 times the noise, and gains that differ by more than the steps do.
 TEST(CauseFreeModel, LeavesStepsOfTheActuatorWherePlantsDifferInGainAndLevel) {
   const Explanation found = explain(byDefault(), plants(6, [](double u) { return std::round(u); }));
   EXPECT_TRUE(std::any_of(found.causes.begin(), found.causes.end(), [](const Cause& cause) {
