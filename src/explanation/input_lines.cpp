@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "explanation/spectral_peaks.h"
 #include "math/constants.h"
 
 namespace uncertainty_identification {
@@ -11,15 +12,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-/// The signal minus its mean, under a Hann window.
-VectorXd windowed(const VectorXd& signal) {
-  VectorXd all = signal.array() - signal.mean();
-  for (Index k = 0; k < all.size(); ++k)
-    all[k] *= 0.5 - 0.5 * std::cos(2 * kPi * (static_cast<double>(k) + 0.5) /
-                                   static_cast<double>(all.size()));
-  return all;
-}
 
 double powerAt(const VectorXd& signal, double frequency) {
   std::complex<double> sum = 0;

@@ -30,15 +30,6 @@ ArrayXd spectrum(const VectorXd& signal, int points) {
   return power;
 }
 
-/// The signal minus its mean, multiplied by a Hann window.
-VectorXd windowed(VectorXd signal) {
-  const auto length = static_cast<double>(signal.size());
-  signal.array() -= signal.mean();
-  for (Index t = 0; t < signal.size(); ++t)
-    signal[t] *= 0.5 - 0.5 * std::cos(2 * kPi * (static_cast<double>(t) + 0.5) / length);
-  return signal;
-}
-
 /// Frequency of the largest peak [rad/sample].
 double peakOf(const ArrayXd& power) {
   Index at = 0;
@@ -47,6 +38,14 @@ double peakOf(const ArrayXd& power) {
 }
 
 }  // namespace
+
+VectorXd windowed(VectorXd signal) {
+  const auto length = static_cast<double>(signal.size());
+  signal.array() -= signal.mean();
+  for (Index t = 0; t < signal.size(); ++t)
+    signal[t] *= 0.5 - 0.5 * std::cos(2 * kPi * (static_cast<double>(t) + 0.5) / length);
+  return signal;
+}
 
 void findSpectralPeaks(const Residuals& residuals, const FitData& data, DataSummary* summary) {
   constexpr int kMostSpectra = 12, kMostSamples = 2000;

@@ -8,4 +8,7 @@ namespace uncertainty_identification {
 /// (common_peak, own_peak). The fit of a hum (sens_hum) starts from them.
 void findSpectralPeaks(const Residuals& residuals, const FitData& data, DataSummary* summary);
 
+/// The signal minus its mean, multiplied by a Hann window.
+Eigen::VectorXd windowed(Eigen::VectorXd signal);
+
 }  // namespace uncertainty_identification
