@@ -20,10 +20,14 @@ struct CurveModel {
   int delay = 0;  ///< [samples] beyond the one that the plant has unless it is direct
   std::vector<Curve> curves;
   Eigen::VectorXd theta;
-  double rate_scale = 1;                 ///< one unit of the rate, per sample
-  double input_zero = 0;                 ///< added to u to count from the physical zero
-  std::vector<Eigen::VectorXd> initial;  ///< state at the beginning of each window; empty: unknown
+  double rate_scale = 1;   ///< one unit of the rate, per sample
+  double input_zero = 0;   ///< added to u to count from the physical zero
+  bool own_level = false;  ///< each window's output is counted from a level of its own
+  /// State at the beginning of each window, and its level if there is one; empty: unknown.
+  std::vector<Eigen::VectorXd> initial;
 
+  /// Number of unknowns of each window.
+  int initialValues() const { return order + (own_level ? 1 : 0); }
   int linearParameters() const { return 2 * order + (direct ? 1 : 0) + 1; }
   int biasIndex() const { return 2 * order + (direct ? 1 : 0); }
   double directGain() const { return direct ? theta[2 * order] : 0; }

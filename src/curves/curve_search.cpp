@@ -34,6 +34,16 @@ bool isControllersAnswer(const SimulationData& data, const SimulationData& held,
          !(gain->share >= limits.least_prediction_gain && gain->t >= limits.least_prediction_t);
 }
 
+/// The causes of another search, fitted to these windows.
+CurveSearchResult refitted(const CurveSearchResult& other, const SimulationData& data,
+                           const SimulationData& held, const CurveSearchContext& context) {
+  CurveSearchResult found = other;
+  found.fit.model.initial.clear();
+  found.fit = fitFreely(data, found.fit.model, context.limits(15));
+  found.held_error = heldOutErrors(held, found.fit.model).sum();
+  return found;
+}
+
 }  // namespace
 
 bool isBetter(const CurveSearchResult& other, const CurveSearchResult& than, double least_share) {
@@ -78,6 +88,13 @@ CurveSearchResult searchCurves(const SimulationData& data, const SimulationData&
     CurveSearchResult found = from(linear.of_order.front());
     const bool is_believed = best.causes.empty() || isBetter(found, best, limits.least_share);
     if (!found.causes.empty() && standsForOrders(found, best) && is_believed) {
+      found.base = std::move(best.base);
+      best = std::move(found);
+    }
+  }
+  if (limits.suggested && context.going_on()) {
+    CurveSearchResult found = refitted(*limits.suggested, data, held, context);
+    if (standsForOrders(found, best)) {
       found.base = std::move(best.base);
       best = std::move(found);
     }

@@ -1,9 +1,8 @@
 #include "curves/explain_simulation.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <mutex>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -13,11 +12,14 @@
 #include "curves/held_out.h"
 #include "curves/preparation.h"
 #include "curves/record_difference.h"
+#include "curves/record_levels.h"
+#include "curves/search_time.h"
 #include "curves/window_search.h"
 
 namespace uncertainty_identification {
 namespace {
 
+constexpr double kHalf = 0.5;
 constexpr int kFewestSamples = 200;
 constexpr int kFewestSteps = 6;
 constexpr const char* kFewSteps = "the input makes fewer than six steps";
@@ -63,7 +65,9 @@ std::function<bool(Place)> exclusionOf(const std::vector<std::string>& excluded)
   };
 }
 
+/// The median and the worst held-out window, of outputs that are counted from these levels.
 std::vector<SimulatedWindow> picturesOf(const std::vector<Experiment>& experiments,
+                                        const std::vector<double>& levels,
                                         const SimulationData& held,
                                         const CurveSearchResult& result) {
   const std::vector<Eigen::VectorXd> before = heldOutSimulations(held, result.base.model),
@@ -76,17 +80,18 @@ std::vector<SimulatedWindow> picturesOf(const std::vector<Experiment>& experimen
   }
   std::sort(order.begin(), order.end());
   const Scale& scale = held.scales.y;
-  const auto in_units = [&](const Eigen::VectorXd& signal) -> Eigen::VectorXd {
-    return (signal.array() * scale.unit + scale.offset).matrix();
-  };
   std::vector<SimulatedWindow> pictures;
   for (const std::size_t place : {order.size() / 2, order.size() - 1}) {
     const std::size_t w = order[place].second;
     const SimulationWindow& window = held.windows[w];
     const int samples = window.samples() - window.rest;
-    pictures.push_back({experiments[static_cast<std::size_t>(window.record)].id, window.start,
-                        held.sample_time, in_units(window.y.tail(samples)),
-                        in_units(before[w].tail(samples)), in_units(after[w].tail(samples))});
+    const auto record = static_cast<std::size_t>(window.record);
+    const auto in_units = [&](const Eigen::VectorXd& signal) -> Eigen::VectorXd {
+      return (signal.array() * scale.unit + scale.offset + levels[record]).matrix();
+    };
+    pictures.push_back({experiments[record].id, window.start, held.sample_time,
+                        in_units(window.y.tail(samples)), in_units(before[w].tail(samples)),
+                        in_units(after[w].tail(samples))});
   }
   return pictures;
 }
@@ -126,14 +131,61 @@ std::string differenceInWords(const std::vector<Experiment>& held, const WindowS
 }
 
 void describe(const PlannedSearch& searched, const std::vector<Experiment>& fitted,
-              const std::vector<Experiment>& held, SimulationCauses* found) {
+              const std::vector<Experiment>& held, const std::vector<double>& levels,
+              SimulationCauses* found) {
   const WindowSearch& search = searched.found;
   found->preparation = sentenceOf(searched.plan, search, fitted.size());
+  if (found->own_levels)
+    found->preparation += "; the output of each record is counted from a level of its own";
   found->refused = searched.refused;
   describe(search, found);
   found->difference = differenceInWords(held, search, found->held_out_error_ratio);
-  found->pictures = picturesOf(held.empty() ? fitted : held, search.kept, search.result);
+  found->pictures = picturesOf(held.empty() ? fitted : held, levels, search.kept, search.result);
   found->ended_early = search.result.ended_early;
+}
+
+/// Searches the windows of records, within the limits of one call.
+class RecordSearch {
+ public:
+  RecordSearch(const SimulationSearchOptions& options, bool for_causes, WorkerPool* pool,
+               SearchTime* time)
+      : for_causes_(for_causes), context_(time->context(pool)), time_(time) {
+    limits_.max_causes = for_causes ? std::min(limits_.max_causes, options.max_causes) : 0;
+    limits_.candidates.excluded = exclusionOf(options.excluded);
+    context_.excluded = [&options](Place place, const std::string& shape) {
+      return isExcluded(options.excluded, place, shape);
+    };
+  }
+
+  const CurveSearchContext& context() const { return context_; }
+
+  PlannedSearch in(const std::vector<Experiment>& fitted, const std::vector<Experiment>& held,
+                   const WindowPlan& plan) const {
+    const SignalScales scales = scalesOf(fitted, held, plan.thinning * fitted.front().sample_time);
+    const WindowSearcher search = [&](const WindowPlan& windows, const CurveSearchLimits& within,
+                                      Purpose purpose) {
+      time_->setPurpose(purpose);
+      return searchWindows(fitted, held, windows, scales, within, context_);
+    };
+    if (!for_causes_) return {plan, search(plan, limits_, Purpose::looking), ""};
+    return searchInWindows(plan, fitted, limits_, search);
+  }
+
+ private:
+  bool for_causes_;
+  CurveSearchLimits limits_;
+  CurveSearchContext context_;
+  SearchTime* time_;
+};
+
+/// Whether the one search ends with less than half of the other's error on held-out data, which
+/// both have in units of their own.
+bool simulatesFarBetter(const WindowSearch& one, const WindowSearch& other) {
+  const auto error = [](const WindowSearch& search) {
+    const double unit = search.kept.scales.y.unit;
+    return search.result.held_error * unit * unit / std::max(search.kept.samples, 1);
+  };
+  return !one.kept.windows.empty() && error(one) < kHalf * error(other);
 }
 
 }  // namespace
@@ -148,10 +200,6 @@ bool areFewSteps(const std::vector<Experiment>& fitted, const std::vector<Experi
 SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
                                    const std::vector<Experiment>& held,
                                    const SimulationSearchOptions& options, WorkerPool* pool) {
-  const auto began = std::chrono::steady_clock::now();
-  const auto seconds = [began] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  };
   SimulationCauses found;
   const WindowPlan plan = planWindows(fitted);
   const SignalScales scales = scalesOf(fitted, held, plan.thinning * fitted.front().sample_time);
@@ -161,38 +209,29 @@ SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
   const bool compares = found.skipped == kFewSteps && too_few.empty() && !held.empty();
   if (!found.skipped.empty() && !compares) return found;
 
-  CurveSearchLimits limits;
-  limits.max_causes = found.skipped.empty() ? std::min(limits.max_causes, options.max_causes) : 0;
-  limits.candidates.excluded = exclusionOf(options.excluded);
-  CurveSearchContext context;
-  context.pool = pool;
-  context.excluded = [&](Place place, const std::string& shape) {
-    return isExcluded(options.excluded, place, shape);
-  };
-  std::mutex telling;
-  bool cancelled = false;
-  double time_limit = options.time_limit;
-  std::string doing = "simulating";
-  context.going_on = [&] {
-    const std::lock_guard<std::mutex> lock(telling);  // called from all threads
-    cancelled = cancelled || (options.progress && !options.progress(doing));
-    return !cancelled && (time_limit <= 0 || seconds() < time_limit);
-  };
-  context.tell = [&](const std::string& what) {
-    const std::lock_guard<std::mutex> lock(telling);
-    doing = what;
-  };
-  const WindowSearcher search = [&](const WindowPlan& windows, const CurveSearchLimits& within,
-                                    Purpose purpose) {
-    const bool as_long_again = purpose == Purpose::confirming;
-    time_limit = options.time_limit * (as_long_again ? 2 : 1);
-    return searchWindows(fitted, held, windows, scales, within, context);
-  };
-  const PlannedSearch searched =
-      compares ? PlannedSearch{plan, search(plan, limits, Purpose::looking), ""}
-               : searchInWindows(plan, fitted, limits, search);
-  if (!searched.found.kept.windows.empty()) describe(searched, fitted, held, &found);
-  found.seconds = seconds();
+  constexpr double kOfLevels = 0.6;  // of the time
+  SearchTime time(options);
+  const RecordSearch search(options, found.skipped.empty(), pool, &time);
+  const auto levelled = options.own_levels && !compares
+                            ? countedFromOwnLevels(fitted, held, plan, search.context())
+                            : std::nullopt;
+  PlannedSearch own;
+  if (levelled) {
+    time.allow(kOfLevels);
+    WindowPlan about_levels = planWindows(levelled->fitted);
+    about_levels.own_levels = true;
+    own = search.in(levelled->fitted, levelled->held, about_levels);
+    time.allow(1);
+  }
+  PlannedSearch searched = search.in(fitted, held, plan);
+  std::vector<double> levels(held.empty() ? fitted.size() : held.size(), 0.0);
+  found.own_levels = levelled && simulatesFarBetter(own.found, searched.found);
+  if (found.own_levels) {
+    searched = std::move(own);
+    levels = held.empty() ? levelled->fitted_levels : levelled->held_levels;
+  }
+  if (!searched.found.kept.windows.empty()) describe(searched, fitted, held, levels, &found);
+  found.seconds = time.seconds();
   return found;
 }
 

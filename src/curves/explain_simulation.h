@@ -12,6 +12,7 @@ namespace uncertainty_identification {
 
 struct SimulationSearchOptions {
   int max_causes = 3;
+  bool own_levels = false;            ///< also counts outputs from a level of each experiment
   double time_limit = 0;              ///< [s]; 0: none
   std::vector<std::string> excluded;  ///< names of causes that are not considered
   std::function<bool(const std::string& doing)>

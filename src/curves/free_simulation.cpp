@@ -19,7 +19,7 @@ Simulator::Simulator(const CurveModel& model, const std::vector<CurveTable>& tab
       tables_(tables),
       window_(window),
       derive_(with_derivatives),
-      columns_(with_derivatives ? model.parameters() + model.order : 0),
+      columns_(with_derivatives ? model.parameters() + model.initialValues() : 0),
       memory_(model.curves.size()) {
   for (std::size_t c = 0; c < model.curves.size(); ++c) {
     first_.push_back(model.firstOf(c));
@@ -35,9 +35,10 @@ Simulator::Simulator(const CurveModel& model, const std::vector<CurveTable>& tab
 }
 
 void Simulator::begin(const Eigen::VectorXd& initial) {
-  state_ = initial;
+  state_ = initial.head(model_.order);
+  level_ = model_.own_level ? initial[model_.order] : 0;
   by_state_ = Eigen::ArrayXXd::Zero(columns_, model_.order);
-  if (derive_) by_state_.bottomRows(model_.order).matrix().setIdentity();
+  if (derive_) by_state_.middleRows(model_.parameters(), model_.order).matrix().setIdentity();
   const int ahead = std::min(3, window_.samples() - 1);
   previous_ = window_.y[0] - (ahead > 0 ? (window_.y[ahead] - window_.y[0]) / ahead : 0.0);
   for (Eigen::ArrayXd* each :
@@ -107,6 +108,8 @@ double Simulator::step(int k) {
   feedBack(k);
   advance();
   actOnOutput();
+  output_.value += level_;
+  if (derive_ && model_.own_level) output_.by[columns_ - 1] += 1;
   return output_.value;
 }
 
@@ -117,7 +120,8 @@ FreeSimulation simulateFreely(const CurveModel& model, const std::vector<CurveTa
   const int samples = window.samples();
   simulated.y.resize(samples);
   simulated.rate.resize(samples);
-  if (with_derivatives) simulated.derivatives.resize(model.parameters() + model.order, samples);
+  if (with_derivatives)
+    simulated.derivatives.resize(model.parameters() + model.initialValues(), samples);
   Simulator simulator(model, tables, window, with_derivatives);
   simulator.begin(initial);
   for (int k = 0; k < samples; ++k) {

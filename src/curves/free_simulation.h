@@ -11,13 +11,14 @@ namespace uncertainty_identification {
 /// The output of a model that sees the input only, and its derivatives.
 struct FreeSimulation {
   Eigen::VectorXd y;  ///< T
-  /// (P + order) x T, by theta and by the initial state; empty unless asked for. Exact, by forward
+  /// (P + I) x T, by theta and by the initial values; empty unless asked for. Exact, by forward
   /// sensitivities.
   Eigen::MatrixXd derivatives;
   Eigen::VectorXd rate;  ///< T, change of x from sample to sample in units of rate_scale
 };
 
-/// Simulates a window from `initial` (order values). `tables` are those of the model's curves.
+/// Simulates a window from `initial` (I = model.initialValues() values). `tables` are those of the
+/// model's curves.
 FreeSimulation simulateFreely(const CurveModel& model, const std::vector<CurveTable>& tables,
                               const SimulationWindow& window, const Eigen::VectorXd& initial,
                               bool with_derivatives);

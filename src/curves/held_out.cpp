@@ -14,6 +14,7 @@ constexpr double kLargestError = 1e6;  ///< error of a simulation that diverges
 }  // namespace
 
 int seenSamples(const SimulationData& held, const CurveModel& model) {
+  if (model.own_level) return held.longest;
   return std::max({8 * model.order, held.longest / 10, 20});
 }
 

@@ -11,14 +11,14 @@ namespace uncertainty_identification {
 
 /// Squared error of simulating each held-out window, or parts of windows where they are few,
 /// [standard deviations of y]^2. The initial state is taken from the first tenth of a window's
-/// samples, at least 20.
+/// samples, at least 20; together with a level of its own, from all.
 Eigen::VectorXd heldOutErrors(const SimulationData& held, const CurveModel& model);
 
 /// Squared errors of all windows that a fit has not seen: of those that it leaves out in turn, and
 /// of the held-out ones. What tells one place from another needs all the evidence there is.
 Eigen::VectorXd unseenErrors(const WindowFit& fit, const SimulationData& held);
 
-/// Number of first samples of each window that the initial state of its simulation is taken from.
+/// Number of first samples of each window that the initial values of its simulation are taken from.
 int seenSamples(const SimulationData& held, const CurveModel& model);
 
 /// Simulated outputs of the held-out windows, in the same way.

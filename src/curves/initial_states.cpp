@@ -11,7 +11,7 @@ namespace {
 /// The state of a plant at rest at the window's first samples.
 Eigen::VectorXd stateAtRest(const CurveModel& model, const SimulationWindow& window) {
   const int n = model.order;
-  Eigen::VectorXd state(n);
+  Eigen::VectorXd state = Eigen::VectorXd::Zero(model.initialValues());
   state[0] = window.y[0];
   for (int i = 1; i < n; ++i)
     state[i] = -model.theta.segment(i, n - i).sum() * window.y[0] +
@@ -39,8 +39,8 @@ std::vector<Eigen::VectorXd> initialStates(const SimulationData& data, const Cur
     Eigen::VectorXd state = stateAtRest(model, whole), now = residual(state);
     double damping = 1e-2;
     for (int k = 0; k < iterations; ++k) {
-      Eigen::MatrixXd slopes(length, model.order);
-      for (int i = 0; i < model.order; ++i) {
+      Eigen::MatrixXd slopes(length, model.initialValues());
+      for (int i = 0; i < model.initialValues(); ++i) {
         Eigen::VectorXd other = state;
         other[i] += kChange;
         slopes.col(i) = (now - residual(other)) / kChange;

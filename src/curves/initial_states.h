@@ -8,7 +8,7 @@
 
 namespace uncertainty_identification {
 
-/// Initial states of all windows, each by Levenberg and Marquardt on its first `samples`.
+/// Initial values of all windows, each by Levenberg and Marquardt on its first `samples`.
 std::vector<Eigen::VectorXd> initialStates(const SimulationData& data, const CurveModel& model,
                                            int samples, int iterations = 6);
 

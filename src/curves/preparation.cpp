@@ -117,7 +117,7 @@ int countWindows(const std::vector<Experiment>& experiments, const WindowPlan& p
 }  // namespace
 
 WindowPlan planWindows(const std::vector<Experiment>& experiments) {
-  WindowPlan plan{1, 0, false, RestBefore(experiments)};
+  WindowPlan plan{1, 0, false, false, RestBefore(experiments)};
   plan.thinning = thinningByBandwidth(experiments, kPerPeriod);
   const Lengths samples = lengthsOf(experiments, plan.thinning);
   plan.one_of_each = experiments.size() >= kManyExperiments && samples.longest <= kLongest;
@@ -127,9 +127,10 @@ WindowPlan planWindows(const std::vector<Experiment>& experiments) {
 }
 
 WindowPlan withOtherWindows(const WindowPlan& plan, const std::vector<Experiment>& experiments) {
+  constexpr int kEnoughWindows = 8;
   WindowPlan other = plan;
   other.length = plan.length * 3 / 2;
-  if (countWindows(experiments, other) < kFewestWindows) other.length = plan.length * 2 / 3;
+  if (countWindows(experiments, other) < kEnoughWindows) other.length = plan.length * 2 / 3;
   return other;
 }
 
@@ -172,6 +173,7 @@ SimulationData windowsOf(const std::vector<Experiment>& experiments, const Windo
   constexpr int kResting = 32;  // samples, as many as an initial state is estimated from
   SimulationData data;
   data.scales = scales;
+  data.own_levels = plan.own_levels;
   for (std::size_t r = 0; r < experiments.size(); ++r) {
     const Experiment experiment = thinned(experiments[r], plan.thinning);
     data.sample_time = experiment.sample_time;

@@ -17,6 +17,7 @@ struct WindowPlan {
   int thinning = 1;            ///< each so manieth sample is kept, the input averaged in between
   int length = 0;              ///< [samples after thinning] of a window, about
   bool one_of_each = false;    ///< every experiment is one window
+  bool own_levels = false;     ///< the output of each window is counted from a level of its own
   RestBefore rest_before{{}};  ///< that is simulated before the records that began at rest
 };
 

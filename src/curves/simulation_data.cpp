@@ -27,6 +27,7 @@ SimulationData onlyOf(const SimulationData& data, const std::vector<int>& window
   SimulationData record;
   record.scales = data.scales;
   record.sample_time = data.sample_time;
+  record.own_levels = data.own_levels;
   for (const int w : windows) {
     record.groups.push_back(static_cast<int>(record.windows.size()));
     record.windows.push_back(data.windows[static_cast<std::size_t>(w)]);

@@ -52,8 +52,9 @@ struct SimulationData {
   std::vector<SimulationWindow> windows;
   SignalScales scales;
   double sample_time = 0;
-  int longest = 0;  ///< samples of the longest window
-  int samples = 0;  ///< measured output samples
+  bool own_levels = false;  ///< each window's output is counted from a level of its own
+  int longest = 0;          ///< samples of the longest window
+  int samples = 0;          ///< measured output samples
 
   /// Index of the first window of each group of windows that is left out together, and the number
   /// of windows at the end.

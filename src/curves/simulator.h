@@ -8,7 +8,7 @@
 
 namespace uncertainty_identification {
 
-/// A quantity and its derivatives by theta and the initial state.
+/// A quantity and its derivatives by theta and the initial values.
 struct Dual {
   double value = 0;
   Eigen::ArrayXd by;
@@ -60,7 +60,7 @@ class Simulator {
   std::vector<Memory> memory_;
   Eigen::VectorXd state_;
   Eigen::ArrayXXd by_state_;  ///< columns_ x order
-  double previous_ = 0;
+  double level_ = 0, previous_ = 0;
   Eigen::ArrayXd previous_by_;
   Dual x_, input_, gain_, added_, to_state_, rate_, total_, plant_output_, output_, size_, error_;
   int left_ = 0;

@@ -88,6 +88,7 @@ CurveModel linearStart(const SimulationData& data, int order, bool direct, int d
     model.order = order;
     model.direct = direct;
     model.delay = delay;
+    model.own_level = data.own_levels;
     model.theta = decomposition.compute(regression.regressors).solve(regression.output);
     if (!model.theta.allFinite()) break;
     a = pulledIn(model.theta.head(order));
@@ -121,6 +122,7 @@ CurveModel withMode(const SimulationData& data, const CurveModel& model) {
   CurveModel sum;
   sum.order = model.order + 2;
   sum.delay = model.delay;
+  sum.own_level = model.own_level;
   sum.theta.setZero(sum.linearParameters());
   sum.theta.head(sum.order) = product(denominator(model), denominator(mode)).tail(sum.order);
   sum.theta.segment(sum.order, sum.order) =

@@ -192,7 +192,8 @@ double simulationError(const SimulationData& data, const CurveModel& model) {
 }
 
 WindowFit fitFreely(const SimulationData& data, CurveModel model, const FitLimits& limits) {
-  if (model.initial.size() != data.windows.size() || model.initial.front().size() != model.order)
+  if (model.initial.size() != data.windows.size() ||
+      model.initial.front().size() != model.initialValues())
     model.initial = initialStates(data, model, data.longest);
   Linearisation at = linearise(data, model);
   double error = at.squared_error, damping = 1e-3;

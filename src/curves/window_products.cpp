@@ -35,7 +35,8 @@ WindowProducts productsOf(const CurveModel& model, const std::vector<CurveTable>
     if (window.measured[k] == 0) simulated.derivatives.col(k).setZero();
   Eigen::VectorXd residual = (window.measured * (window.y - simulated.y).array()).matrix();
   Eigen::MatrixXd by_theta = simulated.derivatives.topRows(parameters).transpose();
-  const Eigen::MatrixXd by_state = simulated.derivatives.bottomRows(model.order).transpose();
+  const Eigen::MatrixXd by_state =
+      simulated.derivatives.bottomRows(model.initialValues()).transpose();
   WindowProducts products;
   products.xx = by_state.transpose() * by_state;
   products.xj = by_state.transpose() * by_theta;

@@ -43,7 +43,9 @@ std::string unconfirmed(const std::vector<FoundCurve>& causes, int length, int o
 std::string confirm(const WindowPlan& plan, const WindowPlan& other, CurveSearchLimits limits,
                     const WindowSearcher& search, WindowSearch* searched) {
   const std::vector<FoundCurve> causes = searched->result.causes;
-  const CurveSearchResult again = search(other, limits, Purpose::confirming).result;
+  CurveSearchLimits with_these = limits;  // a search may miss what it would accept
+  with_these.suggested = &searched->result;
+  const CurveSearchResult again = search(other, with_these, Purpose::confirming).result;
   std::size_t confirmed = countConfirmed(causes, again.causes);
   if (confirmed == causes.size()) return "";
   if (again.ended_early) {

@@ -32,7 +32,7 @@ MadeEffects actuatorOffset(const DataSummary& data) {
        {VectorXd::Zero(1)},
        /*nonlinear=*/false,
        /*own_point=*/false,
-       /*traits=*/{},
+       /*traits=*/{Trait::constant},
        /*excludes=*/{"sens_bias"}},
       [](const VectorXd& psi, Chain* chain) { chain->u += psi[0]; })};
 }

@@ -6,7 +6,8 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kNear = 6;  ///< [nats] of score that the data may not tell apart
+constexpr double kNear = 6;        ///< [nats] of score that the data may not tell apart
+constexpr double kClearly = 0.95;  ///< ratio of squared errors
 
 }  // namespace
 
@@ -26,6 +27,7 @@ bool simulatesAsWell(const Effect& effect, const Gain& gain) {
   constexpr double kMost = 1.01, kMostByTheta = 1.1;
   const bool structural = effect.description().screening == ScreeningKind::regression &&
                           !isOfNoise(effect) && !isOfMixture(effect);
+  if (effect.has(Trait::constant)) return errorRatio(gain) < kClearly;
   return errorRatio(gain) <= (structural ? kMost : kMostByTheta);
 }
 
@@ -34,8 +36,8 @@ bool stillHolds(const Effect& effect, const Gain& gain) {
 }
 
 bool isClear(const Gain& gain) {
-  constexpr double kShare = 0.95, kErrors = 3;
-  return gain.log_density > kErrors * gain.standard_error || errorRatio(gain) < kShare;
+  constexpr double kErrors = 3;
+  return gain.log_density > kErrors * gain.standard_error || errorRatio(gain) < kClearly;
 }
 
 AcceptanceRule acceptanceRule(const Effect& effect, double score) {

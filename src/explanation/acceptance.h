@@ -24,7 +24,8 @@ bool passes(const Gain& gain, AcceptanceRule rule);
 /// likelihood alone also rewards what makes residuals white and the simulation wrong. The squared
 /// error may grow by a hundredth, which is chance where the plants differ much. Effects that move
 /// the simulation only by way of theta (all but ScreeningKind::regression) may let it grow by a
-/// tenth.
+/// tenth. A constant beside the model's offset must make it smaller by a twentieth: otherwise it is
+/// only a better guess of the states that records begin from.
 bool simulatesAsWell(const Effect& effect, const Gain& gain);
 
 /// Whether a cause, measured again in the final model, neither loses log density significantly nor

@@ -13,6 +13,7 @@
 #include "explanation/prediction_checks.h"
 #include "explanation/residual_checks.h"
 #include "explanation/simulation_answer.h"
+#include "explanation/undamped_poles.h"
 #include "explanation/verdict.h"
 #include "explanation/warnings.h"
 #include "identification/steps.h"
@@ -159,12 +160,19 @@ bool makesLikelier(const AnswerLikelihood& with, const Estimate& without,
          (!with.held_out || *with.held_out > without.validation.log_density_per_experiment);
 }
 
+double longestOf(const std::vector<Experiment>& experiments) {
+  int longest = 1;
+  for (const Experiment& each : experiments) longest = std::max(longest, each.samples());
+  return longest;
+}
+
 /// Whether the answer of the search remains beside this model.
 bool stands(const Explanation& explanation, const AnswerLikelihood& with_causes,
             const Estimate& without, const Split& data) {
   if (!agrees(without, kCheckThreshold) || makesLikelier(with_causes, without, explanation))
     return true;
   if (!leadingCurves(explanation.simulation).empty() && !without.trust.trusted) return true;
+  if (hasLineAsPoles(explanation.causes, without.nominal_model, longestOf(data.train))) return true;
   const bool passed_before = allPassed(explanation.checks_before);
   const std::optional<double> fit = fitAboutCommonMean(without, data);
   return std::any_of(explanation.causes.begin(), explanation.causes.end(), [&](const Cause& cause) {
@@ -183,7 +191,7 @@ bool isAnswer(const Estimate& estimate, const Split& data) {
       trustOfDirection({}, followingOf(data.train), nominal.delay, true).trusted &&
       trustOfOrders({}, estimate.candidates, nominal.a.size(), estimate.simulation_fit_percent)
           .trusted;
-  return is_plant && agrees(estimate, kAnyLevel) &&
+  return is_plant && !neverDecays(nominal, longestOf(data.train)) && agrees(estimate, kAnyLevel) &&
          estimate.simulation_fit_percent.value_or(0) >= kUseful &&
          simulationFitOf(estimate).value_or(0) >= kUseful;
 }

@@ -71,8 +71,10 @@ class Explaining {
 /// Gives the free simulation a third of the time.
 void Explaining::searchSimulation(const Split& data) {
   const ExplanationOptions& asked = configuration_.explanation;
+  const Offsets offsets = configuration_.estimation.offsets;
+  const bool own_levels = offsets == Offsets::automatic || offsets == Offsets::per_experiment;
   const SimulationSearchOptions options{
-      asked.max_causes, asked.time_limit / 3, asked.exclude,
+      asked.max_causes, own_levels, asked.time_limit / 3, asked.exclude,
       [this](const std::string& doing) { return progress_.report(doing, 0, std::nullopt); }};
   const std::vector<Experiment> held = data.fitted_to ? std::vector<Experiment>() : data.held;
   explanation_.simulation = explainSimulation(data.train, held, options, &pool_);
@@ -180,8 +182,7 @@ void Explaining::addWithCommonOffset(const Split& data, const std::vector<Spoilt
 }
 
 SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt) {
-  std::vector<SearchOutcome> outcomes =
-      outcomesWith(offsetsOfBaseModel(asked_, data.train), data, spoilt);
+  auto outcomes = outcomesWith(configuration_.estimation.offsets, data, spoilt);
   addWithCommonOffset(data, spoilt, &outcomes);
   SearchOutcome* const best = bestOf(&outcomes, configuration_.explanation.acceptance);
   explanation_.warnings = best->estimate.warnings;
@@ -205,6 +206,7 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   const std::vector<RejectedExperiment> rejected = leaveOutUnusable(configuration_, &data);
   const std::optional<SpoiltSamples> stray = maskStray(&configuration_, &data);
   following_ = followingOf(data.train);
+  configuration_.estimation.offsets = offsetsOfBaseModel(asked_, data.train);
   searchSimulation(data);
   leading_curves_ = leadingCurves(explanation_.simulation);
   const Split whole = data;
@@ -253,10 +255,11 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
   explanation_.checks_after = checkResiduals(found.fit, found.train, found.heavy_tails);
   addFailedPredictions(&explanation_);
   addUnclearDirection(following_, ordersAreChosen(), &explanation_);
-  const bool passed = allPassed(explanation_.checks_after);
+  const bool passed_before = allPassed(explanation_.checks_before),
+             passed = allPassed(explanation_.checks_after);
   for (const FoundCause& cause : found.causes) {
     if (cause.effect->has(Trait::feedback)) explanation_.warnings.push_back(kFeedback);
-    const std::string reason = reasonNotToName(cause, found, passed);
+    const std::string reason = reasonNotToName(cause, found, passed_before, passed);
     if (reason.empty())
       explanation_.causes.push_back(described(cause, found, !progress_.outOfTime()));
     else

@@ -76,22 +76,26 @@ VectorXd filtered(const VectorXd& filter, const VectorXd& x) {
 // Feedback makes the input depend on earlier noise. What is new in the input is therefore compared
 // with what was new in the earlier residuals; without feedback it is independent of all that was
 // before it, whatever the residuals hold.
-double feedbackProbability(const Residuals& residuals, const FitData& data) {
+FeedbackTest testFeedback(const Residuals& residuals, const FitData& data) {
   constexpr Index kLags = 4;                   // at which a loop answers
   constexpr Index kFirstLate = 9, kLate = 16;  // at which it has answered
-  constexpr double kNone = 1, kPeculiar = 1e-3;
+  constexpr double kPeculiar = 1e-3;
   Predictor of_input, of_residual;
   forEachExperiment(residuals, data, [&](const VectorXd& u, const VectorXd& w) {
     of_input.add(u);
     of_residual.add(w);
   });
   const VectorXd input_filter = of_input.filter(), residual_filter = of_residual.filter();
-  if (input_filter.size() == 0 || residual_filter.size() == 0) return kNone;
+  if (input_filter.size() == 0 || residual_filter.size() == 0) return {};
   const Index all = kFirstLate + kLate - 1;
   Eigen::ArrayXd products = Eigen::ArrayXd::Zero(all),
                  squares = Eigen::ArrayXd::Constant(all, 1e-300);
+  double power_of_input = 0, power_of_noise = 0, samples = 0;
   forEachExperiment(residuals, data, [&](const VectorXd& u, const VectorXd& w) {
     const VectorXd new_input = filtered(input_filter, u), noise = filtered(residual_filter, w);
+    power_of_input += new_input.squaredNorm();
+    power_of_noise += noise.squaredNorm();
+    samples += static_cast<double>(noise.size());
     for (Index k = 1; k <= std::min<Index>(all, noise.size() - 1); ++k) {
       const Index count = noise.size() - k;
       const Eigen::ArrayXd product = noise.head(count).array() * new_input.tail(count).array();
@@ -103,8 +107,10 @@ double feedbackProbability(const Residuals& residuals, const FitData& data) {
   // An input that fifteen samples do not predict, but a longer past does, correlates with whatever
   // the residuals hold of that past: at all lags, and not only while a loop answers.
   const double ratio = statistics.head(kLags).mean() / std::max(statistics.tail(kLate).mean(), 1.0);
-  if (!(fisherTail(ratio, kLags, kLate) < kPeculiar)) return kNone;
-  return chiSquaredTail(statistics.head(kLags).sum(), kLags, kNone);
+  if (!(fisherTail(ratio, kLags, kLate) < kPeculiar)) return {};
+  const double by_chance = kLags / samples;
+  const double share = products.head(kLags).square().sum() / (power_of_input * power_of_noise);
+  return {chiSquaredTail(statistics.head(kLags).sum(), kLags, 1), share - by_chance};
 }
 
 }  // namespace uncertainty_identification

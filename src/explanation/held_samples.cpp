@@ -7,6 +7,16 @@
 namespace uncertainty_identification {
 namespace {
 
+/// Whether two samples are one reading, which is the newest at both points of the grid where the
+/// stamps are irregular.
+bool isSameReading(const Experiment& experiment, int t) {
+  constexpr double kRounding = 1e-3;                        // of the sample time
+  const Eigen::VectorXd& offset = experiment.stamp_offset;  // [s], of the stamp from the grid
+  if (offset.size() == 0) return false;
+  const double apart = offset[t] - offset[t - 1] + experiment.sample_time;
+  return std::abs(apart) < kRounding * experiment.sample_time;
+}
+
 /// How often values strictly between the extremes occur again. A sensor of fine resolution repeats
 /// values only while it holds them.
 long repeats(const std::vector<double>& sorted) {
@@ -78,8 +88,9 @@ bool repeatsCoarseSteps(const std::vector<Experiment>& experiments, double low, 
 }  // namespace
 
 bool isHeld(const Experiment& experiment, int t, double low, double high) {
-  return t > 0 && experiment.isValid(t) && experiment.isValid(t - 1) &&
-         experiment.y[t] == experiment.y[t - 1] && experiment.y[t] > low && experiment.y[t] < high;
+  return t > 0 && !isSameReading(experiment, t) && experiment.isValid(t) &&
+         experiment.isValid(t - 1) && experiment.y[t] == experiment.y[t - 1] &&
+         experiment.y[t] > low && experiment.y[t] < high;
 }
 
 double heldShare(const std::vector<Experiment>& experiments, const std::vector<double>& sorted) {

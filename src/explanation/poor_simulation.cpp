@@ -150,7 +150,7 @@ void tellFit(Explanation* explanation) {
       saysLittle(explanation->before.trust, explanation->simulation)) {
     explanation->verdict = Verdict::unknown;
     explanation->message =
-        "the checks of the residuals find nothing wrong, but the data are too few, and the model "
+        "the checks of the residuals find nothing wrong, but the data show little, and the model "
         "is not to be relied on: " +
         withoutAdvice(explanation->before.trust.reasons.front());
   }
@@ -171,7 +171,7 @@ void tellFit(Explanation* explanation) {
 }  // namespace
 
 bool saysLittle(const Trust& trust, const SimulationCauses& simulation) {
-  return simulation.skipped.rfind("fewer than", 0) == 0 && !trust.trusted && !trust.reasons.empty();
+  return !simulation.skipped.empty() && !trust.trusted && !trust.reasons.empty();
 }
 
 void warnOfPoorSimulation(Explanation* explanation) {

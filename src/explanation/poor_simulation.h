@@ -10,8 +10,8 @@ namespace uncertainty_identification {
 /// that such causes do not change it.
 void warnOfPoorSimulation(Explanation* explanation);
 
-/// Whether nothing was looked for, since the data are too few, in a model that is not to be relied
-/// on: tests that pass say little then.
+/// Whether nothing was looked for, since the data or the steps of the input are too few, in a model
+/// that is not to be relied on: tests that pass say little then.
 bool saysLittle(const Trust& trust, const SimulationCauses& simulation);
 
 }  // namespace uncertainty_identification

@@ -103,9 +103,12 @@ bool dependsOnInput(const SearchState& state) {
 /// without any feedback: it has to be overwhelming.
 void addFeedback(const Effects& effects, SearchState* base, SearchState* found) {
   constexpr double kFeedback = 1e-4, kOverwhelming = 1e-20;  // p-value
-  const double p_value = feedbackProbability(residualsOf(found->fit, found->train), found->train);
-  if (p_value >= kFeedback) return;
-  if (p_value >= kOverwhelming && dependsOnInput(*found)) {
+  constexpr double kMuch =
+      0.1;  // of what is new in the input: many samples make little significant
+  const FeedbackTest test = testFeedback(residualsOf(found->fit, found->train), found->train);
+  if (test.p_value >= kFeedback) return;
+  const bool is_overwhelming = test.p_value < kOverwhelming && test.share > kMuch;
+  if (!is_overwhelming && dependsOnInput(*found)) {
     if (base->remark.empty()) base->remark = kMayBeFeedback;
     return;
   }

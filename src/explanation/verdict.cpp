@@ -5,6 +5,7 @@
 #include <set>
 
 #include "data/text.h"
+#include "explanation/acceptance.h"
 #include "explanation/input_lines.h"
 #include "explanation/prediction_checks.h"
 #include "explanation/residual_checks.h"
@@ -126,11 +127,25 @@ bool isSymptom(const FoundCause& found, const SearchState& state) {
   });
 }
 
-std::string reasonNotToName(const FoundCause& found, const SearchState& state, bool passed) {
+bool isBesideSimulation(const FoundCause& found) {
+  constexpr double kSame = 0.99;  // of the squared error
+  constexpr double kMuch = 100;   // [nats]
+  const Effect& effect = *found.effect;
+  return found.gain && found.score > 0 && found.score < kMuch && !isOfMixture(effect) &&
+         !effect.has(Trait::by_experiment) && errorRatio(*found.gain) > kSame;
+}
+
+std::string reasonNotToName(const FoundCause& found, const SearchState& state, bool passed_before,
+                            bool passed) {
   if (found.may_be_order)
     return named(*found.effect) +
            ": the orders of the model were chosen, not stated, and one order more may be all that "
            "this describes; it is not named as a cause";
+  if (passed_before && isBesideSimulation(found))
+    return named(*found.effect) + " makes the data more likely by " + rounded(found.score) +
+           " nats, but all tests pass without it, and the simulation is the same with it: it may "
+           "only be a better guess of the states that the records begin from; it is not named as a "
+           "cause";
   if (isLineOfInput(found, state))
     return named(*found.effect) +
            ": the input has a line in its spectrum there, or at a fraction of that frequency, so "
@@ -158,7 +173,7 @@ void doubtAgreement(const SearchState& found, Explanation* explanation) {
   double gain = 0;
   std::string names;
   for (const FoundCause& cause : found.causes) {
-    if (!isInEveryExperiment(cause)) continue;
+    if (!isInEveryExperiment(cause) || isBesideSimulation(cause)) continue;
     gain += cause.score;
     names = joined(names, named(*cause.effect));
   }

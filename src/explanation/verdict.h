@@ -6,8 +6,15 @@
 namespace uncertainty_identification {
 
 /// Why an accepted cause is described by the model and not named, as a sentence; empty where it is
-/// named. `passed`: all tests of the residuals pass with the causes.
-std::string reasonNotToName(const FoundCause& found, const SearchState& state, bool passed);
+/// named. `passed_before` and `passed`: all tests of the residuals pass without the causes, and
+/// with them.
+std::string reasonNotToName(const FoundCause& found, const SearchState& state, bool passed_before,
+                            bool passed);
+
+/// Whether a cause raises the likelihood by less than 100 nats and leaves the simulation of
+/// held-out data as it is. Where all tests pass without it, it may be no more than a better guess
+/// of the states that slow plants begin from.
+bool isBesideSimulation(const FoundCause& found);
 
 /// Whether a cause, while some check still fails, may be only a symptom of something that the
 /// catalogue lacks. That is so for every cause of the noise and for hum, which resonances that the

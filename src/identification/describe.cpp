@@ -2,6 +2,7 @@
 #include "estimation/linearisation.h"
 #include "estimation/selection.h"
 #include "identification/mean_plant.h"
+#include "identification/odd_experiments.h"
 #include "identification/steps.h"
 #include "identification/structure_fit.h"
 #include "math/information_criterion.h"
@@ -78,9 +79,8 @@ Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* jo
   estimate.experiments = describeExperiments(problem, fitted);
   describeParameters(problem, fitted, journal, &estimate);
   if (problem.plant) {
-    const EstimationOptions& options = estimate.configuration.estimation;
-    (options.offset_side == OffsetSide::input ? estimate.offset_u : estimate.offset_y) =
-        problem.plant->offset;
+    const OffsetSide side = estimate.configuration.estimation.offset_side;
+    (side == OffsetSide::input ? estimate.offset_u : estimate.offset_y) = problem.plant->offset;
   }
   estimate.residual_tests = testsOf(problem, fitted, journal);
   estimate.log_likelihood = optimum.log_likelihood;
@@ -94,10 +94,16 @@ Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* jo
           mixtureParameters(problem.configuration, model.regressors(), point.mixture.components()),
           static_cast<double>(estimate.sample_count), estimate.experiment_count);
   estimate.variation = variationText(estimate, model);
+  const EstimationOptions& options = problem.configuration.estimation;
+  const double offset = offsetOf(problem, model, point);
+  const std::vector<Experiment>& experiments = problem.data.experiments;
   estimate.simulation_fit_percent =
-      meanPlantFit(model, point, offsetOf(problem, model, point), problem.configuration.estimation,
-                   problem.data.experiments)
-          .pooledFor(problem.configuration.estimation.offsets);
+      meanPlantFit(model, point, offset, options, experiments).pooledFor(options.offsets);
+  const std::string odd = oddExperiments(model, point, offset, options, experiments);
+  if (!odd.empty()) {
+    journal->warnings.push_back(odd);
+    estimate.variation += " Not all experiments belong together, as a warning tells.";
+  }
   estimate.trust = trustOf(fitted, estimate);
   journal->passes += fitted.likelihood->passes();
   return estimate;

@@ -51,7 +51,8 @@ enum class Trait {
   output_limit,   ///< may be seen in the samples: they crowd at the lowest or highest
   feedback,       ///< seen in the input: it depends on the output
   spectral_line,  ///< a line in the spectrum, as resonances that the model lacks have nearly, too
-  by_experiment   ///< of another size in each experiment, which one or two cannot show
+  by_experiment,  ///< of another size in each experiment, which one or two cannot show
+  constant        ///< a constant, which differs from the model's offset only where a record begins
 };
 
 /// A parameter of an effect.

@@ -112,5 +112,24 @@ TEST(FreeSimulation, PlayHoldsTheOutputWithinItsWidth) {
   }
 }
 
+/// A level is added to the output, and acts on nothing else.
+TEST(FreeSimulation, CountsFromALevelOfTheWindow) {
+  const SimulationWindow window = slowWaves();
+  CurveModel model = plantWith(Place::input, window);
+  const Eigen::Vector2d state(0.3, -0.2);
+  const Eigen::VectorXd without = simulated(model, window, state);
+  const Eigen::MatrixXd derivatives =
+      simulateFreely(model, tablesOf(model), window, state, true).derivatives;
+  model.own_level = true;
+  const Eigen::Vector3d initial(0.3, -0.2, 1.7);
+  EXPECT_NEAR((simulated(model, window, initial).array() - without.array() - 1.7).abs().maxCoeff(),
+              0, 1e-12);
+  const Eigen::MatrixXd with =
+      simulateFreely(model, tablesOf(model), window, initial, true).derivatives;
+  ASSERT_EQ(with.rows(), derivatives.rows() + 1);
+  EXPECT_NEAR((with.topRows(derivatives.rows()) - derivatives).cwiseAbs().maxCoeff(), 0, 1e-12);
+  EXPECT_TRUE((with.bottomRows(1).array() == 1).all());
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

@@ -55,7 +55,7 @@ Confirmed confirmed(const std::vector<FoundCurve>& causes, const std::vector<Fou
     searched.result.ended_early = windows.length == 90 && ended_early;
     return searched;
   };
-  const PlannedSearch searched = searchInWindows(ofSixty(), records(600), {}, search);
+  const PlannedSearch searched = searchInWindows(ofSixty(), records(720), {}, search);
   return {searched.refused, searched.found.result.causes};
 }
 
@@ -89,6 +89,20 @@ TEST(WindowSearch, NamesNothingThatThereWasNoTimeToConfirm) {
       << "found before the time was over";
 }
 
+/// A search may miss what it would accept.
+TEST(WindowSearch, SuggestsWhatWasFoundToTheSearchInOtherWindows) {
+  const WindowSearcher search = [&](const WindowPlan& windows, const CurveSearchLimits& limits,
+                                    Purpose purpose) {
+    EXPECT_EQ(limits.suggested != nullptr, purpose == Purpose::confirming);
+    if (limits.suggested) {
+      EXPECT_EQ(limits.suggested->causes.size(), 1u);
+    }
+    return with({found(Place::input, "dead_zone")}, windows.length <= 90 ? 1 : 0);
+  };
+  const PlannedSearch searched = searchInWindows(ofSixty(), records(720), {}, search);
+  EXPECT_EQ(searched.found.result.causes.size(), 1u);
+}
+
 TEST(WindowSearch, CovariatesAreAlikeWhateverTheirLag) {
   FoundCurve near = found(Place::covariate, "linear"), far = near, other = near;
   near.place.covariate = "heater";
@@ -99,8 +113,8 @@ TEST(WindowSearch, CovariatesAreAlikeWhateverTheirLag) {
 }
 
 TEST(WindowSearch, OtherWindowsAreLongerUnlessTheyWouldBeTooFew) {
-  EXPECT_EQ(withOtherWindows(ofSixty(), records(600)).length, 90);
-  EXPECT_EQ(withOtherWindows(ofSixty(), records(250)).length, 40);
+  EXPECT_EQ(withOtherWindows(ofSixty(), records(720)).length, 90);
+  EXPECT_EQ(withOtherWindows(ofSixty(), records(600)).length, 40) << "seven of 90";
 }
 
 TEST(WindowSearch, LongWindowsAreTwiceAsLongButNotTooFew) {
@@ -129,7 +143,7 @@ SimulationData unexplained() {
 /// The search for a dead zone that windows of some lengths show, and that leaves `share` of the
 /// squared error of held-out windows.
 PlannedSearch shownIn(const std::set<int>& lengths, double share, const std::string& refused = "") {
-  return searchInWindows(ofSixty(), records(600), {},
+  return searchInWindows(ofSixty(), records(720), {},
                          [&](const WindowPlan& windows, const CurveSearchLimits& limits, Purpose) {
                            const int most =
                                lengths.count(windows.length) > 0 ? limits.max_causes : 0;

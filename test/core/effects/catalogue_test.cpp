@@ -174,6 +174,7 @@ TEST(DataSummary, HoldsWhatEffectsChooseTheirScalesBy) {
 TEST(Traits, AreThoseThatTheEffectsDeclare) {
   EXPECT_EQ(findEffect(all(), Trait::feedback)->name(), "exp_feedback");
   EXPECT_EQ(findEffect(all(), Trait::new_component)->name(), "exp_mode");
+  EXPECT_EQ(findEffect(all(), Trait::constant)->name(), "act_offset");
   EXPECT_THROW(findEffect({}, Trait::feedback), std::logic_error);
   EXPECT_TRUE(hasTrait("sens_clip", Trait::output_limit));
   EXPECT_FALSE(hasTrait("sens_clip", Trait::feedback));

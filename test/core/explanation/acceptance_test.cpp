@@ -67,6 +67,14 @@ TEST(AcceptanceRules, RefuseWhatSimulatesWorse) {
   EXPECT_FALSE(simulatesAsWell(Named("act_deadzone"), simulated(80, std::nan(""))));
 }
 
+/// What states a record may begin from is not known, so that a constant beside the model's offset
+/// raises the likelihood wherever it makes these more usual.
+TEST(AcceptanceRules, AskAConstantForABetterSimulation) {
+  const Named offset("act_offset", {Trait::constant});
+  EXPECT_FALSE(simulatesAsWell(offset, simulated(80, 80.4)));
+  EXPECT_TRUE(simulatesAsWell(offset, simulated(80, 80.6)));
+}
+
 TEST(AcceptanceRules, ACauseHoldsWhileItNeitherLosesDensityNorFit) {
   Gain gain = gainOf(-1, 1);
   gain.nrmse_fit_percent = {80, 81};

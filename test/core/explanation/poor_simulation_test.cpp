@@ -68,11 +68,14 @@ TEST(PoorSimulation, NothingIsNotSaidOfFewDataByAModelThatIsNotTrusted) {
   Explanation searched = explanation;
   warnOfPoorSimulation(&searched);
   EXPECT_EQ(searched.verdict, Verdict::none) << "of enough data";
-  explanation.simulation.skipped = "fewer than 200 samples";
-  warnOfPoorSimulation(&explanation);
-  EXPECT_EQ(explanation.verdict, Verdict::unknown);
-  EXPECT_TRUE(test::mentions(explanation.message, "relied on: a pole is at the edge. The sim"))
-      << explanation.message;
+  for (const char* skipped : {"fewer than 200 samples", "the input makes fewer than six steps"}) {
+    Explanation little = explanation;
+    little.simulation.skipped = skipped;
+    warnOfPoorSimulation(&little);
+    EXPECT_EQ(little.verdict, Verdict::unknown);
+    EXPECT_TRUE(test::mentions(little.message, "relied on: a pole is at the edge. The sim"))
+        << little.message;
+  }
 }
 
 /// A fit of 99 % says that what is wrong is small.

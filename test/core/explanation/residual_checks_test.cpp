@@ -108,10 +108,14 @@ void closeLoop(double disturbance, std::mt19937_64* engine, Experiment* e) {
 
 TEST(Feedback, IsSeenInTheInputThatAnswersTheOutput) {
   const Judged open = judgedWith([](Experiment*) {});
-  EXPECT_GT(feedbackProbability(residualsOf(open.fit, open.data), open.data), 1e-3);
+  const FeedbackTest none = testFeedback(residualsOf(open.fit, open.data), open.data);
+  EXPECT_GT(none.p_value, 1e-3);
+  EXPECT_LT(none.share, 0.005);
   std::mt19937_64 engine(2);
   const Judged closed = judgedWith([&](Experiment* e) { closeLoop(0, &engine, e); });
-  EXPECT_LT(feedbackProbability(residualsOf(closed.fit, closed.data), closed.data), 1e-4);
+  const FeedbackTest loop = testFeedback(residualsOf(closed.fit, closed.data), closed.data);
+  EXPECT_LT(loop.p_value, 1e-4);
+  EXPECT_GT(loop.share, 0.02) << "u answers w by -0.8 w, of variance 0.064, beside a reference";
 }
 
 // A sum of sines, some of them slow against the 15 samples of the predictor, and a
@@ -127,20 +131,20 @@ TEST(Feedback, IsNotSeenInAnInputThatRepeatsItself) {
       if (t + 1 < e->samples()) e->y[t + 1] += e->u[t] - before + 0.05 * std::pow(e->u[t], 3);
     }
   });
-  EXPECT_GT(feedbackProbability(residualsOf(open.fit, open.data), open.data), 1e-4);
+  EXPECT_GT(testFeedback(residualsOf(open.fit, open.data), open.data).p_value, 1e-4);
 }
 
 // What is slow in the residuals is larger than the noise that the loop answers to.
 TEST(Feedback, IsSeenBehindASlowDisturbance) {
   std::mt19937_64 engine(2);
   const Judged closed = judgedWith([&](Experiment* e) { closeLoop(0.3, &engine, e); });
-  EXPECT_LT(feedbackProbability(residualsOf(closed.fit, closed.data), closed.data), 1e-4);
+  EXPECT_LT(testFeedback(residualsOf(closed.fit, closed.data), closed.data).p_value, 1e-4);
   const Judged open = judgedWith([&](Experiment* e) {
     std::normal_distribution<double> normal;
     double slow = 0;
     for (int t = 0; t < e->samples(); ++t) e->y[t] += slow = 0.99 * slow + 0.3 * normal(engine);
   });
-  EXPECT_GT(feedbackProbability(residualsOf(open.fit, open.data), open.data), 1e-3);
+  EXPECT_GT(testFeedback(residualsOf(open.fit, open.data), open.data).p_value, 1e-3);
 }
 
 }  // namespace

@@ -188,6 +188,21 @@ TEST(SampleChecks, RepeatedValuesAreASensorThatHolds) {
   EXPECT_FALSE(kept[1].isValid(110));
 }
 
+/// Where the stamps are irregular, one reading may be the newest at two points of the grid.
+TEST(SampleChecks, AReadingThatIsTakenTwiceIsNoSensorThatHolds) {
+  std::vector<Experiment> experiments = noise();
+  experiments[1].sample_time = 0.1;
+  experiments[1].stamp_offset = Eigen::VectorXd::Zero(500);
+  for (int t = 10; t < 500; t += 100) {
+    experiments[1].y[t] = experiments[1].y[t - 1];
+    experiments[1].stamp_offset[t] = -0.06;
+    experiments[1].stamp_offset[t - 1] = 0.04;
+  }
+  EXPECT_TRUE(checkSamples(experiments).empty());
+  experiments[1].stamp_offset.setConstant(0.01);
+  EXPECT_EQ(checkSamples(experiments).size(), 1u) << "readings of their own that repeat";
+}
+
 /// A motor whose friction lets it move only where the input exceeds it, read by an encoder of whole
 /// steps; `loses`: instead, it always moves, and one reading in ten is the last one again.
 std::vector<Experiment> encoder(bool loses) {

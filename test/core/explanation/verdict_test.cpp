@@ -38,9 +38,34 @@ SearchState with(const std::vector<FoundCause>& causes) {
 
 TEST(ReasonNotToName, IsThatTheOrdersWereChosen) {
   FoundCause lag = found("plant_pole", 100);
-  EXPECT_EQ(reasonNotToName(lag, with({lag}), true), "");
+  EXPECT_EQ(reasonNotToName(lag, with({lag}), false, true), "");
   lag.may_be_order = true;
-  EXPECT_TRUE(test::mentions(reasonNotToName(lag, with({lag}), true), "orders of the model"));
+  EXPECT_TRUE(
+      test::mentions(reasonNotToName(lag, with({lag}), false, true), "orders of the model"));
+}
+
+/// 1 % of the squared error at a fit of 80 % is a fit of 80.1 %.
+TEST(ReasonNotToName, IsThatTestsPassWithoutItAndTheSimulationIsTheSame) {
+  FoundCause zone = found("act_deadzone", 60);
+  const auto reason = [&](bool passed_before) {
+    return reasonNotToName(zone, with({zone}), passed_before, true);
+  };
+  EXPECT_EQ(reason(true), "") << "nothing was measured";
+  zone.gain = Gain();
+  zone.gain->nrmse_fit_percent = {80, 80.05};
+  EXPECT_TRUE(test::mentions(reason(true), "by 60 nats"));
+  EXPECT_EQ(reason(false), "");
+  zone.gain->nrmse_fit_percent.after = 80.2;
+  EXPECT_EQ(reason(true), "");
+  zone.gain->nrmse_fit_percent.after = 80;
+  zone.score = 101;
+  EXPECT_EQ(reason(true), "") << "far more likely";
+  for (const Trait trait : {Trait::of_mixture, Trait::by_experiment}) {
+    FoundCause spread = zone;
+    spread.score = 60;
+    spread.effect = std::make_shared<Idle>("spread", std::vector<Trait>{trait});
+    EXPECT_EQ(reasonNotToName(spread, with({spread}), true, true), "") << "changes no mean";
+  }
 }
 
 /// A bias of the sensor has nothing left to describe beside an offset of the actuator, nor the
@@ -74,6 +99,11 @@ TEST(DoubtAgreement, IsOfCausesThatChangeEveryExperimentAndAreNotNamed) {
   FoundCause lag = found("plant_pole", 100);
   lag.may_be_order = true;
   EXPECT_EQ(verdictBeside(lag), Verdict::none);
+  FoundCause beside = found("act_ratelimit", 60);
+  EXPECT_EQ(verdictBeside(beside), Verdict::unknown);
+  beside.gain = Gain();
+  beside.gain->nrmse_fit_percent = {80, 80};
+  EXPECT_EQ(verdictBeside(beside), Verdict::none) << "the simulation is the same with it";
   for (const Trait trait : {Trait::of_noise, Trait::of_mixture, Trait::by_experiment}) {
     FoundCause other = found("another", 100);
     other.effect = std::make_shared<Idle>("another", std::vector<Trait>{trait});
@@ -83,18 +113,19 @@ TEST(DoubtAgreement, IsOfCausesThatChangeEveryExperimentAndAreNotNamed) {
 
 TEST(ReasonNotToName, IsThatTestsFailAndItMayBeASymptom) {
   const FoundCause first = found("act_deadzone", 100), second = found("sens_hum", 50);
-  EXPECT_EQ(reasonNotToName(first, with({first, second}), false), "");
-  EXPECT_EQ(reasonNotToName(second, with({first, second}), true), "");
-  EXPECT_TRUE(test::mentions(reasonNotToName(second, with({first, second}), false), "symptom"));
+  EXPECT_EQ(reasonNotToName(first, with({first, second}), false, false), "");
+  EXPECT_EQ(reasonNotToName(second, with({first, second}), false, true), "");
+  EXPECT_TRUE(
+      test::mentions(reasonNotToName(second, with({first, second}), false, false), "symptom"));
 }
 
 /// A resonance that the model lacks leaves nearly a line in the spectrum of the residuals.
 TEST(ReasonNotToName, IsThatTestsFailAndALineMayBeAResonance) {
   FoundCause line = found("some_line", 100);
-  EXPECT_EQ(reasonNotToName(line, with({line}), false), "");
+  EXPECT_EQ(reasonNotToName(line, with({line}), false, false), "");
   line.effect = std::make_shared<Idle>("some_line", std::vector<Trait>{Trait::spectral_line});
-  EXPECT_TRUE(test::mentions(reasonNotToName(line, with({line}), false), "symptom"));
-  EXPECT_EQ(reasonNotToName(line, with({line}), true), "");
+  EXPECT_TRUE(test::mentions(reasonNotToName(line, with({line}), false, false), "symptom"));
+  EXPECT_EQ(reasonNotToName(line, with({line}), false, true), "");
 }
 
 TEST(ReasonNotToName, IsThatASingleRecordDoesNotTellNoiseFromMisfit) {
@@ -106,14 +137,14 @@ TEST(ReasonNotToName, IsThatASingleRecordDoesNotTellNoiseFromMisfit) {
   noise.gain->log_density = 20;
   SearchState state{{}, FitData({record}), FitData({record}), {noise}, {}};
   state.fitted_to = true;
-  EXPECT_TRUE(test::mentions(reasonNotToName(noise, state, true), "single record"));
-  EXPECT_EQ(reasonNotToName(found("act_deadzone", 100), state, true), "");
+  EXPECT_TRUE(test::mentions(reasonNotToName(noise, state, false, true), "single record"));
+  EXPECT_EQ(reasonNotToName(found("act_deadzone", 100), state, false, true), "");
   state.fitted_to = false;
-  EXPECT_EQ(reasonNotToName(noise, state, true), "") << "another record confirms it";
+  EXPECT_EQ(reasonNotToName(noise, state, false, true), "") << "another record confirms it";
   noise.gain->log_density = 2;
-  EXPECT_TRUE(test::mentions(reasonNotToName(noise, state, true), "single record"));
+  EXPECT_TRUE(test::mentions(reasonNotToName(noise, state, false, true), "single record"));
   state.train = FitData({record, record});
-  EXPECT_EQ(reasonNotToName(noise, state, true), "");
+  EXPECT_EQ(reasonNotToName(noise, state, false, true), "");
 }
 
 TEST(Conclude, SaysThatWhatIsWrongIsNotNamed) {

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "uncertainty_identification/estimation/estimate.h"
+#include "uncertainty_identification/explanation/explanation.h"
+
+namespace uncertainty_identification {
+
+/// Whether a line in the spectrum is among the causes, and the model without them has it as well:
+/// as poles of plant or noise of this frequency, whose oscillation hardly decays within `samples`
+/// samples, an experiment's length. That the model passes its tests is then no reason against the
+/// cause: an oscillation that nothing damps comes from outside.
+bool hasLineAsPoles(const std::vector<Cause>& causes, const NominalModelEstimate& without,
+                    double samples);
+
+/// Whether the plant oscillates, and loses less than a tenth of it in an experiment of so many
+/// samples. No machine does: it is hum, or another line of the noise, whatever its tests say.
+bool neverDecays(const NominalModelEstimate& plant, double samples);
+
+}  // namespace uncertainty_identification

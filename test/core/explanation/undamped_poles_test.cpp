@@ -1,0 +1,65 @@
+#include "explanation/undamped_poles.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr double kSampleTime = 0.01, kSamples = 1000, kFrequency = 60;  // [rad/s]
+
+Cause at(const std::string& name, double frequency) {
+  Cause cause;
+  cause.name = name;
+  cause.parameters = {{"amplitude", "", 1, 0, 1, 1}, {"frequency", "rad/s", frequency, 0, 0, 0}};
+  return cause;
+}
+
+Eigen::VectorXd pairOf(double radius) {
+  return Eigen::Vector2d(-2 * radius * std::cos(kFrequency * kSampleTime), radius * radius);
+}
+
+bool isHeld(const Cause& cause, double radius_of_plant, double radius_of_noise) {
+  NominalModelEstimate model;
+  model.sample_time = kSampleTime;
+  model.a = pairOf(radius_of_plant);
+  model.d = pairOf(radius_of_noise);
+  return hasLineAsPoles({cause}, model, kSamples);
+}
+
+TEST(HasLineAsPoles, OfPlantOrNoiseThatHardlyDecayWithinAnExperiment) {
+  const Cause hum = at("sens_hum", kFrequency);
+  EXPECT_TRUE(isHeld(hum, 0.9999, 0.5));
+  EXPECT_TRUE(isHeld(hum, 0.5, 0.9999));
+  EXPECT_FALSE(isHeld(hum, 0.97, 0.97)) << "33 samples to decay, of 1000";
+}
+
+TEST(NeverDecays, IsOfAnOscillationThatLosesLessThanATenthInAnExperiment) {
+  const auto decays = [](const Eigen::VectorXd& a) {
+    NominalModelEstimate plant;
+    plant.a = a;
+    return !neverDecays(plant, kSamples);
+  };
+  EXPECT_FALSE(decays(pairOf(0.99995))) << "5 % in 1,000 samples";
+  EXPECT_TRUE(decays(pairOf(0.9995))) << "40 %";
+  EXPECT_TRUE(decays(Eigen::VectorXd::Constant(1, -1))) << "an integrator";
+  EXPECT_TRUE(decays(Eigen::Vector2d(-1.9999, 0.9999))) << "and a slow pole";
+  EXPECT_TRUE(decays({}));
+}
+
+TEST(HasLineAsPoles, OfThatFrequency) {
+  EXPECT_TRUE(isHeld(at("sens_hum", kFrequency + 0.3), 0.9999, 0.5)) << "half of the resolution";
+  EXPECT_FALSE(isHeld(at("sens_hum", kFrequency + 3), 0.9999, 0.5));
+}
+
+TEST(HasLineAsPoles, IsAskedOfLinesOnly) {
+  EXPECT_FALSE(isHeld(at("plant_resonance", kFrequency), 0.9999, 0.9999));
+  EXPECT_FALSE(hasLineAsPoles({}, {}, kSamples));
+  NominalModelEstimate static_gain;
+  static_gain.sample_time = kSampleTime;
+  EXPECT_FALSE(hasLineAsPoles({at("sens_hum", kFrequency)}, static_gain, kSamples));
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
