@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "curves/fit_comparison.h"
 #include "curves/held_out.h"
 #include "curves/prediction_check.h"
 #include "curves/search_from.h"
@@ -41,7 +42,17 @@ CurveSearchResult refitted(const CurveSearchResult& other, const SimulationData&
   found.fit.model.initial.clear();
   found.fit = fitFreely(data, found.fit.model, context.limits(15));
   found.held_error = heldOutErrors(held, found.fit.model).sum();
+  found.ended_early = !context.going_on();
   return found;
+}
+
+/// Whether a cause that was found in other windows explains unseen windows so much better than what
+/// these show by themselves, and significantly.
+bool isConfirmed(const CurveSearchResult& found, const CurveSearchResult& best,
+                 const SimulationData& held, const CurveSearchLimits& limits) {
+  return standsForOrders(found, best) &&
+         pairedT(unseenErrors(best.fit, held), unseenErrors(found.fit, held)) >=
+             limits.least_held_t;
 }
 
 }  // namespace
@@ -54,8 +65,12 @@ bool isBetter(const CurveSearchResult& other, const CurveSearchResult& than, dou
   return ratio < 0.7 && than.fit.left_out - other.fit.left_out > least_share * than.base.left_out;
 }
 
-CurveSearchResult searchCurves(const SimulationData& data, const SimulationData& held,
-                               const CurveSearchLimits& limits, const CurveSearchContext& context) {
+namespace {
+
+/// The best of the searches from several linear plants.
+CurveSearchResult bestOfSearches(const SimulationData& data, const SimulationData& held,
+                                 const CurveSearchLimits& limits,
+                                 const CurveSearchContext& context) {
   if (context.tell) context.tell("fitting the smallest plant");
   const LinearPlants linear = fitLinearPlants(data, limits.candidates.max_order, context);
   // Before the searches, which may take all the time: without it, a mode may pass for a curve.
@@ -64,14 +79,17 @@ CurveSearchResult searchCurves(const SimulationData& data, const SimulationData&
     return searchFrom(base, data, held, linear, limits, context);
   };
   CurveSearchResult best;
+  const auto take = [&best](CurveSearchResult found) {
+    found.base = std::move(best.base);
+    best = std::move(found);
+  };
   for (const WindowFit& base : linear.starts) {
     CurveSearchResult found = from(base);
     if (best.base.parameters() == 0) {
       best = std::move(found);
       if (best.causes.empty()) break;  // one order more only tells which of several places it is
     } else if (isBetter(found, best, limits.least_share)) {
-      found.base = std::move(best.base);
-      best = std::move(found);
+      take(std::move(found));
     }
   }
   if (modal) {
@@ -87,29 +105,38 @@ CurveSearchResult searchCurves(const SimulationData& data, const SimulationData&
   if (best.base.model.order > 1 && fitOfBest() < limits.good_fit && context.going_on()) {
     CurveSearchResult found = from(linear.of_order.front());
     const bool is_believed = best.causes.empty() || isBetter(found, best, limits.least_share);
-    if (!found.causes.empty() && standsForOrders(found, best) && is_believed) {
-      found.base = std::move(best.base);
-      best = std::move(found);
-    }
+    if (!found.causes.empty() && standsForOrders(found, best) && is_believed)
+      take(std::move(found));
   }
   if (limits.suggested && context.going_on()) {
     CurveSearchResult found = refitted(*limits.suggested, data, held, context);
-    if (standsForOrders(found, best)) {
-      found.base = std::move(best.base);
-      best = std::move(found);
-    }
+    if (isConfirmed(found, best, held, limits)) take(std::move(found));
   }
+  return best;
+}
+
+/// Drops causes that do not simulate held-out windows better than the linear plant: they are none
+/// of its errors.
+CurveSearchResult believed(CurveSearchResult best, const SimulationData& data,
+                           const SimulationData& held, const CurveSearchLimits& limits) {
   const double base_error = heldOutErrors(held, best.base.model).sum();
-  const bool is_poor = fitOfBest() < limits.least_fit;
+  const bool is_poor =
+      heldOutFit(held, Eigen::VectorXd::Constant(1, best.held_error)) < limits.least_fit;
   const bool is_better = !is_poor && best.held_error < (1 - limits.least_gain) * base_error;
   if (best.causes.empty() || (is_better && !isControllersAnswer(data, held, limits, best)))
     return best;
-  // What does not simulate held-out windows better than the linear plant is no cause of its errors.
   best.refused = is_better ? std::move(best.causes) : std::vector<FoundCurve>();
   best.causes.clear();
   best.fit = best.base;
   best.held_error = base_error;
   return best;
+}
+
+}  // namespace
+
+CurveSearchResult searchCurves(const SimulationData& data, const SimulationData& held,
+                               const CurveSearchLimits& limits, const CurveSearchContext& context) {
+  return believed(bestOfSearches(data, held, limits, context), data, held, limits);
 }
 
 }  // namespace uncertainty_identification

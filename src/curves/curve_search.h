@@ -28,7 +28,7 @@ struct CurveSearchLimits {
   double least_prediction_t = 2;        ///< paired, over held-out windows
   double good_fit = 98.5;               ///< [%] below it, a plant of first order is tried as well
   double least_fit = 30;  ///< [%] held out, with the causes: a poor simulation names nothing
-  /// Causes of another search, which are taken where they simulate far better than those found.
+  /// A cause of another search, which is taken where it simulates far better than those found.
   const CurveSearchResult* suggested = nullptr;
 };
 

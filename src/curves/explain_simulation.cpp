@@ -19,7 +19,6 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kHalf = 0.5;
 constexpr int kFewestSamples = 200;
 constexpr int kFewestSteps = 6;
 constexpr const char* kFewSteps = "the input makes fewer than six steps";
@@ -178,14 +177,19 @@ class RecordSearch {
   SearchTime* time_;
 };
 
-/// Whether the one search ends with less than half of the other's error on held-out data, which
-/// both have in units of their own.
-bool simulatesFarBetter(const WindowSearch& one, const WindowSearch& other) {
+/// Whether the search with levels ends with less than half of the other's error on held-out data,
+/// which both have in units of their own; both begin windows from the best states. What found no
+/// cause does not replace what did.
+bool simulatesFarBetter(const WindowSearch& with_levels, const WindowSearch& other) {
+  constexpr double kHalf = 0.5;
   const auto error = [](const WindowSearch& search) {
     const double unit = search.kept.scales.y.unit;
-    return search.result.held_error * unit * unit / std::max(search.kept.samples, 1);
+    return errorFromBestStates(search.kept, search.result.fit.model) * unit * unit /
+           std::max(search.kept.samples, 1);
   };
-  return !one.kept.windows.empty() && error(one) < kHalf * error(other);
+  if (with_levels.kept.windows.empty()) return false;
+  if (with_levels.result.causes.empty() && !other.result.causes.empty()) return false;
+  return error(with_levels) < kHalf * error(other);
 }
 
 }  // namespace
@@ -212,17 +216,17 @@ SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
   constexpr double kOfLevels = 0.6;  // of the time
   SearchTime time(options);
   const RecordSearch search(options, found.skipped.empty(), pool, &time);
+  time.allow(kOfLevels);
   const auto levelled = options.own_levels && !compares
                             ? countedFromOwnLevels(fitted, held, plan, search.context())
                             : std::nullopt;
   PlannedSearch own;
   if (levelled) {
-    time.allow(kOfLevels);
     WindowPlan about_levels = planWindows(levelled->fitted);
     about_levels.own_levels = true;
     own = search.in(levelled->fitted, levelled->held, about_levels);
-    time.allow(1);
   }
+  time.allow(1);
   PlannedSearch searched = search.in(fitted, held, plan);
   std::vector<double> levels(held.empty() ? fitted.size() : held.size(), 0.0);
   found.own_levels = levelled && simulatesFarBetter(own.found, searched.found);

@@ -14,14 +14,15 @@ constexpr double kLargestError = 1e6;  ///< error of a simulation that diverges
 }  // namespace
 
 int seenSamples(const SimulationData& held, const CurveModel& model) {
-  if (model.own_level) return held.longest;
   return std::max({8 * model.order, held.longest / 10, 20});
 }
 
 std::vector<Eigen::VectorXd> heldOutSimulations(const SimulationData& held,
                                                 const CurveModel& model) {
   const std::vector<CurveTable> tables = tablesOf(model);
-  const std::vector<Eigen::VectorXd> initial = initialStates(held, model, seenSamples(held, model));
+  // Its first samples do not show a window's level.
+  const int seen = model.own_level ? held.longest : seenSamples(held, model);
+  const std::vector<Eigen::VectorXd> initial = initialStates(held, model, seen);
   std::vector<Eigen::VectorXd> outputs;
   for (std::size_t w = 0; w < held.windows.size(); ++w)
     outputs.push_back(simulateFreely(model, tables, held.windows[w], initial[w], false).y);
@@ -47,6 +48,12 @@ Eigen::VectorXd heldOutErrors(const SimulationData& held, const CurveModel& mode
     }
   }
   return Eigen::Map<Eigen::VectorXd>(errors.data(), static_cast<Eigen::Index>(errors.size()));
+}
+
+double errorFromBestStates(const SimulationData& held, const CurveModel& model) {
+  CurveModel from = model;
+  from.initial = initialStates(held, model, held.longest);
+  return simulationError(held, from);
 }
 
 Eigen::VectorXd unseenErrors(const WindowFit& fit, const SimulationData& held) {

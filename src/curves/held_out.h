@@ -14,11 +14,15 @@ namespace uncertainty_identification {
 /// samples, at least 20; together with a level of its own, from all.
 Eigen::VectorXd heldOutErrors(const SimulationData& held, const CurveModel& model);
 
+/// Squared error of simulating the windows, each from the initial values that fit all of its
+/// samples best.
+double errorFromBestStates(const SimulationData& held, const CurveModel& model);
+
 /// Squared errors of all windows that a fit has not seen: of those that it leaves out in turn, and
 /// of the held-out ones. What tells one place from another needs all the evidence there is.
 Eigen::VectorXd unseenErrors(const WindowFit& fit, const SimulationData& held);
 
-/// Number of first samples of each window that the initial values of its simulation are taken from.
+/// Number of first samples of each window that the initial state of its simulation is taken from.
 int seenSamples(const SimulationData& held, const CurveModel& model);
 
 /// Simulated outputs of the held-out windows, in the same way.

@@ -63,10 +63,11 @@ std::vector<double> subtractLevels(const CurveModel& model, const WindowPlan& wh
                                    std::vector<Experiment>* experiments) {
   const SimulationData data = windowsOf(*experiments, whole, scales, 0);
   const std::vector<Eigen::VectorXd> initial = initialStates(data, model, data.longest);
-  std::vector<double> levels;
-  for (std::size_t r = 0; r < experiments->size(); ++r) {
-    levels.push_back(initial[r][model.order] * scales.y.unit);
-    (*experiments)[r].y.array() -= levels.back();
+  std::vector<double> levels(experiments->size(), 0.0);
+  for (std::size_t w = 0; w < data.windows.size(); ++w) {  // none of records that are too short
+    const auto record = static_cast<std::size_t>(data.windows[w].record);
+    levels[record] = initial[w][model.order] * scales.y.unit;
+    (*experiments)[record].y.array() -= levels[record];
   }
   return levels;
 }

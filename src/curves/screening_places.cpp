@@ -36,7 +36,21 @@ Eigen::VectorXd joinedCovariate(const SimulationData& data, const std::string& n
   return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
 }
 
-/// A signal in the simulation, without the first sample of each window.
+/// From which the window's output is counted.
+double levelOf(const CurveModel& model, std::size_t window) {
+  return model.own_level ? model.initial[window][model.order] : 0;
+}
+
+/// The measured output of all windows, counted from their levels.
+Eigen::VectorXd outputOf(const SimulationData& data, const CurveModel& model) {
+  SimulationData counted = data;
+  for (std::size_t w = 0; w < counted.windows.size(); ++w)
+    counted.windows[w].y.array() -= levelOf(model, w);
+  return joined(counted, &SimulationWindow::y);
+}
+
+/// A signal in the simulation, without the first sample of each window. Outputs are counted from
+/// the windows' levels.
 Eigen::VectorXd simulatedSignal(const SimulationData& data, const CurveModel& model,
                                 Eigen::VectorXd FreeSimulation::*signal) {
   const std::vector<CurveTable> tables = tablesOf(model);
@@ -44,7 +58,8 @@ Eigen::VectorXd simulatedSignal(const SimulationData& data, const CurveModel& mo
   for (std::size_t w = 0; w < data.windows.size(); ++w) {
     const FreeSimulation simulated =
         simulateFreely(model, tables, data.windows[w], model.initial[w], false);
-    const Eigen::VectorXd& values = simulated.*signal;
+    Eigen::VectorXd values = simulated.*signal;
+    if (signal == &FreeSimulation::y) values.array() -= levelOf(model, w);
     all.insert(all.end(), values.data() + 1, values.data() + values.size());
   }
   return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
@@ -94,7 +109,7 @@ Curve curveAt(const SimulationData& data, const PlaceOf& at, CurveModel* model) 
     case Place::output_play:
       return Curve(at.place);
     default:
-      return {at.place, nullptr, joined(data, &SimulationWindow::y), scales.y.zero()};
+      return {at.place, nullptr, outputOf(data, *model), scales.y.zero()};
   }
 }
 

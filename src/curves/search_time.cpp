@@ -11,7 +11,8 @@ double SearchTime::seconds() const {
 bool SearchTime::goesOn() {
   const std::lock_guard<std::mutex> lock(telling_);
   cancelled_ = cancelled_ || (options_.progress && !options_.progress(doing_));
-  const double limit = options_.time_limit * share_ * (purpose_ == Purpose::confirming ? 2 : 1);
+  const bool may_confirm = purpose_ == Purpose::confirming && share_ == 1;
+  const double limit = options_.time_limit * (may_confirm ? 2 : share_);
   return !cancelled_ && (limit <= 0 || seconds() < limit);
 }
 

@@ -15,8 +15,8 @@ class SearchTime {
  public:
   explicit SearchTime(const SimulationSearchOptions& options);
 
-  /// Ends the next searches when this share of the limit is over, counted from the beginning, and
-  /// those that confirm what they found when twice of it is.
+  /// Ends the next searches when this share of the limit is over, counted from the beginning. With
+  /// all of it, those that confirm what was found end when twice of it is.
   void allow(double share) { share_ = share; }
   void setPurpose(Purpose purpose) { purpose_ = purpose; }
 

@@ -44,7 +44,7 @@ std::string confirm(const WindowPlan& plan, const WindowPlan& other, CurveSearch
                     const WindowSearcher& search, WindowSearch* searched) {
   const std::vector<FoundCurve> causes = searched->result.causes;
   CurveSearchLimits with_these = limits;  // a search may miss what it would accept
-  with_these.suggested = &searched->result;
+  if (causes.size() == 1) with_these.suggested = &searched->result;
   const CurveSearchResult again = search(other, with_these, Purpose::confirming).result;
   std::size_t confirmed = countConfirmed(causes, again.causes);
   if (confirmed == causes.size()) return "";

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "data/text.h"
+#include "estimation/excerpt.h"
 #include "explanation/measure.h"
 #include "explanation/named_causes.h"
 #include "explanation/poor_simulation.h"
@@ -160,19 +161,13 @@ bool makesLikelier(const AnswerLikelihood& with, const Estimate& without,
          (!with.held_out || *with.held_out > without.validation.log_density_per_experiment);
 }
 
-double longestOf(const std::vector<Experiment>& experiments) {
-  int longest = 1;
-  for (const Experiment& each : experiments) longest = std::max(longest, each.samples());
-  return longest;
-}
-
 /// Whether the answer of the search remains beside this model.
 bool stands(const Explanation& explanation, const AnswerLikelihood& with_causes,
             const Estimate& without, const Split& data) {
   if (!agrees(without, kCheckThreshold) || makesLikelier(with_causes, without, explanation))
     return true;
   if (!leadingCurves(explanation.simulation).empty() && !without.trust.trusted) return true;
-  if (hasLineAsPoles(explanation.causes, without.nominal_model, longestOf(data.train))) return true;
+  if (standsForALine(explanation, without.nominal_model, longestOf(data.train))) return true;
   const bool passed_before = allPassed(explanation.checks_before);
   const std::optional<double> fit = fitAboutCommonMean(without, data);
   return std::any_of(explanation.causes.begin(), explanation.causes.end(), [&](const Cause& cause) {

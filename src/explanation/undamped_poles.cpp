@@ -13,7 +13,7 @@ namespace {
 
 /// Whether the polynomial has such a root at `frequency` [rad/sample].
 bool hasUndampedRoot(const Eigen::VectorXd& monic, double frequency, double samples) {
-  constexpr double kDecay = 5;  // time constants in an experiment, at most
+  constexpr double kDecay = 0.5;  // time constants in an experiment, at most
   if (monic.size() < 2) return false;
   const Eigen::VectorXcd all = roots(monic);
   for (Eigen::Index k = 0; k < all.size(); ++k) {
@@ -27,11 +27,13 @@ bool hasUndampedRoot(const Eigen::VectorXd& monic, double frequency, double samp
 }  // namespace
 
 bool neverDecays(const NominalModelEstimate& plant, double samples) {
-  constexpr double kLost = 0.1;
+  constexpr double kLost = 0.1, kPeriods = 10;
   if (plant.a.size() < 2) return false;
   const Eigen::VectorXcd all = roots(plant.a);
-  for (Eigen::Index k = 0; k < all.size(); ++k)
-    if (all[k].imag() > 1e-9 && std::pow(std::abs(all[k]), samples) > 1 - kLost) return true;
+  for (Eigen::Index k = 0; k < all.size(); ++k) {
+    const bool oscillates = std::arg(all[k]) * samples > 2 * kPi * kPeriods && all[k].imag() > 1e-9;
+    if (oscillates && std::pow(std::abs(all[k]), samples) > 1 - kLost) return true;
+  }
   return false;
 }
 
@@ -47,6 +49,14 @@ bool hasLineAsPoles(const std::vector<Cause>& causes, const NominalModelEstimate
     return hasUndampedRoot(without.a, of_sample, samples) ||
            hasUndampedRoot(without.d, of_sample, samples);
   });
+}
+
+bool standsForALine(const Explanation& explanation, const NominalModelEstimate& without,
+                    double samples) {
+  if (explanation.causes.empty()) return false;
+  const bool is_named = explanation.verdict == Verdict::explained &&
+                        hasLineAsPoles(explanation.causes, without, samples);
+  return is_named || neverDecays(without, samples);
 }
 
 }  // namespace uncertainty_identification

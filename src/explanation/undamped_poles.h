@@ -14,8 +14,14 @@ namespace uncertainty_identification {
 bool hasLineAsPoles(const std::vector<Cause>& causes, const NominalModelEstimate& without,
                     double samples);
 
-/// Whether the plant oscillates, and loses less than a tenth of it in an experiment of so many
-/// samples. No machine does: it is hum, or another line of the noise, whatever its tests say.
+/// Whether the plant oscillates, by more than ten periods in an experiment of so many samples, and
+/// loses less than a tenth of it there. No machine does: it is hum, or another line of the noise,
+/// whatever its tests say.
 bool neverDecays(const NominalModelEstimate& plant, double samples);
+
+/// Whether the model without causes only stands for a line in the spectrum: one that is all that
+/// the explanation names beside differences, or one that never decays and that it does not name.
+bool standsForALine(const Explanation& explanation, const NominalModelEstimate& without,
+                    double samples);
 
 }  // namespace uncertainty_identification

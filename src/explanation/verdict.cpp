@@ -131,8 +131,11 @@ bool isBesideSimulation(const FoundCause& found) {
   constexpr double kSame = 0.99;  // of the squared error
   constexpr double kMuch = 100;   // [nats]
   const Effect& effect = *found.effect;
-  return found.gain && found.score > 0 && found.score < kMuch && !isOfMixture(effect) &&
-         !effect.has(Trait::by_experiment) && errorRatio(*found.gain) > kSame;
+  const bool acts_on_simulation = !isOfMixture(effect) && !isOfNoise(effect) &&
+                                  !effect.has(Trait::by_experiment) &&
+                                  !effect.has(Trait::spectral_line);
+  return acts_on_simulation && found.gain && found.score > 0 && found.score < kMuch &&
+         errorRatio(*found.gain) > kSame;
 }
 
 std::string reasonNotToName(const FoundCause& found, const SearchState& state, bool passed_before,

@@ -11,9 +11,9 @@ namespace uncertainty_identification {
 std::string reasonNotToName(const FoundCause& found, const SearchState& state, bool passed_before,
                             bool passed);
 
-/// Whether a cause raises the likelihood by less than 100 nats and leaves the simulation of
-/// held-out data as it is. Where all tests pass without it, it may be no more than a better guess
-/// of the states that slow plants begin from.
+/// Whether a cause that acts on the simulation raises the likelihood by less than 100 nats and
+/// leaves the simulation of held-out data as it is. Where all tests pass without it, it may be no
+/// more than a better guess of the states that slow plants begin from.
 bool isBesideSimulation(const FoundCause& found);
 
 /// Whether a cause, while some check still fails, may be only a symptom of something that the

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "data/text.h"
+#include "estimation/excerpt.h"
 #include "estimation/simulation_fit.h"
 #include "identification/mean_plant.h"
+#include "math/polynomial.h"
 #include "model/fixed_plant.h"
 
 namespace uncertainty_identification {
@@ -58,15 +60,21 @@ std::string oddExperiments(const LinearModel& model, const ModelParameters& poin
   constexpr std::size_t kFewest = 5;
   constexpr double kFar = 8, kMaterial = 0.25, kNormal = 1.4826;  // deviations; of the factor
   constexpr double kFollows = 0.5;                                // of the variance
+  constexpr double kTimeConstants = 3;  // in the longest experiment, at least
   if (experiments.size() < kFewest) return "";
   options.initial_state = InitialState::estimate;
-  const std::vector<Eigen::VectorXd> errors = simulationErrors(
-      *fixPlant(meanPlant(model, point), 0, 0), Eigen::VectorXd(0), offset, options, experiments);
+  options.offsets = Offsets::estimate;  // means are subtracted
+  const Polynomials plant = meanPlant(model, point);
+  // What a slow plant does by itself may look like an answer to the input.
+  if (!isStable(plant.a, std::exp(-kTimeConstants / longestOf(experiments)))) return "";
+  const std::vector<Eigen::VectorXd> errors =
+      simulationErrors(*fixPlant(plant, 0, 0), Eigen::VectorXd(0), offset, options, experiments);
   std::vector<double> factors, departures;
   std::vector<Multiple> multiples;
   for (std::size_t r = 0; r < experiments.size(); ++r) {
     multiples.push_back(multipleOf(experiments[r], errors[r]));
     factors.push_back(multiples.back().factor);
+    if (!std::isfinite(factors.back())) return "";
   }
   const double median = medianOf(factors);
   for (const double factor : factors) departures.push_back(std::abs(factor - median));

@@ -17,12 +17,15 @@ TEST(SearchTime, EndsAtAShareOfTheLimitAndLaterWhereASearchConfirms) {
   EXPECT_TRUE(context.going_on());
   time.allow(1e-12);
   EXPECT_FALSE(context.going_on());
-  options.time_limit = 1.5 * time.seconds();
-  time.allow(0.5);
+  time.allow(1);
+  options.time_limit = 0.75 * time.seconds();
+  time.setPurpose(Purpose::confirming);
+  EXPECT_TRUE(context.going_on()) << "a third of twice the limit is left";
+  time.setPurpose(Purpose::looking);
   EXPECT_FALSE(context.going_on());
-  options.time_limit = 1e3 * time.seconds();
-  time.allow(0.7e-3);
-  EXPECT_FALSE(context.going_on());
+  time.setPurpose(Purpose::confirming);
+  time.allow(0.99);
+  EXPECT_FALSE(context.going_on()) << "a part of the limit has no more for that";
 }
 
 TEST(SearchTime, HasNoLimitWhereNoneIsStated) {

@@ -32,7 +32,7 @@ TEST(HasLineAsPoles, OfPlantOrNoiseThatHardlyDecayWithinAnExperiment) {
   const Cause hum = at("sens_hum", kFrequency);
   EXPECT_TRUE(isHeld(hum, 0.9999, 0.5));
   EXPECT_TRUE(isHeld(hum, 0.5, 0.9999));
-  EXPECT_FALSE(isHeld(hum, 0.97, 0.97)) << "33 samples to decay, of 1000";
+  EXPECT_FALSE(isHeld(hum, 0.999, 0.999)) << "1,000 samples to decay, of 1,000";
 }
 
 TEST(NeverDecays, IsOfAnOscillationThatLosesLessThanATenthInAnExperiment) {

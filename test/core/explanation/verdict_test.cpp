@@ -60,7 +60,8 @@ TEST(ReasonNotToName, IsThatTestsPassWithoutItAndTheSimulationIsTheSame) {
   zone.gain->nrmse_fit_percent.after = 80;
   zone.score = 101;
   EXPECT_EQ(reason(true), "") << "far more likely";
-  for (const Trait trait : {Trait::of_mixture, Trait::by_experiment}) {
+  for (const Trait trait :
+       {Trait::of_mixture, Trait::by_experiment, Trait::of_noise, Trait::spectral_line}) {
     FoundCause spread = zone;
     spread.score = 60;
     spread.effect = std::make_shared<Idle>("spread", std::vector<Trait>{trait});
