@@ -28,6 +28,8 @@ struct CurveModel {
 
   /// Number of unknowns of each window.
   int initialValues() const { return order + (own_level ? 1 : 0); }
+  /// From which the output of a window is counted.
+  double levelOf(std::size_t window) const { return own_level ? initial[window][order] : 0; }
   int linearParameters() const { return 2 * order + (direct ? 1 : 0) + 1; }
   int biasIndex() const { return 2 * order + (direct ? 1 : 0); }
   double directGain() const { return direct ? theta[2 * order] : 0; }

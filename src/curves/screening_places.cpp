@@ -36,30 +36,23 @@ Eigen::VectorXd joinedCovariate(const SimulationData& data, const std::string& n
   return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
 }
 
-/// From which the window's output is counted.
-double levelOf(const CurveModel& model, std::size_t window) {
-  return model.own_level ? model.initial[window][model.order] : 0;
-}
-
 /// The measured output of all windows, counted from their levels.
 Eigen::VectorXd outputOf(const SimulationData& data, const CurveModel& model) {
   SimulationData counted = data;
   for (std::size_t w = 0; w < counted.windows.size(); ++w)
-    counted.windows[w].y.array() -= levelOf(model, w);
+    counted.windows[w].y.array() -= model.levelOf(w);
   return joined(counted, &SimulationWindow::y);
 }
 
-/// A signal in the simulation, without the first sample of each window. Outputs are counted from
-/// the windows' levels.
+/// A signal in the simulation, without the first sample of each window; outputs less their levels.
 Eigen::VectorXd simulatedSignal(const SimulationData& data, const CurveModel& model,
                                 Eigen::VectorXd FreeSimulation::*signal) {
   const std::vector<CurveTable> tables = tablesOf(model);
   std::vector<double> all;
   for (std::size_t w = 0; w < data.windows.size(); ++w) {
-    const FreeSimulation simulated =
-        simulateFreely(model, tables, data.windows[w], model.initial[w], false);
-    Eigen::VectorXd values = simulated.*signal;
-    if (signal == &FreeSimulation::y) values.array() -= levelOf(model, w);
+    Eigen::VectorXd values =
+        simulateFreely(model, tables, data.windows[w], model.initial[w], false).*signal;
+    if (signal == &FreeSimulation::y) values.array() -= model.levelOf(w);
     all.insert(all.end(), values.data() + 1, values.data() + values.size());
   }
   return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
