@@ -178,17 +178,20 @@ class RecordSearch {
 };
 
 /// Whether the search with levels ends with less than half of the other's error on held-out data,
-/// which both have in units of their own; both begin windows from the best states. What found no
-/// cause does not replace what did.
+/// which both have in units of their own; both begin windows from the best states. Causes with
+/// which the other simulates well stand: friction, for example, makes levels of its own. No causes
+/// do not take the place of causes.
 bool simulatesFarBetter(const WindowSearch& with_levels, const WindowSearch& other) {
-  constexpr double kHalf = 0.5;
+  constexpr double kHalf = 0.5, kWell = 90;  // [% of fit]
   const auto error = [](const WindowSearch& search) {
     const double unit = search.kept.scales.y.unit;
     return errorFromBestStates(search.kept, search.result.fit.model) * unit * unit /
            std::max(search.kept.samples, 1);
   };
   if (with_levels.kept.windows.empty()) return false;
-  if (with_levels.result.causes.empty() && !other.result.causes.empty()) return false;
+  if (!other.result.causes.empty() &&
+      (with_levels.result.causes.empty() || other.fitOf(other.result.held_error) > kWell))
+    return false;
   return error(with_levels) < kHalf * error(other);
 }
 
@@ -213,7 +216,7 @@ SimulationCauses explainSimulation(const std::vector<Experiment>& fitted,
   const bool compares = found.skipped == kFewSteps && too_few.empty() && !held.empty();
   if (!found.skipped.empty() && !compares) return found;
 
-  constexpr double kOfLevels = 0.6;  // of the time
+  constexpr double kOfLevels = 0.5;  // of the time
   SearchTime time(options);
   const RecordSearch search(options, found.skipped.empty(), pool, &time);
   time.allow(kOfLevels);
