@@ -86,12 +86,10 @@ bool CurveSearch::convinces(const Eigen::VectorXd& before, const Eigen::VectorXd
 
 /// Whether held-out windows gain, also where each record has a linear plant of its own. Whether the
 /// latter is significant, all unseen windows tell for the first cause, because two or three
-/// held-out experiments or windows cannot; nor do so few show how much, as a plant of their own
-/// follows them whatever they hold. A further cause may only mend the first. `beyond`: the
+/// held-out experiments or windows cannot; a further cause may only mend the first. `beyond`: the
 /// gain is looked for in the latter way only, and there is no loss otherwise.
 bool CurveSearch::convincesHeld(const WindowFit& fit, const Eigen::VectorXd& errors,
                                 bool beyond) const {
-  constexpr std::size_t kFewHeld = 4;  // windows
   const double share = errors.sum() / held_errors_.sum();
   const bool is_material = !result_.causes.empty() || share <= 1 - limits_.least_first_gain;
   const bool as_it_is = beyond ? share < 1 : is_material && convinces(held_errors_, errors);
@@ -102,12 +100,8 @@ bool CurveSearch::convincesHeld(const WindowFit& fit, const Eigen::VectorXd& err
     return as_it_is && convinces(before, after);
   const double least_t =
       studentQuantile(0.95, static_cast<double>(std::max<Eigen::Index>(all.size() - 1, 1)));
-  const Eigen::VectorXd all_after = unseenBeyond(fit);
-  const double least = 1 - limits_.least_first_gain;
-  const bool gains = held_.windows.size() < kFewHeld
-                         ? all_after.sum() <= least * all.sum() && after.sum() <= before.sum()
-                         : after.sum() <= least * before.sum();
-  return gains && pairedT(all, all_after) >= std::max(least_t, limits_.least_held_t);
+  return after.sum() <= (1 - limits_.least_first_gain) * before.sum() &&
+         pairedT(all, unseenBeyond(fit)) >= std::max(least_t, limits_.least_held_t);
 }
 
 /// Accepts the best of the curves if held-out windows gain; otherwise drops it.
