@@ -135,7 +135,7 @@ void describe(const PlannedSearch& searched, const std::vector<Experiment>& fitt
   const WindowSearch& search = searched.found;
   found->preparation = sentenceOf(searched.plan, search, fitted.size());
   if (found->own_levels)
-    found->preparation += "; the output of each record is counted from a level of its own";
+    found->preparation += "; the output of each window is counted from a level of its own";
   found->refused = searched.refused;
   describe(search, found);
   found->difference = differenceInWords(held, search, found->held_out_error_ratio);

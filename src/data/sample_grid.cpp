@@ -7,15 +7,10 @@
 #include <utility>
 
 #include "math/constants.h"
+#include "math/median.h"
 
 namespace uncertainty_identification {
 namespace {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::vector<double> spacings(const std::vector<double>& stamps) {
   std::vector<double> spacing(stamps.size() - 1);
@@ -164,14 +159,14 @@ void measureDepartures(const std::vector<double>& stamps, SampleGrid& grid) {
   }
   const double scale = std::max(std::abs(stamps.front()), std::abs(stamps.back()));
   const bool exact = largest <= stampTolerance(scale, grid.period);
-  const double phase = exact ? 0 : median(departures);
+  const double phase = exact ? 0 : medianOf(departures);
   grid.origin = stamps.front() + phase;
   grid.max_departure = 0;
   for (double& departure : departures) {
     departure = std::abs(departure - phase);
     grid.max_departure = std::max(grid.max_departure, departure);
   }
-  grid.typical_departure = median(std::move(departures));
+  grid.typical_departure = medianOf(std::move(departures));
 }
 
 /// [s] the largest error of the period that moves no slot by more than the jitter, or, without
@@ -211,7 +206,7 @@ SampleGrid fitSampleGrid(const std::vector<double>& stamps) {
   if (!stamps.empty()) grid.origin = stamps.front();
   if (stamps.size() < 2) return grid;
   const std::vector<double> spacing = spacings(stamps);
-  const double middle = median(spacing);
+  const double middle = medianOf(spacing);
   const bool counted = areCoarselyRounded(stamps, spacing);
   if (counted)
     std::iota(grid.slots.begin(), grid.slots.end(), 0L);

@@ -5,17 +5,12 @@
 
 #include "data/bandwidth.h"
 #include "data/bridged_output.h"
+#include "math/median.h"
 
 namespace uncertainty_identification {
 namespace {
 
 constexpr double kFewestSamples = 2500;
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Means of `thinning` samples each.
 Eigen::VectorXd averaged(const Eigen::VectorXd& signal, int thinning) {

@@ -103,8 +103,8 @@ bool dependsOnInput(const SearchState& state) {
 /// without any feedback: it has to be overwhelming.
 void addFeedback(const Effects& effects, SearchState* base, SearchState* found) {
   constexpr double kFeedback = 1e-4, kOverwhelming = 1e-20;  // p-value
-  constexpr double kMuch =
-      0.1;  // of what is new in the input: many samples make little significant
+  constexpr double kMuch = 0.1;  // share of what is new in the input; many samples make less of it
+                                 // significant without a loop
   const FeedbackTest test = testFeedback(residualsOf(found->fit, found->train), found->train);
   if (test.p_value >= kFeedback) return;
   const bool is_overwhelming = test.p_value < kOverwhelming && test.share > kMuch;

@@ -7,6 +7,7 @@
 #include "estimation/excerpt.h"
 #include "estimation/simulation_fit.h"
 #include "identification/mean_plant.h"
+#include "math/median.h"
 #include "math/polynomial.h"
 #include "model/fixed_plant.h"
 
@@ -31,12 +32,6 @@ Multiple multipleOf(const Experiment& experiment, const Eigen::VectorXd& error) 
   const double product = (output * simulated).sum();
   const double power = std::max(simulated.square().sum(), 1e-300);
   return {product / power, product * product / (power * std::max(output.square().sum(), 1e-300))};
-}
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 std::string rangeOf(const std::vector<double>& values) {

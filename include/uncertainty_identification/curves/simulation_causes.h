@@ -56,7 +56,7 @@ struct SimulationCauses {
   std::string preparation;  ///< what was done with the records, in a sentence; empty: not searched
   std::string skipped;  ///< why no curves were looked for, or not at all places; empty: they were
   int order = 0;        ///< of the linear plant without causes
-  bool own_levels = false;  ///< the output of each record is counted from a level of its own
+  bool own_levels = false;  ///< the output of each window is counted from a level of its own
   std::vector<SimulationCause> causes;
   std::string refused;  ///< what simulates better but does not predict better, and why it is not
                         ///< named, in a sentence; empty: nothing
