@@ -34,16 +34,16 @@ Eigen::VectorXd pulledIn(const Eigen::VectorXd& a) {
   return polynomial.tail(a.size()).real();
 }
 
-struct Regression {
+struct FilteredRegression {
   Eigen::MatrixXd regressors;
   Eigen::VectorXd output;
 };
 
 /// y = -a y(k-i) + b u(k-i-delay) [+ b_0 u(k-delay)] + constant, all filtered by 1/A.
-Regression regressionOf(const SimulationData& data, int order, bool direct, int delay,
-                        const Eigen::VectorXd& a, int first) {
+FilteredRegression filteredRegression(const SimulationData& data, int order, bool direct, int delay,
+                                      const Eigen::VectorXd& a, int first) {
   const int columns = 2 * order + (direct ? 1 : 0) + 1;
-  Regression made{Eigen::MatrixXd(data.samples, columns), Eigen::VectorXd(data.samples)};
+  FilteredRegression made{Eigen::MatrixXd(data.samples, columns), Eigen::VectorXd(data.samples)};
   Eigen::Index row = 0;
   for (const SimulationWindow& window : data.windows) {
     const Eigen::VectorXd y = filteredBy(a, window.y), u = filteredBy(a, window.u),
@@ -80,7 +80,7 @@ CurveModel linearStart(const SimulationData& data, int order, bool direct, int d
   Eigen::VectorXd a = Eigen::VectorXd::Zero(order);
   for (int k = 0; k < iterations; ++k) {
     const int first = k == 0 ? order : std::min(3 * order + 2, data.longest / 4);
-    const Regression regression = regressionOf(data, order, direct, delay, a, first);
+    const FilteredRegression regression = filteredRegression(data, order, direct, delay, a, first);
     if (regression.output.size() <= regression.regressors.cols()) break;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
     decomposition.setThreshold(1e-9);

@@ -31,8 +31,8 @@ VectorXd filtered(const VectorXd& a, VectorXd signal) {
 
 /// Gram matrix of [u lags, y lags 1..y_lags, y] after removing a constant. u is filtered by 1/A,
 /// and so is y if it has lags.
-MatrixXd gramOf(const Experiment& experiment, const VectorXd& a, int delay, Index u_lags,
-                Index y_lags, bool with_constant) {
+MatrixXd gramOfRegressors(const Experiment& experiment, const VectorXd& a, int delay, Index u_lags,
+                          Index y_lags, bool with_constant) {
   constexpr Index kOften = 64;  // samples
   const Index size = u_lags + y_lags + 1, samples = experiment.samples();
   const VectorXd u = filtered(a, experiment.u);
@@ -65,7 +65,8 @@ VectorXd commonDenominator(const std::vector<const Experiment*>& experiments,
   for (int round = 0; round < kRounds && na > 0; ++round) {
     MatrixXd sum = MatrixXd::Zero(na + 1, na + 1);
     for (const Experiment* experiment : experiments) {
-      const MatrixXd gram = gramOf(*experiment, a, sizes.delay, numerator, na, with_constant);
+      const MatrixXd gram =
+          gramOfRegressors(*experiment, a, sizes.delay, numerator, na, with_constant);
       const MatrixXd cross = gram.topRightCorner(numerator, na + 1);
       sum += gram.bottomRightCorner(na + 1, na + 1) -
              cross.transpose() * gram.topLeftCorner(numerator, numerator).ldlt().solve(cross);
@@ -82,7 +83,7 @@ VectorXd commonDenominator(const std::vector<const Experiment*>& experiments,
 bool ownNumerator(const Experiment& experiment, const Polynomials& go, bool with_constant,
                   OwnNumerator* own) {
   const Index count = go.b.size();
-  const MatrixXd gram = gramOf(experiment, go.a, go.delay, count, 0, with_constant);
+  const MatrixXd gram = gramOfRegressors(experiment, go.a, go.delay, count, 0, with_constant);
   own->information = gram.topLeftCorner(count, count);
   const Eigen::LDLT<MatrixXd> factor(own->information);
   own->b = factor.solve(gram.topRightCorner(count, 1));

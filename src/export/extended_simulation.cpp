@@ -79,7 +79,7 @@ std::string numberText(const json& value) {
   return text;
 }
 
-std::string listText(const json& values) {
+std::string jsonListText(const json& values) {
   std::string text;
   for (const json& value : values)
     text += (text.empty() ? "" : ", ") + (value.is_string() ? value.dump() : numberText(value));
@@ -95,13 +95,13 @@ std::string mapText(const json& parameters, const char* key) {
 
 std::string filterText(const json& filter) {
   if (filter.is_null()) return "{}";
-  return "{" + listText(filter["num"]) + ", " + listText(filter["den"]) + "}";
+  return "{" + jsonListText(filter["num"]) + ", " + jsonListText(filter["den"]) + "}";
 }
 
 std::string curveText(const json& curve) {
   if (curve.is_null()) return "{}";
-  return "{" + curve["of"].dump() + ", " + listText(curve["signal"]) + ", " +
-         listText(curve["value"]) + "}";
+  return "{" + curve["of"].dump() + ", " + jsonListText(curve["signal"]) + ", " +
+         jsonListText(curve["value"]) + "}";
 }
 
 }  // namespace
@@ -152,7 +152,7 @@ std::string extendedSimulationCpp(const json& extended) {
   std::string found =
       "const std::string kKind = " + extended["kind"].dump() +
       ", kColumn = " + extended["column"].dump() + ";\n" +
-      "const std::vector<std::string> kCommand = " + listText(extended["command"]) +
+      "const std::vector<std::string> kCommand = " + jsonListText(extended["command"]) +
       ";\nconst char* const kFolder = " + extended["folder"].dump() + ";\n" +
       "const Parameters kYours = " + mapText(extended["parameters"], "yours") +
       ";\nconst Parameters kMeasured = " + mapText(extended["parameters"], "measured") +

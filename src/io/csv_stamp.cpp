@@ -5,14 +5,14 @@
 #include <string>
 #include <utility>
 
+#include "io/grouped_number.h"
+
 namespace uncertainty_identification {
 namespace {
 
 constexpr std::int64_t kNanoseconds = 1000000000;
 constexpr int kDigitsOfFraction = 9;  // further ones are left out
 constexpr int kShortYears = 2000;     // 24 is 2024
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 int daysOf(int year, int month) {
   static constexpr std::array<int, 12> kDays = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};

@@ -9,8 +9,6 @@
 namespace uncertainty_identification {
 namespace {
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
 /// Writes the blanks and apostrophes that spreadsheets use as plain ones.
 std::string inPlainCharacters(std::string text) {
   static const std::array<std::pair<const char*, char>, 4> kOthers = {{

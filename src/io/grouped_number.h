@@ -16,6 +16,9 @@ struct GroupedNumber {
   bool isClear() const;
 };
 
+/// '0' to '9', in every language of the system.
+inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
 /// Nothing for a text that has no such form; "0.125" has not, because no thousands begin with 0.
 std::optional<GroupedNumber> groupedNumber(const std::string& text);
 

@@ -55,11 +55,12 @@ struct DrawnSignal {
 
 /// Smallest and largest value in each column of the picture, so that no peak is lost.
 std::string polyline(const DrawnSignal& signal, double start, double end) {
-  const auto [low, high] = std::minmax_element(signal.values.begin(), signal.values.end());
-  const double range = *high > *low ? *high - *low : 1, span = end > start ? end - start : 1;
+  const auto extremes = std::minmax_element(signal.values.begin(), signal.values.end());
+  const double low = *extremes.first, high = *extremes.second;
+  const double range = high > low ? high - low : 1, span = end > start ? end - start : 1;
   const auto point = [&](std::size_t i) {
     const double x = kPictureWidth * (signal.times[i] - start) / span;
-    const double y = 4 + (kPictureHeight - 8) * (1 - (signal.values[i] - *low) / range);
+    const double y = 4 + (kPictureHeight - 8) * (1 - (signal.values[i] - low) / range);
     return pixels(x) + "," + pixels(y) + " ";
   };
   std::string points;
@@ -76,8 +77,8 @@ std::string polyline(const DrawnSignal& signal, double start, double end) {
       points += point(static_cast<std::size_t>(places.second - signal.values.begin()));
   }
   return "<polyline class=\"" + signal.style + "\" points=\"" + points +
-         "\"/><text x=\"4\" y=\"12\">" + escaped(printable(signal.name)) + ": " + rounded(*low) +
-         " to " + rounded(*high) + "</text>\n";
+         "\"/><text x=\"4\" y=\"12\">" + escaped(printable(signal.name)) + ": " + rounded(low) +
+         " to " + rounded(high) + "</text>\n";
 }
 
 /// One above the other, with marks behind them.

@@ -181,4 +181,10 @@ VectorXd vectorOf(std::initializer_list<double> values) {
   return Eigen::Map<const VectorXd>(values.begin(), static_cast<Index>(values.size()));
 }
 
+std::vector<const Experiment*> pointersTo(const std::vector<Experiment>& experiments) {
+  std::vector<const Experiment*> all;
+  for (const Experiment& experiment : experiments) all.push_back(&experiment);
+  return all;
+}
+
 }  // namespace uncertainty_identification::test

@@ -85,4 +85,6 @@ Configuration example1Configuration();
 /// An explicit list as a vector.
 Eigen::VectorXd vectorOf(std::initializer_list<double> values);
 
+std::vector<const Experiment*> pointersTo(const std::vector<Experiment>& experiments);
+
 }  // namespace uncertainty_identification::test

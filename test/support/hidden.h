@@ -2,18 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Core>
-#include <initializer_list>
-
 #include "simulation/simulate.h"
+#include "support/core_setup.h"
 
 /// Truths whose signals are all known, so that single effects can be seen.
 namespace uncertainty_identification::test {
-
-inline Eigen::VectorXd vector(std::initializer_list<double> values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.begin(),
-                                           static_cast<Eigen::Index>(values.size()));
-}
 
 /// y(t) = u(t - 1), without noise or model error; white noise goes in.
 inline Truth unitDelay(int samples = 200) {

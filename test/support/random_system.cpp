@@ -18,20 +18,21 @@ Eigen::VectorXd normal(Eigen::Index size, Engine& engine) {
   return values;
 }
 
-double uniform(double low, double high, Engine& engine) {
+double uniformIn(double low, double high, Engine& engine) {
   return std::uniform_real_distribution<double>(low, high)(engine);
 }
 
 Eigen::VectorXd drawPolynomial(int order, double radius, Engine& engine) {
   Eigen::VectorXd polynomial = Eigen::VectorXd::Ones(1);
   while (polynomial.size() + 1 <= order) {
-    const double r = uniform(0.2, 1.0, engine) * radius;
-    const double angle = uniform(0.2, 2.9, engine);
+    const double r = uniformIn(0.2, 1.0, engine) * radius;
+    const double angle = uniformIn(0.2, 2.9, engine);
     polynomial =
         dense::product(polynomial, Eigen::Vector3d(1.0, -2.0 * r * std::cos(angle), r * r));
   }
   if (polynomial.size() <= order) {
-    polynomial = dense::product(polynomial, Eigen::Vector2d(1.0, uniform(-radius, radius, engine)));
+    polynomial =
+        dense::product(polynomial, Eigen::Vector2d(1.0, uniformIn(-radius, radius, engine)));
   }
   return polynomial;
 }
@@ -62,7 +63,7 @@ void drawErrorModel(const RandomSystemOptions& options, Engine& engine, dense::M
   const Eigen::Index n = truth.T.cols();
   double total = 0;
   for (int i = 0; i < options.components; ++i) {
-    truth.mixture.weights.push_back(uniform(0.5, 1.0, engine));
+    truth.mixture.weights.push_back(uniformIn(0.5, 1.0, engine));
     total += truth.mixture.weights.back();
     truth.mixture.means.push_back(0.6 * normal(n, engine));
     Eigen::MatrixXd root(n, n);

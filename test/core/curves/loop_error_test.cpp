@@ -36,7 +36,7 @@ std::vector<Experiment> ofAServo(double limit, int count, double gain = 1, doubl
   return all;
 }
 
-SimulationCauses explained(const std::vector<Experiment>& runs) {
+SimulationCauses explainedServo(const std::vector<Experiment>& runs) {
   WorkerPool pool(1);
   const auto held = runs.end() - 2;
   return explainSimulation({runs.begin(), held}, {held, runs.end()}, {}, &pool);
@@ -44,7 +44,7 @@ SimulationCauses explained(const std::vector<Experiment>& runs) {
 
 TEST(LoopError, NamesTheLimitOfAServo) {
   constexpr double kLimit = 0.1;
-  const SimulationCauses found = explained(ofAServo(kLimit, 5));
+  const SimulationCauses found = explainedServo(ofAServo(kLimit, 5));
   ASSERT_FALSE(found.causes.empty());
   const SimulationCause& cause = found.causes.front();
   EXPECT_EQ(cause.what.name, "act_saturation");
@@ -59,7 +59,7 @@ TEST(LoopError, NamesTheLimitOfAServo) {
 /// A limit is told in units of the input.
 TEST(LoopError, NamesTheLimitWhereTheOutputHasAnotherUnitSignAndZero) {
   constexpr double kLimit = 0.2, kGain = -2;
-  const SimulationCauses found = explained(ofAServo(kLimit, 5, kGain, 13));
+  const SimulationCauses found = explainedServo(ofAServo(kLimit, 5, kGain, 13));
   ASSERT_FALSE(found.causes.empty());
   const SimulationCause& cause = found.causes.front();
   EXPECT_EQ(cause.what.place, "loop_error");
@@ -70,7 +70,7 @@ TEST(LoopError, NamesTheLimitWhereTheOutputHasAnotherUnitSignAndZero) {
 }
 
 TEST(LoopError, NamesNothingInAServoThatDoesNotReachItsLimit) {
-  EXPECT_TRUE(explained(ofAServo(10, 5)).causes.empty());
+  EXPECT_TRUE(explainedServo(ofAServo(10, 5)).causes.empty());
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr int kFitted = 6, kHeld = 2;
+constexpr int kFitted = 6, kHeldRecords = 2;
 
 double levelOf(int record) { return 3 * std::sin(2.0 * record + 1); }
 
@@ -22,8 +22,8 @@ double levelOf(int record) { return 3 * std::sin(2.0 * record + 1); }
 /// their level.
 std::vector<Experiment> recordsOf(double rate, double height) {
   constexpr int kSamples = 250;
-  std::vector<Experiment> all(kFitted + kHeld);
-  for (int r = 0; r < kFitted + kHeld; ++r) {
+  std::vector<Experiment> all(kFitted + kHeldRecords);
+  for (int r = 0; r < kFitted + kHeldRecords; ++r) {
     std::mt19937_64 engine(static_cast<unsigned>(r) + 31);
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> uniform(-1, 1);
@@ -67,7 +67,7 @@ double largestError(const LevelledRecords& records) {
   std::vector<double> levels = records.fitted_levels;
   levels.insert(levels.end(), records.held_levels.begin(), records.held_levels.end());
   double largest = 0;
-  for (int r = 0; r < kFitted + kHeld; ++r)
+  for (int r = 0; r < kFitted + kHeldRecords; ++r)
     largest = std::max(largest, std::abs(levels[static_cast<std::size_t>(r)] - levels[0] -
                                          (levelOf(r) - levelOf(0))));
   return largest;

@@ -8,7 +8,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 Experiment good(const std::string& id, int samples = 50, std::uint64_t seed = 1) {
   std::mt19937_64 engine(seed);
@@ -82,7 +82,7 @@ TEST(Check, UnequalLengths) {
 
 TEST(Check, NonFiniteInput) {
   Experiment bad = good("bad");
-  bad.u(7) = kNaN;
+  bad.u(7) = kMissing;
   expectRejected(bad, "the input is nan at sample 7 (10.7 s), and NaN or infinite in 1 of");
   bad.u(7) = -std::numeric_limits<double>::infinity();
   expectRejected(bad, "the input is -inf at sample 7");
@@ -90,7 +90,7 @@ TEST(Check, NonFiniteInput) {
 
 TEST(Check, NonFiniteOutputOnlyWhereMeasured) {
   Experiment bad = good("bad");
-  bad.y(3) = kNaN;
+  bad.y(3) = kMissing;
   expectRejected(bad, "the output is nan at sample 3 (10.3 s)");
   bad.valid.assign(50, 1);
   bad.valid[3] = 0;
@@ -189,7 +189,7 @@ TEST(Check, AGivenSampleTimeDecides) {
 }
 
 TEST(Check, SampleTimeMustBePositive) {
-  for (const double sample_time : {0.0, -0.1, kNaN, std::numeric_limits<double>::infinity()}) {
+  for (const double sample_time : {0.0, -0.1, kMissing, std::numeric_limits<double>::infinity()}) {
     Experiment bad = good("bad");
     bad.sample_time = sample_time;
     expectRejected(bad, "it must be positive");
@@ -216,7 +216,7 @@ TEST(Check, MissingCovariate) {
 TEST(Check, NonFiniteCovariatesRejectOnlyWhereRequired) {
   Experiment bad = good("bad");
   bad.signals["load"] = Eigen::VectorXd::LinSpaced(50, 0, 1);
-  bad.signals["load"](4) = kNaN;
+  bad.signals["load"](4) = kMissing;
   expectRejected(bad, "covariate 'load' is nan at sample 4", {"load"});
   const CheckReport report = check({bad});
   EXPECT_EQ(report.usable.size(), 1u);
@@ -240,7 +240,7 @@ TEST(Check, SingleStepsAreWarnedOfWhenThereIsNothingElse) {
 
 TEST(Check, SeveralFindingsAreAllTold) {
   Experiment bad = good("bad");
-  bad.u(0) = kNaN;
+  bad.u(0) = kMissing;
   bad.y.setZero();
   expectRejected(bad, "the input is nan");
   expectRejected(bad, "the output is constant");
@@ -261,7 +261,7 @@ TEST(Fingerprint, DependsOnWhatDeterminesTheFitAndNothingElse) {
   Experiment same = a;
   same.id = "renamed";
   same.start_time = 0;
-  same.y(9) = kNaN;  // not measured
+  same.y(9) = kMissing;  // not measured
   EXPECT_EQ(dataFingerprint({same, b}), reference);
 
   std::vector<Experiment> others(8, a);

@@ -9,11 +9,14 @@
 #include <cmath>
 #include <vector>
 
+#include "support/core_setup.h"
 #include "support/golden.h"
 #include "support/random_system.h"
 
 namespace uncertainty_identification {
 namespace {
+
+using test::vectorOf;
 
 using dense::Options;
 using Eigen::VectorXd;
@@ -36,10 +39,6 @@ Experiment outputOnly(const VectorXd& y) {
   experiment.u = VectorXd::Zero(y.size());
   experiment.y = y;
   return experiment;
-}
-
-VectorXd vector(std::initializer_list<double> values) {
-  return Eigen::Map<const VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
 }
 
 double logNormal(double value, double variance) {
@@ -98,12 +97,12 @@ TEST(GoldenGradient, MatchesListedDifferences) {
 
 TEST(DenseAutocovariance, AgreesWithYuleWalkerEquations) {
   const std::vector<std::pair<VectorXd, VectorXd>> models = {
-      {vector({}), vector({-0.9})},
-      {vector({0.4}), vector({-0.8})},
-      {vector({0.5, 0.2}), vector({-1.5, 0.9, -0.2})},
-      {vector({0.5, 0.2, -0.1}), vector({-1.2, 0.5})},
-      {vector({0.7, 0.3}), vector({})},
-      {vector({-0.5}), vector({-0.999})}};
+      {vectorOf({}), vectorOf({-0.9})},
+      {vectorOf({0.4}), vectorOf({-0.8})},
+      {vectorOf({0.5, 0.2}), vectorOf({-1.5, 0.9, -0.2})},
+      {vectorOf({0.5, 0.2, -0.1}), vectorOf({-1.2, 0.5})},
+      {vectorOf({0.7, 0.3}), vectorOf({})},
+      {vectorOf({-0.5}), vectorOf({-0.999})}};
   for (const auto& [c, d] : models) {
     const VectorXd sums = dense::autocovariance(c, d, 40).cast<double>();
     const VectorXd exact = yuleWalkerAutocovariance(c, d, 40);
@@ -112,7 +111,7 @@ TEST(DenseAutocovariance, AgreesWithYuleWalkerEquations) {
 }
 
 TEST(DenseAutocovariance, OfMovedUnitPolynomialsIsWhite) {
-  const auto r = dense::autocovariance(vector({0.3, -0.2}), vector({0.3, -0.2}), 5);
+  const auto r = dense::autocovariance(vectorOf({0.3, -0.2}), vectorOf({0.3, -0.2}), 5);
   EXPECT_NEAR(double(r[0]), 1.0, 1e-15);
   EXPECT_LT(double(r.tail(4).cwiseAbs().maxCoeff()), 1e-15);
 }
@@ -124,7 +123,7 @@ TEST(DenseSignals, LaguerreFiltersAreOrthonormal) {
 }
 
 TEST(DenseLikelihood, WhiteNoise) {
-  const VectorXd y = vector({0.3, -1.2, 0.7});
+  const VectorXd y = vectorOf({0.3, -1.2, 0.7});
   double expected = 0;
   for (Eigen::Index k = 0; k < y.size(); ++k) expected += logNormal(y[k], 0.4);
   const dense::Model model = noiseModel({}, {}, 0.4);
@@ -133,10 +132,10 @@ TEST(DenseLikelihood, WhiteNoise) {
 
 TEST(DenseLikelihood, AutoregressionFromRestAndStationary) {
   const double pole = 0.8, variance = 0.3;
-  const VectorXd y = vector({1.1, 0.4, -0.6, -0.9, 0.2});
+  const VectorXd y = vectorOf({1.1, 0.4, -0.6, -0.9, 0.2});
   double transitions = 0;
   for (int k = 1; k < 5; ++k) transitions += logNormal(y[k] - pole * y[k - 1], variance);
-  const dense::Model model = noiseModel({}, vector({-pole}), variance);
+  const dense::Model model = noiseModel({}, vectorOf({-pole}), variance);
   Options options;
   EXPECT_NEAR(dense::logLikelihood({outputOnly(y)}, model, options),
               transitions + logNormal(y[0], variance), 1e-13);
@@ -147,12 +146,12 @@ TEST(DenseLikelihood, AutoregressionFromRestAndStationary) {
 
 TEST(DenseLikelihood, AutoregressionWithMissingSamples) {
   const double pole = 0.8, variance = 0.3;
-  Experiment experiment = outputOnly(vector({1.1, 0.4, std::nan(""), std::nan(""), 0.2}));
+  Experiment experiment = outputOnly(vectorOf({1.1, 0.4, std::nan(""), std::nan(""), 0.2}));
   experiment.valid = {1, 1, 0, 0, 1};
   const double bridge = variance * (1 + std::pow(pole, 2) + std::pow(pole, 4));
   const double expected = logNormal(1.1, variance) + logNormal(0.4 - pole * 1.1, variance) +
                           logNormal(0.2 - std::pow(pole, 3) * 0.4, bridge);
-  const dense::Model model = noiseModel({}, vector({-pole}), variance);
+  const dense::Model model = noiseModel({}, vectorOf({-pole}), variance);
   const auto evaluation = dense::evaluate(experiment, model);
   EXPECT_NEAR(evaluation.log_likelihood, expected, 1e-13);
   EXPECT_EQ(evaluation.degrees_of_freedom, 3);

@@ -37,18 +37,13 @@ Polynomials sizes() { return {1, VectorXd::Zero(2), VectorXd::Zero(1), {}, {}}; 
 
 ErrorBasis basis() { return ErrorBasis(test::configurationOf(options()).error_model); }
 
-std::vector<const Experiment*> pointersTo(const std::vector<Experiment>& experiments) {
-  std::vector<const Experiment*> all;
-  for (const Experiment& experiment : experiments) all.push_back(&experiment);
-  return all;
-}
-
 /// A fit pooled over all experiments includes the mean error in Go. The numerators of single
 /// experiments tell them apart.
 TEST(EmbeddedStart, FindsGoWhereThePooledFitDoesNot) {
   const test::RandomSystem system = clustered();
-  const LeastSquaresModel pooled = LeastSquaresStart(pointersTo(system.experiments), Constant::none)
-                                       .steiglitzMcBride(2, 1, 1, 1);
+  const LeastSquaresModel pooled =
+      LeastSquaresStart(test::pointersTo(system.experiments), Constant::none)
+          .steiglitzMcBride(2, 1, 1, 1);
   const auto starts = embeddedStarts(basis(), sizes(), system.experiments, false);
   ASSERT_FALSE(starts.empty());
   EXPECT_LE(starts.size(), 2u);

@@ -12,12 +12,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-std::vector<const Experiment*> pointersTo(const std::vector<Experiment>& experiments) {
-  std::vector<const Experiment*> all;
-  for (const Experiment& experiment : experiments) all.push_back(&experiment);
-  return all;
-}
-
 test::RandomSystemOptions secondOrder() {
   test::RandomSystemOptions options;
   options.nb = options.na = 2;
@@ -42,7 +36,7 @@ void expectTruth(const LeastSquaresModel& found, const dense::Model& truth, doub
 TEST(LeastSquaresStart, FindsNoiseFreeSystemsExactly) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const auto system = test::randomSystem(secondOrder(), seed);
-    const LeastSquaresStart start(pointersTo(system.experiments), Constant::none);
+    const LeastSquaresStart start(test::pointersTo(system.experiments), Constant::none);
     expectTruth(start.arx(2, 2, 3), system.truth, 1e-7);
   }
 }
@@ -52,7 +46,7 @@ TEST(LeastSquaresStart, FindsTheOffsetOfTheOutput) {
   options.output_offset = 4;
   const auto system = test::randomSystem(options, 2);
   const LeastSquaresModel found =
-      LeastSquaresStart(pointersTo(system.experiments), Constant::common).arx(2, 2, 3);
+      LeastSquaresStart(test::pointersTo(system.experiments), Constant::common).arx(2, 2, 3);
   expectTruth(found, system.truth, 1e-7);
   EXPECT_NEAR(found.offset, 4, 1e-6);
 }
@@ -63,7 +57,7 @@ TEST(LeastSquaresStart, FindsNoiseFreeSystemsAtLevelsOfTheirOwn) {
   for (std::size_t r = 0; r < system.experiments.size(); ++r)
     system.experiments[r].y.array() += 100.0 * static_cast<double>(r * r);
   const auto found = [&](Constant constant) {
-    return LeastSquaresStart(pointersTo(system.experiments), constant);
+    return LeastSquaresStart(test::pointersTo(system.experiments), constant);
   };
   expectTruth(found(Constant::of_each).arx(2, 2, 3), system.truth, 1e-7);
   expectTruth(found(Constant::of_each).steiglitzMcBride(2, 2, 0, 5), system.truth, 1e-4);
@@ -86,7 +80,7 @@ TEST(LeastSquaresStart, SteiglitzMcBrideFindsTheOffsetToo) {
   system.truth.b = test::vectorOf({0.5, 0.3});
   system = test::simulateSystem(system.truth, options, 3);
   const LeastSquaresModel found =
-      LeastSquaresStart(pointersTo(system.experiments), Constant::common)
+      LeastSquaresStart(test::pointersTo(system.experiments), Constant::common)
           .steiglitzMcBride(2, 2, 3, 3);
   expectTruth(found, system.truth, 0.1);
   EXPECT_NEAR(found.offset, 4, 0.5);
@@ -101,7 +95,7 @@ TEST(LeastSquaresStart, SteiglitzMcBrideHasLittleBiasInOutputNoise) {
   system.truth.a = test::vectorOf({-1.5, 0.7});
   system.truth.b = test::vectorOf({0.5, 0.3});
   system = test::simulateSystem(system.truth, options, 3);
-  const LeastSquaresStart start(pointersTo(system.experiments), Constant::none);
+  const LeastSquaresStart start(test::pointersTo(system.experiments), Constant::none);
   expectTruth(start.steiglitzMcBride(2, 2, 3, 3), system.truth, 0.02);
   EXPECT_GT((start.arx(2, 2, 3).polynomials.a - system.truth.a).norm(), 0.05);
 }
@@ -112,7 +106,7 @@ TEST(LeastSquaresStart, FindsTheDelay) {
   for (int delay : {0, 1, 5}) {
     options.delay = delay;
     const auto system = test::randomSystem(options, 5);
-    const LeastSquaresStart start(pointersTo(system.experiments), Constant::none);
+    const LeastSquaresStart start(test::pointersTo(system.experiments), Constant::none);
     EXPECT_EQ(start.steiglitzMcBride(2, 2, 0, 8).polynomials.delay, delay);
   }
 }
@@ -127,7 +121,7 @@ TEST(LeastSquaresStart, BridgesGaps) {
       experiment.y[k] = std::numeric_limits<double>::quiet_NaN();
     }
   }
-  const LeastSquaresStart start(pointersTo(system.experiments), Constant::none);
+  const LeastSquaresStart start(test::pointersTo(system.experiments), Constant::none);
   expectTruth(start.steiglitzMcBride(2, 2, 3, 3), system.truth, 0.3);
 }
 
@@ -135,7 +129,7 @@ TEST(LeastSquaresStart, UsesPartOfTooMuchData) {
   test::RandomSystemOptions options = secondOrder();
   options.experiments = 60;
   const auto system = test::randomSystem(options, 5);
-  const LeastSquaresStart start(pointersTo(system.experiments), Constant::none, 2000);
+  const LeastSquaresStart start(test::pointersTo(system.experiments), Constant::none, 2000);
   expectTruth(start.arx(2, 2, 3), system.truth, 1e-7);
 }
 

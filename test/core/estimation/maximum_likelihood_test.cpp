@@ -16,13 +16,13 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-struct Problem {
+struct LikelihoodProblem {
   Configuration configuration;
   std::vector<Experiment> experiments;
   ModelParameters start;
 };
 
-Problem problemOf(Constraint constraint, bool real_records) {
+LikelihoodProblem problemOf(Constraint constraint, bool real_records) {
   test::RandomSystemOptions options;
   options.nb = options.na = 2;
   options.zero_static_gain = constraint == Constraint::zero_static_gain;
@@ -35,8 +35,8 @@ Problem problemOf(Constraint constraint, bool real_records) {
     for (VectorXd& of_component : system.truth.mixture.means) of_component -= mean;
     system = test::simulateSystem(system.truth, options, 15);
   }
-  Problem problem{test::configurationOf(options), system.experiments,
-                  test::parametersOf(system.truth)};
+  LikelihoodProblem problem{test::configurationOf(options), system.experiments,
+                            test::parametersOf(system.truth)};
   problem.configuration.error_model.constraint = constraint;
   problem.start.parameters *= 0.9;
   problem.start.noise_variance *= 2;
@@ -53,7 +53,7 @@ using Climb = std::tuple<Constraint, bool>;
 class BothAlgorithms : public testing::TestWithParam<Climb> {};
 
 TEST_P(BothAlgorithms, ReachTheSameOptimum) {
-  const Problem problem = problemOf(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  const LikelihoodProblem problem = problemOf(std::get<0>(GetParam()), std::get<1>(GetParam()));
   const test::CoreSetup setup(problem.configuration, problem.experiments);
   const auto options = [&](double tolerance) {
     return test::optimisationOptions(problem.configuration, problem.start.mixture, tolerance);
@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(All, BothAlgorithms,
                                          Climb{Constraint::zero_mean, true}));
 
 TEST(MaximumLikelihood, EndsAtAMaximum) {
-  const Problem problem = problemOf(Constraint::zero_static_gain, true);
+  const LikelihoodProblem problem = problemOf(Constraint::zero_static_gain, true);
   const test::CoreSetup setup(problem.configuration, problem.experiments);
   const OptimisationOptions options =
       test::optimisationOptions(problem.configuration, problem.start.mixture, 1e-8);
@@ -120,7 +120,7 @@ TEST(MaximumLikelihood, EndsAtAMaximum) {
 TEST(ScoringSteps, NeverDescend) {
   for (Constraint constraint : {Constraint::zero_static_gain, Constraint::zero_mean}) {
     for (double distance : {0.9, 0.5, 0.1}) {
-      Problem problem = problemOf(constraint, false);
+      LikelihoodProblem problem = problemOf(constraint, false);
       problem.start.parameters *= distance;
       problem.start.noise_variance = 1e-3;
       const test::CoreSetup setup(problem.configuration, problem.experiments);
@@ -143,7 +143,7 @@ TEST(ScoringSteps, NeverDescend) {
 }
 
 TEST(MaximumLikelihood, SaysHowItEnded) {
-  const Problem problem = problemOf(Constraint::zero_static_gain, false);
+  const LikelihoodProblem problem = problemOf(Constraint::zero_static_gain, false);
   const test::CoreSetup setup(problem.configuration, problem.experiments);
   OptimisationOptions options =
       test::optimisationOptions(problem.configuration, problem.start.mixture, 1e-9);
@@ -167,7 +167,7 @@ TEST(MaximumLikelihood, SaysHowItEnded) {
 
 /// Returning `false` once is enough to cancel, also during the first scoring steps.
 TEST(MaximumLikelihood, IsCancelledAtItsFirstIterate) {
-  const Problem problem = problemOf(Constraint::zero_static_gain, false);
+  const LikelihoodProblem problem = problemOf(Constraint::zero_static_gain, false);
   const test::CoreSetup setup(problem.configuration, problem.experiments);
   OptimisationOptions options =
       test::optimisationOptions(problem.configuration, problem.start.mixture, 1e-9);
@@ -179,7 +179,7 @@ TEST(MaximumLikelihood, IsCancelledAtItsFirstIterate) {
 
 /// If the likelihood cannot be evaluated, the result says so; nothing is thrown.
 TEST(MaximumLikelihood, StallsWhereTheLikelihoodIsNotFinite) {
-  Problem problem = problemOf(Constraint::zero_static_gain, false);
+  LikelihoodProblem problem = problemOf(Constraint::zero_static_gain, false);
   for (Experiment& experiment : problem.experiments) experiment.y *= 1e200;
   const test::CoreSetup setup(problem.configuration, problem.experiments);
   const Optimum optimum = maximumLikelihood(
@@ -201,7 +201,7 @@ class LostInRounding : public LinearModel {
 
 /// The start, which can be evaluated, is not thrown away.
 TEST(MaximumLikelihood, KeepsAStartThatOnlyRoundingLoses) {
-  const Problem problem = problemOf(Constraint::zero_static_gain, false);
+  const LikelihoodProblem problem = problemOf(Constraint::zero_static_gain, false);
   const test::CoreSetup setup(problem.configuration, problem.experiments);
   const LostInRounding model(makeNominalModel(problem.configuration.nominal_model, 1),
                              setup.model().basis(), problem.configuration.estimation);

@@ -29,11 +29,11 @@ TEST(Measure, SimulationsStartFromTheExperimentsOwnOffset) {
   EXPECT_GT(gain.coverage_95.after, 0.8);
 }
 
-using test::vector;
+using test::vectorOf;
 
 /// Worked by hand: squares 2 and 48 about the means 2 and 4, with 1 + 3 degrees of freedom.
 TEST(Measure, GainsSpreadAsThoseOfTheExperimentsFittedToDoToo) {
-  const MeanGain gain = meanGain({vector({1, 3}), vector({2, 2, 2, 10})});
+  const MeanGain gain = meanGain({vectorOf({1, 3}), vectorOf({2, 2, 2, 10})});
   EXPECT_DOUBLE_EQ(gain.value, 2);
   EXPECT_DOUBLE_EQ(gain.standard_error, std::sqrt((2 + 48) / 4.0 / 2));
   EXPECT_NEAR(gain.upper_90 - gain.value, 2.1318 * gain.standard_error, 1e-3);  // t, 4 degrees
@@ -41,9 +41,9 @@ TEST(Measure, GainsSpreadAsThoseOfTheExperimentsFittedToDoToo) {
 }
 
 TEST(Measure, GainsOfOneExperimentHaveAnErrorOnlyIfOthersTellIt) {
-  EXPECT_TRUE(std::isnan(meanGain({vector({1}), {}}).standard_error));
-  EXPECT_TRUE(std::isnan(meanGain({vector({1}), vector({2})}).upper_90));
-  EXPECT_DOUBLE_EQ(meanGain({vector({1}), vector({2, 4})}).standard_error, std::sqrt(2.0));
+  EXPECT_TRUE(std::isnan(meanGain({vectorOf({1}), {}}).standard_error));
+  EXPECT_TRUE(std::isnan(meanGain({vectorOf({1}), vectorOf({2})}).upper_90));
+  EXPECT_DOUBLE_EQ(meanGain({vectorOf({1}), vectorOf({2, 4})}).standard_error, std::sqrt(2.0));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ class Nothing : public Effect {
   }
 };
 
-FittedEffect scored(const std::string& name, double score, const std::string& variant = "") {
+FittedEffect scoredEffect(const std::string& name, double score, const std::string& variant = "") {
   FittedEffect candidate;
   candidate.effect = std::make_shared<Nothing>(name, variant);
   candidate.score = score;
@@ -37,14 +37,15 @@ Gain gainOf(double before, double after, double density) {
 }
 
 TEST(Refusals, AreDueWhereTheSimulationGetsWorse) {
-  const FittedEffect candidate = scored("act_deadzone", 20);
+  const FittedEffect candidate = scoredEffect("act_deadzone", 20);
   EXPECT_TRUE(Refusals().isDue(candidate, gainOf(80, 79, 50), {candidate}));
   EXPECT_FALSE(Refusals().isDue(candidate, gainOf(80, 81, 50), {candidate}));
 }
 
 TEST(Refusals, OutshineOtherEffectsUnlessTheirGainIsClear) {
-  const FittedEffect refused = scored("sens_hum", 100);
-  const FittedEffect weak = scored("act_deadzone", 20), near = scored("act_deadzone", 95);
+  const FittedEffect refused = scoredEffect("sens_hum", 100);
+  const FittedEffect weak = scoredEffect("act_deadzone", 20),
+                     near = scoredEffect("act_deadzone", 95);
   const std::vector<FittedEffect> ranked{refused, weak};
   Refusals refusals;
   EXPECT_FALSE(refusals.isDue(weak, gainOf(80, 80.1, 2), ranked)) << "nothing was refused yet";
@@ -53,13 +54,14 @@ TEST(Refusals, OutshineOtherEffectsUnlessTheirGainIsClear) {
   EXPECT_FALSE(refusals.isDue(weak, gainOf(80, 85, 2), ranked)) << "simulates much better";
   EXPECT_FALSE(refusals.isDue(weak, gainOf(80, 80.1, 4), ranked)) << "four standard errors";
   EXPECT_FALSE(refusals.isDue(near, gainOf(80, 80.1, 2), {refused, near})) << "as good";
-  const FittedEffect other_form = scored("sens_hum", 20, "per_experiment");
+  const FittedEffect other_form = scoredEffect("sens_hum", 20, "per_experiment");
   EXPECT_FALSE(refusals.isDue(other_form, gainOf(80, 80.1, 2), {refused, other_form}));
 }
 
 TEST(Refusals, AreLeftOutOfTheCandidatesAndTold) {
   Refusals refusals;
-  const FittedEffect hum = scored("sens_hum", 100, "per_experiment"), lag = scored("sens_lag", 20);
+  const FittedEffect hum = scoredEffect("sens_hum", 100, "per_experiment"),
+                     lag = scoredEffect("sens_lag", 20);
   refusals.add(*hum.effect, gainOf(90, 87.63, 50));
   const std::vector<FittedEffect> left = refusals.left({hum, lag});
   ASSERT_EQ(left.size(), 1u);

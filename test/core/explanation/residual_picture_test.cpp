@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kWidth = 0.4;  // of the dead zone
+constexpr double kDeadZone = 0.4;
 
 /// Commands are held for eight samples, so that the output correlates with the present command.
 const Explanation& explanation() {
@@ -21,7 +21,7 @@ const Explanation& explanation() {
     truth.input.kind = InputKind::steps;
     truth.input.hold = 8;
     std::vector<Experiment> experiments = simulate(truth, 1);
-    for (Experiment& experiment : experiments) experiment.u += kWidth * experiment.u.cwiseSign();
+    for (Experiment& experiment : experiments) experiment.u += kDeadZone * experiment.u.cwiseSign();
     return explain(example1Configuration(), experiments);
   }();
   return kExplanation;
@@ -45,8 +45,8 @@ TEST(ResidualPicture, ShowsTheDeadZoneOverTheInput) {
                         &after = explanation().residual_after;
   ASSERT_GT(before.input_level.size(), 5);
   ASSERT_EQ(before.input_level.size(), before.residual_of_input.size());
-  EXPECT_LT(before.input_level.minCoeff(), -kWidth);
-  EXPECT_GT(before.input_level.maxCoeff(), kWidth);
+  EXPECT_LT(before.input_level.minCoeff(), -kDeadZone);
+  EXPECT_GT(before.input_level.maxCoeff(), kDeadZone);
   EXPECT_GT(before.residual_of_input.norm(), 2 * after.residual_of_input.norm());
 }
 

@@ -7,7 +7,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kSampleTime = 0.01, kSamples = 1000, kFrequency = 60;  // [rad/s]
+constexpr double kSampleTime = 0.01, kLength = 1000, kFrequency = 60;  // [rad/s]
 
 Cause at(const std::string& name, double frequency) {
   Cause cause;
@@ -25,7 +25,7 @@ bool isHeld(const Cause& cause, double radius_of_plant, double radius_of_noise) 
   model.sample_time = kSampleTime;
   model.a = pairOf(radius_of_plant);
   model.d = pairOf(radius_of_noise);
-  return hasLineAsPoles({cause}, model, kSamples);
+  return hasLineAsPoles({cause}, model, kLength);
 }
 
 TEST(HasLineAsPoles, OfPlantOrNoiseThatHardlyDecayWithinAnExperiment) {
@@ -39,7 +39,7 @@ TEST(NeverDecays, IsOfAnOscillationThatLosesLessThanATenthInAnExperiment) {
   const auto decays = [](const Eigen::VectorXd& a) {
     NominalModelEstimate plant;
     plant.a = a;
-    return !neverDecays(plant, kSamples);
+    return !neverDecays(plant, kLength);
   };
   EXPECT_FALSE(decays(pairOf(0.99995))) << "5 % in 1,000 samples";
   EXPECT_TRUE(decays(pairOf(0.9995))) << "40 %";
@@ -55,10 +55,10 @@ TEST(HasLineAsPoles, OfThatFrequency) {
 
 TEST(HasLineAsPoles, IsAskedOfLinesOnly) {
   EXPECT_FALSE(isHeld(at("plant_resonance", kFrequency), 0.9999, 0.9999));
-  EXPECT_FALSE(hasLineAsPoles({}, {}, kSamples));
+  EXPECT_FALSE(hasLineAsPoles({}, {}, kLength));
   NominalModelEstimate static_gain;
   static_gain.sample_time = kSampleTime;
-  EXPECT_FALSE(hasLineAsPoles({at("sens_hum", kFrequency)}, static_gain, kSamples));
+  EXPECT_FALSE(hasLineAsPoles({at("sens_hum", kFrequency)}, static_gain, kLength));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace uncertainty_identification {
 namespace {
 
 /// Plants B q^-1/A (1 + GDelta), whose errors are filters of three taps with a sum of zero.
-struct Family {
+struct FilteredFamily {
   Eigen::VectorXd b, a;
   Eigen::Vector2d mean;  ///< of the taps q^0 and q^-1
   double deviation;      ///< of these taps
@@ -27,12 +27,12 @@ struct Family {
   double input_pole = 0;
 };
 
-Family firstOrder() {
+FilteredFamily firstOrder() {
   return {test::vectorOf({0.4}), test::vectorOf({-0.7}), {-0.6, 0.9}, 0.15, 0.05};
 }
 
 /// Records of plants of the family from rest.
-std::vector<Experiment> filteredPlants(const Family& family, int count, unsigned seed) {
+std::vector<Experiment> filteredPlants(const FilteredFamily& family, int count, unsigned seed) {
   constexpr int kSamples = 150;
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
@@ -83,7 +83,7 @@ TEST_F(FilteredInput, TheDefaultFindsTheFiltersTheirMeanAndTheOrdersOfGo) {
   ASSERT_EQ(go.b.size(), 1);
   ASSERT_EQ(go.a.size(), 1);
   EXPECT_EQ(go.delay, 1);
-  const Family truth = firstOrder();
+  const FilteredFamily truth = firstOrder();
   EXPECT_NEAR(go.b[0], truth.b[0], 0.02);
   EXPECT_NEAR(go.a[0], truth.a[0], 0.01);
   EXPECT_EQ(found_.error_model.options.basis, BasisKind::fir);
@@ -109,14 +109,14 @@ TEST_F(FilteredInput, TheMeanPlantIsSimulatedAndNotGo) {
 }
 
 struct Comparison {
-  Family family;
+  FilteredFamily family;
   double loss;  ///< [nats] per experiment, at most, for all that is chosen
 };
 
 class FilteredInputOf : public testing::TestWithParam<Comparison> {};
 
 TEST_P(FilteredInputOf, IsPredictedAboutAsWellAsWithItsOwnStructureGiven) {
-  const Family& family = GetParam().family;
+  const FilteredFamily& family = GetParam().family;
   const auto fitted = filteredPlants(family, 40, 7), held_out = filteredPlants(family, 20, 8);
   const auto density = [&](const Configuration& configuration) {
     return Identifier(configuration)
@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(Plants, FilteredInputOf, testing::Values(secondOrder(),
 
 /// The orders of simpler models may come with another delay than the filters' own.
 TEST(FitFilters, ShortensADelay) {
-  const Family family = firstOrder();
+  const FilteredFamily family = firstOrder();
   Journal journal{ProgressPhases({})};
   Configuration configuration;
   const CheckedData data = checkData(configuration, filteredPlants(family, 25, 5), &journal);

@@ -36,7 +36,7 @@ std::vector<Experiment> experiments() {
   return all;
 }
 
-Estimate identified(const std::vector<Experiment>& all) {
+Estimate identifiedFrom(const std::vector<Experiment>& all) {
   Configuration configuration;
   configuration.nominal_model.orders_auto = false;
   configuration.nominal_model.structure = Structure::output_error;
@@ -56,7 +56,7 @@ std::string warningWhere(double factor, int count) {
     Eigen::VectorXd& y = all[static_cast<std::size_t>(3 * r)].y;
     y = (factor * (y.array() - 4) + 4).matrix();
   }
-  return warningOf(identified(all));
+  return warningOf(identifiedFrom(all));
 }
 
 TEST(OddExperiments, AreOfAnotherRangeOrSign) {
@@ -76,14 +76,14 @@ TEST(OddExperiments, FollowTheSimulation) {
   std::mt19937_64 engine(12);
   std::normal_distribution<double> normal;
   for (double& y : all[2].y) y = 4 + 0.4 * normal(engine);
-  EXPECT_EQ(warningOf(identified(all)), "");
+  EXPECT_EQ(warningOf(identifiedFrom(all)), "");
 }
 
 TEST(OddExperiments, AreToldWhereTheVariationIs) {
   std::vector<Experiment> all = experiments();
-  EXPECT_FALSE(test::mentions(identified(all).variation, "belong together"));
+  EXPECT_FALSE(test::mentions(identifiedFrom(all).variation, "belong together"));
   all[5].y = 8 - all[5].y.array();  // the sign about the level of all
-  EXPECT_TRUE(test::mentions(identified(all).variation, "belong together"));
+  EXPECT_TRUE(test::mentions(identifiedFrom(all).variation, "belong together"));
 }
 
 }  // namespace

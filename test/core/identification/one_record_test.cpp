@@ -10,7 +10,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kGain = 1.05;
+constexpr double kRecordGain = 1.05;
 
 /// A heater: lags of 33 s and 8 s, a dead time of two samples, steps of 20 s between two levels,
 /// and an output that drifts by a random walk.
@@ -28,7 +28,7 @@ Experiment heater(unsigned seed) {
   for (int k = 0; k < kSamples; ++k) {
     experiment.u[k] = k % kHold > 0 ? experiment.u[k - 1] : normal(engine) > 0 ? 32.5 : 24.5;
     experiment.y[k] = 70.5 + temperature + drift + 0.015 * normal(engine);
-    temperature += (1 - slow) * (kGain * flow - temperature);
+    temperature += (1 - slow) * (kRecordGain * flow - temperature);
     flow += (1 - fast) * (experiment.u[std::max(0, k - kDelay)] - 28.5 - flow);
     drift += 0.012 * normal(engine);
   }
@@ -46,7 +46,7 @@ TEST(OneRecord, ADriftIsNotTakenForPolesOfThePlant) {
     const NominalModelEstimate& plant = found.nominal_model;
     EXPECT_LE(plant.a.size(), 3) << "seed " << seed;
     // The drift ends at 0.25 (standard deviation), where the output moves by 4.2.
-    EXPECT_NEAR(plant.b.sum() / (1 + plant.a.sum()), kGain, 0.3) << "seed " << seed;
+    EXPECT_NEAR(plant.b.sum() / (1 + plant.a.sum()), kRecordGain, 0.3) << "seed " << seed;
     EXPECT_GT(found.simulation_fit_percent.value_or(0), 85) << "seed " << seed;
   }
 }

@@ -12,7 +12,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kStep = 0.01, kRoughness = 0.15;
+constexpr double kReadingStep = 0.01, kInputRoughness = 0.15;
 
 class QuarterCars : public testing::Test {
  protected:
@@ -29,7 +29,7 @@ class QuarterCars : public testing::Test {
     };
     Experiment one;
     one.id = "car_" + std::to_string(number);
-    one.sample_time = kStep;
+    one.sample_time = kReadingStep;
     one.u.resize(samples);
     one.y.resize(samples);
     Eigen::Vector4d x = Eigen::Vector4d::Zero();
@@ -38,10 +38,10 @@ class QuarterCars : public testing::Test {
       road = 0.94 * road + 2 * normal();
       if (t >= 0) {
         one.u[t] = road;
-        one.y[t] = x[0] + kRoughness * normal();
+        one.y[t] = x[0] + kInputRoughness * normal();
       }
       constexpr int kParts = 10;
-      const double h = kStep / kParts;
+      const double h = kReadingStep / kParts;
       for (int part = 0; part < kParts; ++part) {
         const Eigen::Vector4d k1 = derivative(x, road), k2 = derivative(x + h / 2 * k1, road),
                               k3 = derivative(x + h / 2 * k2, road),
@@ -68,7 +68,7 @@ TEST_F(QuarterCars, ShowEachOtherTheWeakMode) {
   const Estimate found = Identifier(Configuration()).identify(cars);
   EXPECT_EQ(found.nominal_model.structure, "modal");
   EXPECT_GE(found.nominal_model.a.size(), 4);
-  EXPECT_NEAR(std::sqrt(found.noise_variance.value), kRoughness, 0.05 * kRoughness);
+  EXPECT_NEAR(std::sqrt(found.noise_variance.value), kInputRoughness, 0.05 * kInputRoughness);
 }
 
 }  // namespace

@@ -12,7 +12,8 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kPeriod = 0.00025, kGain = 2, kTau = 0.2, kNoise = 0.002;  // [s], [-], [s], [-]
+constexpr double kFastPeriod = 0.00025, kFastGain = 2, kFastTau = 0.2,
+                 kFastNoise = 0.002;  // [s], [-], [s], [-]
 constexpr int kSamples = 20000;
 
 /// A first-order lag; its input are steps behind an actuator of 50 ms.
@@ -21,16 +22,16 @@ Experiment oversampled(int seed) {
   std::normal_distribution<double> normal;
   Experiment experiment;
   experiment.id = "run_" + std::to_string(seed);
-  experiment.sample_time = kPeriod;
+  experiment.sample_time = kFastPeriod;
   experiment.u.resize(kSamples);
   experiment.y.resize(kSamples);
-  const double pole = std::exp(-kPeriod / kTau), actuator = std::exp(-kPeriod / 0.05);
+  const double pole = std::exp(-kFastPeriod / kFastTau), actuator = std::exp(-kFastPeriod / 0.05);
   double x = 0, u = 0, level = 0;
   for (int k = 0; k < kSamples; ++k) {
     if (k % 1200 == 0) level = normal(random);
     experiment.u[k] = u;
-    experiment.y[k] = x + kNoise * normal(random);
-    x = pole * x + kGain * (1 - pole) * u;
+    experiment.y[k] = x + kFastNoise * normal(random);
+    x = pole * x + kFastGain * (1 - pole) * u;
     u = actuator * u + (1 - actuator) * level;
   }
   return experiment;
@@ -63,8 +64,8 @@ TEST_F(Thinning, FollowsTheBandwidthWhereTheOrdersDo) {
   EXPECT_GE(thinning, 5);
   EXPECT_LE(thinning, 16) << "2,500 samples of 40,000 are left";
   const NominalModelEstimate& model = estimate.nominal_model;
-  EXPECT_DOUBLE_EQ(model.sample_time, thinning * kPeriod);
-  EXPECT_NEAR(model.b.sum() / (1 + model.a.sum()), kGain, 0.005);
+  EXPECT_DOUBLE_EQ(model.sample_time, thinning * kFastPeriod);
+  EXPECT_NEAR(model.b.sum() / (1 + model.a.sum()), kFastGain, 0.005);
   EXPECT_GT(estimate.validation.simulation_fit_percent_pooled, 98);
 }
 
@@ -79,12 +80,12 @@ TEST_F(Thinning, GivesWhatThinnedRecordsGive) {
   EXPECT_EQ(of_all.log_likelihood, of_thinned.log_likelihood);
   EXPECT_EQ(of_all.validation.simulation_fit_percent_pooled,
             of_thinned.validation.simulation_fit_percent_pooled);
-  EXPECT_NEAR(of_all.nominal_model.a[0], -std::exp(-10 * kPeriod / kTau), 1e-3);
+  EXPECT_NEAR(of_all.nominal_model.a[0], -std::exp(-10 * kFastPeriod / kFastTau), 1e-3);
 }
 
 TEST_F(Thinning, IsLeftToWhoStatesOrdersOrASampleTime) {
   EXPECT_EQ(identified(stated_, data_).configuration.estimation.thinning, 1);
-  automatic_.sample_time = kPeriod;
+  automatic_.sample_time = kFastPeriod;
   automatic_.nominal_model.max_order = 1;
   EXPECT_EQ(identified(automatic_, data_).configuration.estimation.thinning, 1);
 }
@@ -98,7 +99,7 @@ TEST_F(Thinning, HoldsForWhatFollows) {
   EXPECT_EQ(again.configuration.estimation.thinning, 10);
   const PredictionCalibration calibration = Identifier(stated_).calibrate(estimate, data_);
   ASSERT_EQ(calibration.scores.size(), 2u);
-  for (const double score : calibration.scores) EXPECT_LT(score, 6 * kNoise);
+  for (const double score : calibration.scores) EXPECT_LT(score, 6 * kFastNoise);
   const auto runs = simulatedRuns(estimate, &calibration, data_, {});
   ASSERT_FALSE(runs.empty());
   EXPECT_GT(runs.front().fit_percent, 98);

@@ -25,7 +25,7 @@ struct Ovens {
   double noise = 0.1;  ///< standard deviation of what drives it [unit of y]
 };
 
-std::vector<Experiment> simulated(const Ovens& ovens, unsigned seed = 3) {
+std::vector<Experiment> simulatedOvens(const Ovens& ovens, unsigned seed = 3) {
   constexpr int kHold = 25;
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
@@ -78,7 +78,7 @@ double deviation(const Estimate& estimate, Eigen::Index k) {
 TEST(WarmStarts, OrderDelayAndWhatVariesAreFoundByDefault) {
   Configuration configuration;
   configuration.bounds.frequencies = 0;
-  const Estimate found = Identifier(configuration).identify(simulated({}));
+  const Estimate found = Identifier(configuration).identify(simulatedOvens({}));
   EXPECT_EQ(found.nominal_model.a.size(), 1) << "a slow pole more follows what another gain leaves";
   EXPECT_EQ(found.nominal_model.delay, 3);
   EXPECT_EQ(found.error_model.options.parameters, (std::vector<std::string>{"gain", "tau1"}));
@@ -95,7 +95,7 @@ TEST(WarmStarts, TheFreeResponseTakesPartInTheLinearisation) {
   ovens.samples = 120;
   ovens.noise_pole = 0;
   ovens.offset_spread = 1;
-  const std::vector<Experiment> data = simulated(ovens);
+  const std::vector<Experiment> data = simulatedOvens(ovens);
   const auto fitted = [&](std::vector<std::string> varied) {
     Configuration configuration = firstOrder(std::move(varied));
     configuration.estimation.offsets = Offsets::per_experiment;
@@ -116,7 +116,7 @@ class Offset : public testing::Test {
     ovens.offset_spread = spread;
     ovens.samples = 200;
     journal_.candidates.clear();
-    data_ = checkData({}, simulated(ovens), &journal_);
+    data_ = checkData({}, simulatedOvens(ovens), &journal_);
     Problem problem{data_, {}, nullptr, {}, {}, {}};
     problem.configuration = chooseInitialState({}, data_, &journal_);
     return chooseOffsets(problem, &journal_).estimation.offsets;
@@ -139,14 +139,14 @@ TEST_F(Offset, IsCommonWhereExperimentsStartAtRest) {
   Ovens ovens;
   ovens.offset_spread = 5;
   ovens.samples = 200;
-  data_ = checkData({}, simulated(ovens), &journal_);
+  data_ = checkData({}, simulatedOvens(ovens), &journal_);
   Problem problem{data_, {}, nullptr, {}, {}, {}};
   problem.configuration.estimation.initial_state = InitialState::zero;
   EXPECT_EQ(chooseOffsets(problem, &journal_).estimation.offsets, Offsets::estimate);
 }
 
 TEST_F(Offset, ThatIsGivenStays) {
-  const std::vector<Experiment> data = simulated({});
+  const std::vector<Experiment> data = simulatedOvens({});
   data_ = checkData({}, data, &journal_);
   Problem problem{data_, {}, nullptr, {}, {}, {}};
   problem.configuration.estimation.offsets = Offsets::none;
@@ -158,7 +158,7 @@ TEST_F(Offset, ThatIsGivenStays) {
 TEST(FirstSamples, TakeUpWhatUnknownInitialValuesCost) {
   Ovens ovens;
   ovens.noise_pole = ovens.gain_spread = ovens.tau_spread = 0;
-  const std::vector<Experiment> data = simulated(ovens);
+  const std::vector<Experiment> data = simulatedOvens(ovens);
   const auto fitted = [&](int nb) {
     Configuration configuration;
     NominalModelOptions& nominal = configuration.nominal_model;
@@ -190,7 +190,7 @@ TEST(FirstSamples, TakeUpWhatUnknownInitialValuesCost) {
 TEST(WarmStarts, DoNotMisleadLeastSquaresThatAllowForThem) {
   Ovens ovens;
   ovens.noise_pole = ovens.gain_spread = ovens.tau_spread = 0;
-  const std::vector<Experiment> data = simulated(ovens);
+  const std::vector<Experiment> data = simulatedOvens(ovens);
   std::vector<const Experiment*> all;
   for (const Experiment& one : data) all.push_back(&one);
   const LeastSquaresStart start(all, Constant::common);

@@ -10,10 +10,13 @@
 #include <limits>
 #include <random>
 
+#include "support/mentions.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {
+
+using test::mentions;
 
 class Csv : public testing::Test {
  protected:
@@ -48,10 +51,6 @@ class Csv : public testing::Test {
 
   std::string folder_, path_;
 };
-
-bool mentions(const std::string& message, const std::string& part) {
-  return message.find(part) != std::string::npos;
-}
 
 /// t,u,y rows k = first..last at 0.1 k, without those in `left_out`.
 std::string rows(int first, int last, const std::vector<int>& left_out = {}) {

@@ -19,7 +19,7 @@ namespace uncertainty_identification {
 namespace {
 
 /// As a cell of a .csv file.
-std::string cellOf(const std::string& name) {
+std::string quotedCell(const std::string& name) {
   std::string cell = "\"";
   for (const char c : name) cell += c == '"' ? "\"\"" : std::string(1, c);
   return cell + "\"";
@@ -104,8 +104,8 @@ TEST_F(InspectionYamlFile, KeepsAnyNameOfAColumn) {
 TEST_F(InspectionYamlFile, ReadsTheFileThatWasSurveyed) {
   const std::string input = "cmd: \"left\", [V]", output = " speed #1 {rad/s}";
   std::ofstream file(folder_ / "log.csv");
-  file << "time_ms," << cellOf("note, free") << "," << cellOf(input) << "," << cellOf(output)
-       << "\n";
+  file << "time_ms," << quotedCell("note, free") << "," << quotedCell(input) << ","
+       << quotedCell(output) << "\n";
   for (int k = 0; k < 60; ++k)
     file << 20 * k << "," << k % 4 << "," << (k / 5) % 3 << "," << std::sin(0.2 * k) << "\n";
   file.close();

@@ -34,7 +34,7 @@ ReportFiles filesWithChart() {
   return files;
 }
 
-std::size_t countOf(const std::string& text, const std::string& part) {
+std::size_t occurrences(const std::string& text, const std::string& part) {
   std::size_t count = 0;
   for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size())
     ++count;
@@ -71,7 +71,7 @@ TEST(Report, NeedsNoOtherFile) {
   const std::string html = reportHtml(someResult(), {}, filesWithChart());
   EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
   EXPECT_FALSE(std::regex_search(html, std::regex(R"(<(script|img|iframe|link)[^>]*\ssrc=)")));
-  EXPECT_EQ(countOf(html, "<link"), 1u);
+  EXPECT_EQ(occurrences(html, "<link"), 1u);
   EXPECT_NE(html.find("<link rel=\"icon\" href=\"data:,\">"), std::string::npos);
   EXPECT_EQ(html.find("@import"), std::string::npos);
   EXPECT_LT(html.size(), 1500000u);
@@ -85,7 +85,7 @@ TEST(Report, TextFromUsersCannotBecomeMarkup) {
   const std::string html = reportHtml(result, {}, filesWithChart());
   EXPECT_EQ(html.find("alert(1)</script>"), std::string::npos);
   EXPECT_EQ(html.find("</SCRIPT>"), std::string::npos);
-  EXPECT_EQ(countOf(html, "</script>"), 4u) << "of the page's own four elements";
+  EXPECT_EQ(occurrences(html, "</script>"), 4u) << "of the page's own four elements";
   const auto id = embedded(html)["experiments"]["estimates"][0]["id"];
   EXPECT_EQ(id, "</script><script>alert(1)</script><!--<script>{{chart}}\xef\xbf\xbd");
 }

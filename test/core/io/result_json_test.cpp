@@ -9,6 +9,7 @@
 
 #include "io/json_file.h"
 #include "io/read_file.h"
+#include "support/core_setup.h"
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/configuration_yaml.h"
 
@@ -17,12 +18,9 @@ namespace {
 
 using Eigen::VectorXd;
 using nlohmann::json;
+using test::vectorOf;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-VectorXd vector(std::initializer_list<double> values) {
-  return Eigen::Map<const VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
-}
 
 /// An estimate with every field filled, with numbers that need all their digits.
 Estimate estimate() {
@@ -34,17 +32,18 @@ Estimate estimate() {
   full.experiment_count = 2;
   full.sample_count = 5000000000;
   full.rejected = {{"bad", "constant input; record one that changes"}};
-  full.nominal_model = {"box_jenkins", 0.1, 2, vector({1.0 / 3, 2}), vector({0.5}), vector({0.1}),
-                        vector({}),    {},  {}};
+  full.nominal_model = {
+      "box_jenkins", 0.1, 2, vectorOf({1.0 / 3, 2}), vectorOf({0.5}), vectorOf({0.1}),
+      vectorOf({}),  {},  {}};
   full.nominal_model.parameters = {{"b1", "V", 1.0 / 3, 1e-300, kNan},
                                    {"a1", "", 0.5, 5e-324, 0.25}};
   full.nominal_model.covariance = (Eigen::Matrix2d() << 1, 2, 2, 4.000000000000001).finished();
   full.configuration.error_model = paperErrorModel();
   full.error_model.options = full.configuration.error_model;
   full.error_model.options.components = 2;
-  full.error_model.T = vector({1, -1});
+  full.error_model.T = vectorOf({1, -1});
   full.error_model.mixture = {{0.25, 0.75},
-                              {vector({-1}), vector({0.1 + 0.2})},
+                              {vectorOf({-1}), vectorOf({0.1 + 0.2})},
                               {Eigen::MatrixXd::Constant(1, 1, 0.2), Eigen::MatrixXd::Zero(1, 1)}};
   full.error_model.parameters = {{"weight1", "", 0.25, 0.1, 0.2}};
   full.noise_variance = {"noise_variance", "V^2", 0.1, 0.01, 0.02};
@@ -58,17 +57,17 @@ Estimate estimate() {
   full.passes = 9;
   full.seconds = 0.5;
   full.trace = {{1, 2, -5.5, StepSummary{0.5, 3, true, 0.25}}, {2, 4, -4.5}};
-  full.experiments = {{"exp \"1\"", 100, {0.1, 0.9}, vector({0.7}), -10.25}};
+  full.experiments = {{"exp \"1\"", 100, {0.1, 0.9}, vectorOf({0.7}), -10.25}};
   full.candidates = {{"orders", "output_error nb=2 na=2 delay=1", 4, {}, 5.0, 93.5, true}};
   full.validation = {{"v1", "v2"}, {90.5, -3}, 85, -12};
   full.residual_tests = {150, {0.1, -0.2}, {1.0 / 3, 0.01}, 0.25, kNan};
   full.simulation_fit_percent = 87.25;
-  full.structure_error = {vector({0.5, 20}), vector({1.0 / 3, 7})};
+  full.structure_error = {vectorOf({0.5, 20}), vectorOf({1.0 / 3, 7})};
   full.warnings = {"a warning"};
   return full;
 }
 
-std::string complaint(const json& tree) {
+std::string complaintOn(const json& tree) {
   try {
     estimateFromJson(tree);
   } catch (const ConfigurationError& error) {
@@ -205,18 +204,18 @@ TEST(ResultJson, DefaultEstimateRoundTrips) {
 TEST(ResultJson, RefusesWhatIsNoSuchResult) {
   json tree = toJson(estimate());
   tree["format"] = "uncertainty_identification/result/2";
-  EXPECT_EQ(complaint(tree),
+  EXPECT_EQ(complaintOn(tree),
             "format: found 'uncertainty_identification/result/2'; expected "
             "'uncertainty_identification/result/1'");
-  EXPECT_EQ(complaint(json::object()), "format: missing (is the file truncated?)");
-  EXPECT_EQ(complaint(json::array()), "the document: found a list; expected a group of keys");
+  EXPECT_EQ(complaintOn(json::object()), "format: missing (is the file truncated?)");
+  EXPECT_EQ(complaintOn(json::array()), "the document: found a list; expected a group of keys");
   tree = toJson(estimate());
   tree["nominal_model"]["b"][1] = "two";
-  EXPECT_EQ(complaint(tree), "nominal_model.b[1]: found 'two'; expected a number");
+  EXPECT_EQ(complaintOn(tree), "nominal_model.b[1]: found 'two'; expected a number");
   tree = toJson(estimate());
   tree["termination"] = "done";
   EXPECT_NE(
-      complaint(tree).find("not_run, converged, iteration_limit, stalled, cancelled, time_limit"),
+      complaintOn(tree).find("not_run, converged, iteration_limit, stalled, cancelled, time_limit"),
       std::string::npos);
 }
 
@@ -230,7 +229,7 @@ TEST(ResultJson, NamesEveryMissingField) {
       continue;
     json without = tree;
     without.erase(key);
-    EXPECT_EQ(complaint(without), key + ": missing (is the file truncated?)");
+    EXPECT_EQ(complaintOn(without), key + ": missing (is the file truncated?)");
   }
 }
 
@@ -238,36 +237,36 @@ TEST(ResultJson, IgnoresWhatALaterVersionAdds) {
   json tree = toJson(estimate());
   tree["later"] = 1;
   tree["nominal_model"]["later"] = 1;
-  EXPECT_EQ(complaint(tree), "");
+  EXPECT_EQ(complaintOn(tree), "");
 }
 
 TEST(ResultJson, OlderResultsHaveNoTestOfLinearity) {
   json tree = toJson(estimate());
   tree["residual_tests"].erase("linearity_p_value");
   tree["residual_tests"].erase("nonlinear_share");
-  EXPECT_EQ(complaint(tree), "");
+  EXPECT_EQ(complaintOn(tree), "");
 }
 
 TEST(ResultJson, StructureErrorsThatDoNotFitTogetherAreRefused) {
   json tree = toJson(estimate());
   tree["structure_error"]["relative"].push_back(1);
-  EXPECT_EQ(complaint(tree), "structure_error.relative: found 3 entries; allowed: 2");
+  EXPECT_EQ(complaintOn(tree), "structure_error.relative: found 3 entries; allowed: 2");
   tree = toJson(estimate());
   tree["structure_error"]["omega"][0] = 30;
-  EXPECT_NE(complaint(tree).find("do not ascend"), std::string::npos) << complaint(tree);
+  EXPECT_NE(complaintOn(tree).find("do not ascend"), std::string::npos) << complaintOn(tree);
 }
 
 TEST(ResultJson, OlderConfigurationsTakeDefaults) {
   json tree = toJson(estimate());
   tree["configuration"].erase("limits");
-  EXPECT_EQ(complaint(tree), "");
+  EXPECT_EQ(complaintOn(tree), "");
 }
 
 TEST(ResultJson, SavesWhatAReportShowsFirst) {
   const std::string path = testing::TempDir() + "result_json_overview_test.json";
   Result result{estimate(), {}};
   result.physical = {"First-order plant.", {{"gain", "", 8.25, 8, 8.5, 0.4}, {"damping", "", 1}}};
-  result.runs = {{"run 1", "best", true, 97.5, 0.1, vector({1.0 / 3, kNan}), vector({2, 3})}};
+  result.runs = {{"run 1", "best", true, 97.5, 0.1, vectorOf({1.0 / 3, kNan}), vectorOf({2, 3})}};
   result.origin = {"2026-03-14 15:09", {"a.csv", "b.csv"}, {"v.csv"}};
   saveResult(path, result);
   const Result back = loadResult(path);

@@ -30,16 +30,16 @@ std::string complaintAbout(const std::string& yaml) {
 }
 
 /// All paths of a tree's keys, one per line.
-std::string keys(const json& tree, const std::string& parent = "") {
+std::string keysOf(const json& tree, const std::string& parent = "") {
   std::string all;
   if (!tree.is_object()) return parent + "\n";
-  for (const auto& [key, value] : tree.items()) all += keys(value, pathOf(parent, key));
+  for (const auto& [key, value] : tree.items()) all += keysOf(value, pathOf(parent, key));
   return all;
 }
 
 TEST(TruthYaml, ReferenceStatesEveryKeyAndItsDefault) {
   const std::string path = kConfig + "truth_reference.yaml";
-  EXPECT_EQ(keys(*treeFromYaml(loadYaml(path)).value), keys(toJson(Truth{})));
+  EXPECT_EQ(keysOf(*treeFromYaml(loadYaml(path)).value), keysOf(toJson(Truth{})));
   EXPECT_EQ(toJson(loadTruth(path)), toJson(Truth{}));
 }
 

@@ -35,7 +35,7 @@ NominalModelOptions modal(int reals, int pairs, bool feedthrough = false, int no
 VectorXd someModes() { return vectorOf({0.7, 2.0, 5.0, 0.1, 3.0, 0.8, 0.25}); }
 
 /// The response to a step at sample 0 by B/A.
-VectorXd stepResponse(const Polynomials& p, int samples) {
+VectorXd stepResponseOf(const Polynomials& p, int samples) {
   VectorXd y = VectorXd::Zero(samples);
   for (int t = 0; t < samples; ++t) {
     for (Eigen::Index k = 0; k < p.b.size(); ++k)
@@ -48,7 +48,7 @@ VectorXd stepResponse(const Polynomials& p, int samples) {
 
 TEST(Modal, RespondsToAStepAsItsModesDo) {
   const VectorXd theta = someModes();
-  const VectorXd y = stepResponse(makeModal(modal(1, 1, true), kPeriod)->polynomials(theta), 60);
+  const VectorXd y = stepResponseOf(makeModal(modal(1, 1, true), kPeriod)->polynomials(theta), 60);
   const std::complex<double> pole(-theta[2] * theta[3],
                                   theta[2] * std::sqrt(1 - theta[3] * theta[3]));
   for (int t = 0; t < 60; ++t) {

@@ -102,7 +102,7 @@ std::vector<Case> cases() {
   return all;
 }
 
-std::vector<Experiment> experiments(double missing) {
+std::vector<Experiment> experimentsWithGaps(double missing) {
   test::RandomSystemOptions options;
   options.experiments = 11;
   options.min_samples = 20;
@@ -113,7 +113,7 @@ std::vector<Experiment> experiments(double missing) {
 
 TEST(NoiseWhitening, IsAKalmanFilter) {
   for (const Case& one : cases()) {
-    const std::vector<Experiment> data = experiments(one.missing);
+    const std::vector<Experiment> data = experimentsWithGaps(one.missing);
     const StateSpace system(one.c, one.d);
     for (const Block& block : makeBlocks(data)) {
       const NoiseWhitening whitening(one.c, one.d, one.start, one.first, block, false);
@@ -137,7 +137,7 @@ TEST(NoiseWhitening, IsAKalmanFilter) {
 
 TEST(NoiseWhitening, SensitivitiesMatchDifferences) {
   for (const Case& one : cases()) {
-    const std::vector<Experiment> data = experiments(one.missing);
+    const std::vector<Experiment> data = experimentsWithGaps(one.missing);
     const Block block = makeBlocks(data).front();
     VectorXd both(one.c.size() + one.d.size());
     both << one.c, one.d;
@@ -170,7 +170,7 @@ TEST(NoiseWhitening, SensitivitiesMatchDifferences) {
 /// From rest and without gaps whitening is the plain filter D/C.
 TEST(NoiseWhitening, FromRestIsTheInverseFilter) {
   const VectorXd c = vectorOf({0.5, 0.2}), d = vectorOf({-0.7});
-  const std::vector<Experiment> data = experiments(0);
+  const std::vector<Experiment> data = experimentsWithGaps(0);
   const Block block = makeBlocks(data).front();
   const NoiseWhitening whitening(c, d, NoiseStart::zero, 0, block, false);
   Signals e;

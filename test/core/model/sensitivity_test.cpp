@@ -15,7 +15,7 @@ using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kSampleTime = 0.01;
+constexpr double kSensitivityPeriod = 0.01;
 
 NominalModelOptions circuit() {
   NominalModelOptions options;
@@ -79,7 +79,7 @@ void expectExpansion(const NominalModel& nominal, ErrorModelOptions options, con
 }
 
 TEST(Sensitivity, ExpandsAContinuousModelToItsOrder) {
-  const auto nominal = makeNominalModel(circuit(), kSampleTime);
+  const auto nominal = makeNominalModel(circuit(), kSensitivityPeriod);
   const VectorXd theta = test::vectorOf({2.0, 0.02, 150.0, 0.3, 0.4});
   ASSERT_EQ(nominal->names()[1], "tau1");
   expectExpansion(*nominal, sensitivity(1), theta, 4);
@@ -87,14 +87,14 @@ TEST(Sensitivity, ExpandsAContinuousModelToItsOrder) {
 }
 
 TEST(Sensitivity, ExpandsABoxJenkinsModelToItsOrder) {
-  const auto nominal = makeNominalModel(boxJenkins(), kSampleTime);
+  const auto nominal = makeNominalModel(boxJenkins(), kSensitivityPeriod);
   const VectorXd theta = test::vectorOf({1.0, 0.4, -1.2, 0.5, 0.1, 0.8});
   expectExpansion(*nominal, sensitivity(1), theta, 4);
   expectExpansion(*nominal, sensitivity(2, {"b2", "a1", "a2"}), theta, 8);
 }
 
 TEST(Sensitivity, ScaleIsTheProductHalvedForSquaresAndSoIsItsDerivative) {
-  const auto nominal = makeNominalModel(boxJenkins(), kSampleTime);
+  const auto nominal = makeNominalModel(boxJenkins(), kSensitivityPeriod);
   const SensitivityTerms terms = sensitivityTerms(*nominal, sensitivity(2, {"b1", "a1"}));
   // Go is linear in b1
   ASSERT_EQ(terms.indices, (std::vector<std::vector<int>>{{0}, {2}, {0, 2}, {2, 2}}));
@@ -113,7 +113,7 @@ TEST(Sensitivity, ScaleIsTheProductHalvedForSquaresAndSoIsItsDerivative) {
 }
 
 TEST(Sensitivity, TakesAllParametersOfGoAndNoneOfH) {
-  const auto nominal = makeNominalModel(boxJenkins(), kSampleTime);
+  const auto nominal = makeNominalModel(boxJenkins(), kSensitivityPeriod);
   ErrorModelOptions options = sensitivity(1);
   completeErrorModel(*nominal, &options);
   EXPECT_EQ(options.parameters, (std::vector<std::string>{"b1", "b2", "a1", "a2"}));
@@ -127,16 +127,16 @@ TEST(Sensitivity, SpreadTakesTheOnlyParameterOrAsksForNames) {
   ErrorModelOptions options = sensitivity(1);
   options.basis = BasisKind::parameter_spread;
   ErrorModelOptions taken = options;
-  completeErrorModel(*makeNominalModel(one, kSampleTime), &taken);
+  completeErrorModel(*makeNominalModel(one, kSensitivityPeriod), &taken);
   EXPECT_EQ(taken.parameters, (std::vector<std::string>{"tau1"}));
   const std::string message = messageOf<ConfigurationError>(
-      [&] { completeErrorModel(*makeNominalModel(boxJenkins(), kSampleTime), &options); });
+      [&] { completeErrorModel(*makeNominalModel(boxJenkins(), kSensitivityPeriod), &options); });
   EXPECT_NE(message.find("error_model.parameters"), std::string::npos) << message;
   EXPECT_NE(message.find("b1, b2, a1, a2"), std::string::npos) << message;
 }
 
 TEST(Sensitivity, RefusesNamesThatAreNotOfGoAndTooManyTerms) {
-  const auto nominal = makeNominalModel(boxJenkins(), kSampleTime);
+  const auto nominal = makeNominalModel(boxJenkins(), kSensitivityPeriod);
   for (const char* name : {"tau1", "c1"}) {
     ErrorModelOptions options = sensitivity(1, {name});
     const std::string message =
@@ -151,7 +151,7 @@ TEST(Sensitivity, RefusesNamesThatAreNotOfGoAndTooManyTerms) {
 }
 
 TEST(Sensitivity, LeavesOtherBasesAndNoErrorModelAlone) {
-  const auto nominal = makeNominalModel(boxJenkins(), kSampleTime);
+  const auto nominal = makeNominalModel(boxJenkins(), kSensitivityPeriod);
   ErrorModelOptions fir, none = sensitivity(1);
   none.taps = 0;
   completeErrorModel(*nominal, &fir);

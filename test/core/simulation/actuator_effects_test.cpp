@@ -9,15 +9,15 @@ namespace {
 
 using Eigen::VectorXd;
 using test::expectNear;
-using test::vector;
+using test::vectorOf;
 
-const VectorXd kInput = vector({0, 1, 3, -0.25, -2, -1, 0.4, 0});
+const VectorXd kInput = vectorOf({0, 1, 3, -0.25, -2, -1, 0.4, 0});
 
 void expectActuated(const ActuatorEffects& effects, std::initializer_list<double> expected) {
   EffectsTruth truth;
   truth.actuator = effects;
   truth.validate();
-  expectNear(actuated(effects, kInput), vector(expected));
+  expectNear(actuated(effects, kInput), vectorOf(expected));
 }
 
 TEST(ActuatorEffects, NoneLeavesTheInput) { expectActuated({}, {0, 1, 3, -0.25, -2, -1, 0.4, 0}); }

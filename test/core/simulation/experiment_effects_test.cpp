@@ -15,13 +15,13 @@ namespace {
 using Eigen::VectorXd;
 using test::expectNear;
 using test::unitDelay;
-using test::vector;
+using test::vectorOf;
 
 TEST(ExperimentEffects, FeedbackClosesTheLoopThroughNoiseAndSensor) {
   Truth truth = unitDelay();
-  truth.plant.a = vector({-0.5});
+  truth.plant.a = vectorOf({-0.5});
   truth.noise.variance = 0.1;
-  truth.noise.d = vector({-0.7});
+  truth.noise.d = vectorOf({-0.7});
   truth.effects.sensor.lag = {0.3};
   truth.effects.actuator.saturation = {1.5};
   const Experiment open = simulateExperiment(truth, 1, 0);
@@ -45,9 +45,9 @@ TEST(ExperimentEffects, FeedbackClosesTheLoopThroughNoiseAndSensor) {
 
 TEST(ExperimentEffects, FurtherModeTakesItsShare) {
   Truth truth = unitDelay();
-  truth.error_model.mixture = {{1.0}, {vector({0.3})}, {Eigen::MatrixXd::Constant(1, 1, 0.04)}};
+  truth.error_model.mixture = {{1.0}, {vectorOf({0.3})}, {Eigen::MatrixXd::Constant(1, 1, 0.04)}};
   const Truth plain = truth;
-  truth.effects.experiment.mode = {0.25, vector({5}), 0.1};
+  truth.effects.experiment.mode = {0.25, vectorOf({5}), 0.1};
   truth.validate();
   constexpr int kCount = 4000;
   int further = 0;
@@ -96,7 +96,7 @@ TEST(ExperimentEffects, CubicInterpolationIsExactForACubic) {
   Truth truth = unitDelay(100);
   truth.input.variance = 0;
   truth.input.mean = 1;
-  truth.plant.a = vector({-2, 1});  // 1/(1 - q^-1)^2: a parabola
+  truth.plant.a = vectorOf({-2, 1});  // 1/(1 - q^-1)^2: a parabola
   truth.effects.experiment.clock = {2};
   const double tau = drawSystem(truth, 1, 0).effects.clock_shift;
   const VectorXd y = simulateExperiment(truth, 1, 0).y;
@@ -108,7 +108,7 @@ TEST(ExperimentEffects, JitterIsStampedAndSurvivesAFile) {
   truth.sample_time = 0.5;
   truth.input.variance = 0;
   truth.input.mean = 1;
-  truth.plant.a = vector({-2, 1});
+  truth.plant.a = vectorOf({-2, 1});
   truth.effects.experiment.jitter = {0.2, 1};
   const Experiment experiment = simulateExperiment(truth, 1, 0);
   const VectorXd delta = experiment.stamp_offset / 0.5;

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::VectorXd;
 using test::expectNear;
-using test::vector;
+using test::vectorOf;
 
 /// v alone: a plant without gain, and unit variance of w.
 Truth noiseAlone(int samples) {
@@ -25,10 +25,10 @@ TEST(NoiseEffects, ColourMultipliesTheDenominator) {
   for (const NoiseStart start : {NoiseStart::zero, NoiseStart::stationary}) {
     Truth coloured = noiseAlone(300), plain = noiseAlone(300);
     coloured.noise.start = plain.noise.start = start;
-    coloured.noise.c = plain.noise.c = vector({0.3});
-    coloured.noise.d = vector({-0.5});
+    coloured.noise.c = plain.noise.c = vectorOf({0.3});
+    coloured.noise.d = vectorOf({-0.5});
     coloured.effects.noise.colour = {-0.9, 0.4};
-    plain.noise.d = vector({-1.4, 0.85, -0.2});  // (1 - 0.5 q^-1)(1 - 0.9 q^-1 + 0.4 q^-2)
+    plain.noise.d = vectorOf({-1.4, 0.85, -0.2});  // (1 - 0.5 q^-1)(1 - 0.9 q^-1 + 0.4 q^-2)
     expectNear(simulateExperiment(coloured, 1, 0).y, simulateExperiment(plain, 1, 0).y, 1e-9);
   }
 }

@@ -13,7 +13,7 @@ namespace {
 using Eigen::VectorXd;
 using test::expectNear;
 using test::unitDelay;
-using test::vector;
+using test::vectorOf;
 
 /// x(t) = 0.6 x(t - 1) + 0.5 f(t - 1) with f = drive(u, x, x before).
 template <class Drive>
@@ -29,8 +29,8 @@ VectorXd looped(const VectorXd& u, Drive drive) {
 
 Truth firstOrder() {
   Truth truth = unitDelay();
-  truth.plant.b = vector({0.5});
-  truth.plant.a = vector({-0.6});
+  truth.plant.b = vectorOf({0.5});
+  truth.plant.a = vectorOf({-0.6});
   return truth;
 }
 
@@ -83,7 +83,7 @@ TEST(PlantEffects, FeedbackWithinThePlant) {
 
 TEST(PlantEffects, FeedbackOfZeroLeavesTheRelativeErrorAsItIs) {
   Truth truth = firstOrder();
-  truth.error_model.mixture = {{1.0}, {vector({0.3})}, {Eigen::MatrixXd::Constant(1, 1, 0.04)}};
+  truth.error_model.mixture = {{1.0}, {vectorOf({0.3})}, {Eigen::MatrixXd::Constant(1, 1, 0.04)}};
   const Experiment plain = simulateExperiment(truth, 3, 0);
   truth.effects.plant.cubic = {0.0};
   expectNear(simulateExperiment(truth, 3, 0).y, plain.y);
@@ -153,14 +153,14 @@ TEST(PlantEffects, InitialStateRingsDownByA) {
 
 TEST(PlantEffects, AgingMovesTheMeanFromTheFirstToTheLast) {
   Truth truth = firstOrder();
-  truth.error_model.mixture = {{1.0}, {vector({0.3})}, {Eigen::MatrixXd::Constant(1, 1, 0.04)}};
+  truth.error_model.mixture = {{1.0}, {vectorOf({0.3})}, {Eigen::MatrixXd::Constant(1, 1, 0.04)}};
   Truth aging = truth;
-  aging.effects.plant.aging = {vector({0.8})};
+  aging.effects.plant.aging = {vectorOf({0.8})};
   for (int r = 0; r < 3; ++r) {
     const double moved = drawSystem(aging, 5, r).xi(0) - drawSystem(truth, 5, r).xi(0);
     EXPECT_NEAR(moved, 0.4 * (r - 1), 1e-12);
   }
-  aging.effects.plant.aging = {vector({0.8, 1})};
+  aging.effects.plant.aging = {vectorOf({0.8, 1})};
   EXPECT_THROW(aging.validate(), ConfigurationError);
 }
 

@@ -6,16 +6,14 @@
 #include <cmath>
 #include <vector>
 
+#include "support/core_setup.h"
 #include "uncertainty_identification/errors.h"
 
 namespace uncertainty_identification {
 namespace {
 
 using Eigen::VectorXd;
-
-VectorXd vector(std::initializer_list<double> values) {
-  return Eigen::Map<const VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
-}
+using test::vectorOf;
 
 VectorXd convolution(const VectorXd& left, const VectorXd& right, Eigen::Index length) {
   VectorXd out = VectorXd::Zero(length);
@@ -42,8 +40,8 @@ VectorXd impulseResponse(const VectorXd& b, const VectorXd& a, int delay, Eigen:
 Truth plainTruth() {
   Truth truth;
   truth.experiments = 5;
-  truth.plant.b = vector({1.0, 0.5});
-  truth.plant.a = vector({-0.7, 0.2});
+  truth.plant.b = vectorOf({1.0, 0.5});
+  truth.plant.a = vectorOf({-0.7, 0.2});
   truth.plant.delay = 2;
   return truth;
 }
@@ -52,7 +50,7 @@ Truth mixtureTruth() {
   Truth truth = plainTruth();
   truth.error_model.basis.taps = 3;
   truth.error_model.mixture.weights = {0.3, 0.7};
-  truth.error_model.mixture.means = {vector({-1, 0}), vector({1, 2})};
+  truth.error_model.mixture.means = {vectorOf({-1, 0}), vectorOf({1, 2})};
   truth.error_model.mixture.covariances = {(Eigen::Matrix2d() << 0.2, 0.1, 0.1, 0.4).finished(),
                                            Eigen::Matrix2d::Zero()};
   return truth;
@@ -111,10 +109,10 @@ TEST(Simulate, LaguerreErrorIsTheConvolution) {
   truth.error_model.basis.constraint = Constraint::free;
   const double p = truth.error_model.basis.pole = 0.6;
   truth.error_model.mixture.weights = {1};
-  truth.error_model.mixture.means = {vector({0.5, -2})};
+  truth.error_model.mixture.means = {vectorOf({0.5, -2})};
   truth.error_model.mixture.covariances = {Eigen::Matrix2d::Zero()};
-  const VectorXd first = impulseResponse(vector({std::sqrt(1 - p * p)}), vector({-p}), 0, 100);
-  const VectorXd all_pass = impulseResponse(vector({-p, 1}), vector({-p}), 0, 100);
+  const VectorXd first = impulseResponse(vectorOf({std::sqrt(1 - p * p)}), vectorOf({-p}), 0, 100);
+  const VectorXd all_pass = impulseResponse(vectorOf({-p, 1}), vectorOf({-p}), 0, 100);
   const VectorXd error = 0.5 * first - 2 * convolution(first, all_pass, 100);
   const VectorXd g = impulseResponse(truth.plant.b, truth.plant.a, truth.plant.delay, 100);
   const Experiment experiment = simulateExperiment(truth, 1, 0);
@@ -177,7 +175,7 @@ TEST(Simulate, SeedsKeepTheirMeaning) {
   Truth truth = mixtureTruth();
   truth.experiments = 7;
   truth.noise.variance = 0.1;
-  truth.noise.d = vector({-0.8});
+  truth.noise.d = vectorOf({-0.8});
   truth.noise.start = NoiseStart::stationary;
   const Experiment experiment = simulateExperiment(truth, 9, 6);
   EXPECT_DOUBLE_EQ(experiment.u(99), -0.99138246111217243);
@@ -232,8 +230,8 @@ TEST(Simulate, NoiseStartsAtRestOrStationary) {
   truth.experiments = 20000;
   truth.plant.b = VectorXd::Zero(1);
   truth.noise.variance = 0.5;
-  truth.noise.c = vector({0.4});
-  truth.noise.d = vector({-0.9});
+  truth.noise.c = vectorOf({0.4});
+  truth.noise.d = vectorOf({-0.9});
   // ARMA(1,1): sigma^2 (1 + 2 c phi + c^2)/(1 - phi^2), phi = -d.
   const double stationary = 0.5 * (1 + 2 * 0.4 * 0.9 + 0.16) / (1 - 0.81);
   for (const NoiseStart start : {NoiseStart::zero, NoiseStart::stationary}) {
