@@ -8,6 +8,7 @@
 #include "data/text.h"
 #include "explanation/base_model.h"
 #include "explanation/cause_free_model.h"
+#include "explanation/columns_beside.h"
 #include "explanation/doubtful_curves.h"
 #include "explanation/estimate_fit.h"
 #include "explanation/gains.h"
@@ -63,7 +64,7 @@ class Explaining {
   SearchProgress& progress_;
   Following following_;                      ///< of the signals that the model is fitted to
   std::vector<std::string> leading_curves_;  ///< the only effects that the likelihood tries, if any
-  std::string thinning_, simplification_;    ///< of long records and orders, as warnings tell them
+  std::string left_out_, thinning_, simplification_;  ///< of covariates, long records and orders
   WorkerPool pool_;
   Explanation explanation_;
 };
@@ -116,9 +117,7 @@ bool Explaining::lowersOrder() {
   const std::string failed =
       nominal.orders_auto ? "that was chosen" : "of order " + std::to_string(nominal.na);
   nominal = ofOrder(nominal.orders_auto ? explanation_.simulation.order : 1);
-  simplification_ = "the model " + failed +
-                    " cannot be evaluated on the experiments that it was identified from; "
-                    "one of order " +
+  simplification_ = "the model " + failed + " cannot be evaluated on its own experiments; order " +
                     std::to_string(nominal.na) + " is used instead";
   return true;
 }
@@ -186,9 +185,9 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
   addWithCommonOffset(data, spoilt, &outcomes);
   SearchOutcome* const best = bestOf(&outcomes, configuration_.explanation.acceptance);
   explanation_.warnings = best->estimate.warnings;
-  std::vector<std::string> remarks{thinning_, best->simplification, best->base.remark,
-                                   otherOrdersWarning(best->chosen_orders, best->estimate),
-                                   progress_.outOfTime() ? kOutOfTime : ""};
+  std::vector<std::string> remarks{left_out_, thinning_, best->simplification, best->base.remark};
+  remarks.push_back(otherOrdersWarning(best->chosen_orders, best->estimate));
+  if (progress_.outOfTime()) remarks.emplace_back(kOutOfTime);
   for (const SearchOutcome& other : outcomes) remarks.push_back(tieWarning(other, *best));
   for (const std::string& warning : refusalWarnings(*best)) remarks.push_back(warning);
   for (std::string& text : remarks)
@@ -205,6 +204,7 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   Split data = split(configuration_, experiments, validation);
   const std::vector<RejectedExperiment> rejected = leaveOutUnusable(configuration_, &data);
   const std::optional<SpoiltSamples> stray = maskStray(&configuration_, &data);
+  left_out_ = leaveOutReadingsOfTheOutput(asked_, &data);
   following_ = followingOf(data.train);
   configuration_.estimation.offsets = offsetsOfBaseModel(asked_, data.train);
   searchSimulation(data);

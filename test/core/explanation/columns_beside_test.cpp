@@ -1,0 +1,90 @@
+#include "explanation/columns_beside.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "support/mentions.h"
+
+namespace uncertainty_identification {
+namespace {
+
+using test::mentions;
+
+/// A shaft: its position is measured, and beside it its speed, the load that brakes it (steps,
+/// which act much more than the motor), a load's force that is noise, and one that swings.
+Experiment ofAShaft(unsigned seed, int samples) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Experiment run;
+  run.id = std::to_string(seed);
+  run.sample_time = 0.01;
+  run.u = run.y = Eigen::VectorXd::Zero(samples);
+  Eigen::VectorXd speed_read = run.u, steps = run.u, noise = run.u, swinging = run.u;
+  double position = 0, speed = 0, step = 0;
+  for (int t = 0; t < samples; ++t) {
+    run.y[t] = position + 1e-4 * normal(random);
+    speed_read[t] = speed + 0.02 * normal(random);
+    if (t % 40 == 0) run.u[t] = normal(random);
+    if (t % 40 != 0) run.u[t] = run.u[t - 1];
+    if (t % 30 == 0) step = 5 * normal(random);
+    steps[t] = step;
+    noise[t] = 5 * normal(random);
+    swinging[t] = 5 * (std::sin(0.05 * t) + std::sin(0.13 * t + seed)) + 0.01 * normal(random);
+    speed = 0.9 * speed + 0.1 * (run.u[t] - steps[t] + noise[t] + swinging[t]);
+    position += 0.01 * speed;
+  }
+  run.signals = {{"speed", speed_read}, {"steps", steps}, {"noise", noise}, {"swinging", swinging}};
+  return run;
+}
+
+Split ofShafts(int samples = 400) {
+  Split data;
+  for (unsigned seed = 1; seed <= 4; ++seed) data.train.push_back(ofAShaft(seed, samples));
+  data.held.push_back(ofAShaft(5, samples));
+  return data;
+}
+
+TEST(ColumnsBeside, AnotherReadingIsLeftOutAndWhatDrivesTheOutputIsNot) {
+  Split data = ofShafts();
+  const std::string left_out = leaveOutReadingsOfTheOutput({}, &data);
+  EXPECT_TRUE(mentions(left_out, "in speed: it follows")) << left_out;
+  for (const std::vector<Experiment>& experiments : {data.train, data.held}) {
+    for (const Experiment& experiment : experiments) {
+      EXPECT_EQ(experiment.signals.count("speed"), 0u);
+      EXPECT_EQ(experiment.signals.size(), 3u);
+    }
+  }
+  EXPECT_EQ(leaveOutReadingsOfTheOutput({}, &data), "");
+}
+
+TEST(ColumnsBeside, MissingReadingsAreNoChanges) {
+  Split data = ofShafts();
+  for (Experiment& experiment : data.train) {
+    experiment.valid.assign(static_cast<std::size_t>(experiment.samples()), 1);
+    for (int t = 5; t < experiment.samples(); t += 50) {
+      experiment.valid[static_cast<std::size_t>(t)] = 0;
+      experiment.y[t] = std::nan("");
+      experiment.signals["speed"][t + 20] = std::nan("");
+    }
+  }
+  EXPECT_TRUE(mentions(leaveOutReadingsOfTheOutput({}, &data), "in speed: it follows"));
+}
+
+TEST(ColumnsBeside, WhatTheConfigurationStatesIsTried) {
+  Configuration configuration;
+  configuration.covariates.resize(1);
+  configuration.covariates[0].name = "speed";
+  Split data = ofShafts();
+  EXPECT_EQ(leaveOutReadingsOfTheOutput(configuration, &data), "");
+  EXPECT_EQ(data.train.front().signals.count("speed"), 1u);
+}
+
+TEST(ColumnsBeside, NothingIsSaidOfFewSamples) {
+  Split data = ofShafts(80);
+  EXPECT_EQ(leaveOutReadingsOfTheOutput({}, &data), "");
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
