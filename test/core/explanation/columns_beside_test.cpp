@@ -6,6 +6,7 @@
 #include <random>
 
 #include "support/mentions.h"
+#include "uncertainty_identification/explanation/explanation.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -57,6 +58,23 @@ TEST(ColumnsBeside, AnotherReadingIsLeftOutAndWhatDrivesTheOutputIsNot) {
     }
   }
   EXPECT_EQ(leaveOutReadingsOfTheOutput({}, &data), "");
+}
+
+/// Runs of a shaft that nothing brakes but steps of a load that nobody recorded.
+TEST(ColumnsBeside, ExplainTakesNoSpeedForASecondInput) {
+  Split data = ofShafts(200);
+  std::vector<Experiment> runs = data.train;
+  for (unsigned seed = 6; seed < 12; ++seed) runs.push_back(ofAShaft(seed, 200));
+  for (Experiment& run : runs) {
+    const Eigen::VectorXd speed = run.signals["speed"];
+    run.signals = {{"speed", speed}};
+  }
+  Configuration configuration;
+  configuration.nominal_model.orders_auto = false;
+  configuration.nominal_model.na = configuration.nominal_model.nb = 2;
+  const Explanation found = explain(configuration, runs);
+  EXPECT_TRUE(test::anyMentions(found.warnings, "no cause was sought in speed"));
+  for (const Cause& cause : found.causes) EXPECT_NE(cause.variant, "speed") << cause.name;
 }
 
 TEST(ColumnsBeside, MissingReadingsAreNoChanges) {
