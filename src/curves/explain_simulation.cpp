@@ -15,6 +15,8 @@
 #include "curves/record_levels.h"
 #include "curves/search_time.h"
 #include "curves/window_search.h"
+#include "math/constants.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -102,6 +104,17 @@ std::string refusalOf(const std::vector<FoundCurve>& refused) {
          "time to time, a linear plant looks the same. The simulation alone does not name it";
 }
 
+/// [Hz] of an oscillation of the linear plant without causes that lasts as long as the records do.
+double lastingOscillation(const PlannedSearch& searched, const std::vector<Experiment>& fitted) {
+  const CurveModel& plant = searched.found.result.base.model;
+  const double sample_time = searched.plan.thinning * fitted.front().sample_time;
+  const auto longest = std::max_element(
+      fitted.begin(), fitted.end(),
+      [](const Experiment& a, const Experiment& b) { return a.samples() < b.samples(); });
+  const double samples = static_cast<double>(longest->samples()) / searched.plan.thinning;
+  return lastingFrequency(plant.theta.head(plant.order), samples) / (2 * kPi * sample_time);
+}
+
 void describe(const WindowSearch& search, SimulationCauses* found) {
   const CurveSearchResult& result = search.result;
   found->order = result.base.model.order;
@@ -138,6 +151,8 @@ void describe(const PlannedSearch& searched, const std::vector<Experiment>& fitt
     found->preparation += "; the output of each window is counted from a level of its own";
   found->refused = searched.refused;
   describe(search, found);
+  found->lasting_oscillation = lastingOscillation(searched, fitted);
+  if (found->lasting_oscillation > 0) found->order = std::max(1, found->order - 2);
   found->difference = differenceInWords(held, search, found->held_out_error_ratio);
   found->pictures = picturesOf(held.empty() ? fitted : held, levels, search.kept, search.result);
   found->ended_early = search.result.ended_early;

@@ -11,6 +11,13 @@
 namespace uncertainty_identification {
 namespace {
 
+std::string namesOf(const SimulationCauses& simulation) {
+  std::string names;
+  for (const SimulationCause& cause : simulation.causes)
+    names += (names.empty() ? "" : ", ") + cause.what.name;
+  return names;
+}
+
 /// Names none of the curves that were found, for this reason.
 void refuseCurves(const std::string& why, SimulationCauses* simulation) {
   simulation->refused = why;
@@ -77,14 +84,25 @@ void dropTimeGainOfSweeps(const std::vector<Experiment>& fitted, SimulationCause
                simulation);
 }
 
+/// All curves that were found beside an oscillation of the linear plant that nothing damps. Windows
+/// of any initial state follow such a line of the noise, and what the plant lacks beside it is
+/// looked for with a wrong plant: a friction with a limit cycle keeps the line's amplitude.
+void dropBesideLine(SimulationCauses* simulation) {
+  if (simulation->causes.empty() || !(simulation->lasting_oscillation > 0)) return;
+  refuseCurves(namesOf(*simulation) +
+                   ": the linear plant that it was found with holds an "
+                   "oscillation at " +
+                   rounded(simulation->lasting_oscillation) +
+                   " Hz that does not decay within the records, as hum does and no machine; not "
+                   "named",
+               simulation);
+}
+
 /// Curves with which the simulation is still far from what was measured.
 void dropOfPoorSimulation(SimulationCauses* simulation) {
   constexpr double kLeast = 60;  // [%] fit
   if (simulation->causes.empty() || simulation->fit_after >= kLeast) return;
-  std::string names;
-  for (const SimulationCause& cause : simulation->causes)
-    names += (names.empty() ? "" : ", ") + cause.what.name;
-  refuseCurves(names + ": raises the fit of simulating held-out data from " +
+  refuseCurves(namesOf(*simulation) + ": raises the fit of simulating held-out data from " +
                    rounded(simulation->fit_before) + " to " + rounded(simulation->fit_after) +
                    " %, which leaves too much unexplained to tell the cause; not named",
                simulation);
@@ -95,6 +113,7 @@ void dropOfPoorSimulation(SimulationCauses* simulation) {
 void dropDoubtfulCurves(const std::vector<Experiment>& fitted, SimulationCauses* simulation) {
   dropPlayOfSensorSteps(fitted, simulation);
   dropTimeGainOfSweeps(fitted, simulation);
+  dropBesideLine(simulation);
   dropOfPoorSimulation(simulation);
 }
 

@@ -27,14 +27,7 @@ bool hasUndampedRoot(const Eigen::VectorXd& monic, double frequency, double samp
 }  // namespace
 
 bool neverDecays(const NominalModelEstimate& plant, double samples) {
-  constexpr double kLost = 0.1, kPeriods = 10;
-  if (plant.a.size() < 2) return false;
-  const Eigen::VectorXcd all = roots(plant.a);
-  for (Eigen::Index k = 0; k < all.size(); ++k) {
-    const bool oscillates = std::arg(all[k]) * samples > 2 * kPi * kPeriods && all[k].imag() > 1e-9;
-    if (oscillates && std::pow(std::abs(all[k]), samples) > 1 - kLost) return true;
-  }
-  return false;
+  return lastingFrequency(plant.a, samples) > 0;
 }
 
 bool hasLineAsPoles(const std::vector<Cause>& causes, const NominalModelEstimate& without,

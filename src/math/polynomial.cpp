@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "math/constants.h"
+
 namespace uncertainty_identification {
 namespace {
 
@@ -77,6 +79,19 @@ bool oscillationsDecay(const Eigen::VectorXd& monic, int samples) {
   const Eigen::VectorXcd all = roots(monic);
   return std::all_of(all.data(), all.data() + all.size(),
                      [samples](auto root) { return oscillationDecays(root, samples); });
+}
+
+double lastingFrequency(const Eigen::VectorXd& monic, double samples) {
+  constexpr double kChange = 0.1, kPeriods = 10;
+  if (monic.size() < 2) return 0;
+  const Eigen::VectorXcd all = roots(monic);
+  for (Eigen::Index k = 0; k < all.size(); ++k) {
+    const double frequency = std::arg(all[k]);
+    const bool oscillates = all[k].imag() > 1e-9 && frequency * samples > 2 * kPi * kPeriods;
+    const double kept = std::pow(std::abs(all[k]), samples);
+    if (oscillates && kept > 1 - kChange && kept < 1 / (1 - kChange)) return frequency;
+  }
+  return 0;
 }
 
 Eigen::VectorXd stabilised(const Eigen::VectorXd& monic, double radius) {

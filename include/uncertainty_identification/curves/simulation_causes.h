@@ -55,7 +55,10 @@ struct SimulatedWindow {
 struct SimulationCauses {
   std::string preparation;  ///< what was done with the records, in a sentence; empty: not searched
   std::string skipped;  ///< why no curves were looked for, or not at all places; empty: they were
-  int order = 0;        ///< of the linear plant without causes
+  int order = 0;        ///< of the linear plant without causes and lasting oscillation
+  /// [Hz] of an oscillation of that plant that no damping ends within the records: of hum, or of
+  /// another line in the noise, not of a machine; 0: none.
+  double lasting_oscillation = 0;
   bool own_levels = false;  ///< the output of each window is counted from a level of its own
   std::vector<SimulationCause> causes;
   std::string refused;  ///< what simulates better but does not predict better, and why it is not

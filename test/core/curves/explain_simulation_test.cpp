@@ -156,6 +156,13 @@ TEST(ExplainSimulation, FindsNothingInALinearPlant) {
   }
 }
 
+TEST(ExplainSimulation, TellsHumThatThePlantHolds) {
+  std::vector<Experiment> all = runs(kRuns + kHeld, 4, same, none);
+  for (Experiment& run : all)
+    for (int k = 0; k < kSamples; ++k) run.y[k] += 0.5 * std::sin(1.3 * k + run.u[0]);
+  EXPECT_NEAR(explained(all).lasting_oscillation, 2.07, 0.01) << "[Hz]";
+}
+
 /// A curve that takes little of the error away is no cause, however significant it is.
 TEST(ExplainSimulation, NamesNoCurveThatHardlyMatters) {
   const auto with = [](double bend) {

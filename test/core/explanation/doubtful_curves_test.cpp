@@ -51,6 +51,15 @@ TEST(DoubtfulCurves, PlayAsWideAsTheSensorsStepsIsNotNamed) {
   expectNone(remaining(kStep), "hardly wider than the steps of 0.5");
 }
 
+TEST(DoubtfulCurves, NoCauseIsNamedBesideAnOscillationThatNothingDamps) {
+  SimulationCauses simulation = found({"plant_coulomb", "rate", "coulomb", ""}, 97, 98);
+  dropDoubtfulCurves(readInSteps(0.01), &simulation);
+  EXPECT_EQ(simulation.causes.size(), 1u);
+  simulation.lasting_oscillation = 50;
+  dropDoubtfulCurves(readInSteps(0.01), &simulation);
+  expectNone(simulation, "an oscillation at 50 Hz");
+}
+
 TEST(DoubtfulCurves, NoCauseIsNamedWhereTheSimulationStaysPoor) {
   const auto remaining = [](double after) {
     SimulationCauses simulation = found({"plant_sine", "position", "sine", ""}, -88, after);

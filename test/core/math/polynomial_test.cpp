@@ -103,6 +103,17 @@ TEST(Polynomial, OscillationsDecayWhereTheirRootsAreInside) {
   EXPECT_TRUE(oscillationsDecay(VectorXd(), 100));
 }
 
+TEST(Polynomial, AnOscillationLastsWhereItKeepsNineTenths) {
+  const auto frequency = [](double r, double samples) {
+    return lastingFrequency(vectorOf({-2 * r * std::cos(0.3), r * r}), samples);
+  };
+  EXPECT_NEAR(frequency(std::pow(0.91, 1e-3), 1000), 0.3, 1e-9);
+  EXPECT_EQ(frequency(std::pow(0.89, 1e-3), 1000), 0);
+  EXPECT_NEAR(frequency(std::pow(1.1, 1e-3), 1000), 0.3, 1e-9);
+  EXPECT_EQ(frequency(std::pow(1.13, 1e-3), 1000), 0) << "rises";
+  EXPECT_EQ(frequency(1, 200), 0) << "less than ten periods";
+}
+
 TEST(IsStable, AgreesWithTheRoots) {
   int stable = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
