@@ -142,6 +142,13 @@ std::string differenceInWords(const std::vector<Experiment>& held, const WindowS
                     : "";
 }
 
+/// The name of a cause and those of its ties.
+std::vector<std::string> namesOfTies(const FoundCurve& cause) {
+  std::vector<std::string> names{causeNamed(cause.place.place, cause.shape)};
+  for (const TiedCurve& tie : cause.ties) names.push_back(causeNamed(tie.place.place, tie.shape));
+  return names;
+}
+
 void describe(const PlannedSearch& searched, const std::vector<Experiment>& fitted,
               const std::vector<Experiment>& held, const std::vector<double>& levels,
               SimulationCauses* found) {
@@ -150,6 +157,7 @@ void describe(const PlannedSearch& searched, const std::vector<Experiment>& fitt
   if (found->own_levels)
     found->preparation += "; the output of each window is counted from a level of its own";
   found->refused = searched.refused;
+  if (!searched.withheld.empty()) found->withheld = namesOfTies(searched.withheld.front());
   describe(search, found);
   found->lasting_oscillation = lastingOscillation(searched, fitted);
   if (found->lasting_oscillation > 0) found->order = std::max(1, found->order - 2);
@@ -181,7 +189,7 @@ class RecordSearch {
       time_->setPurpose(purpose);
       return searchWindows(fitted, held, windows, scales, within, context_);
     };
-    if (!for_causes_) return {plan, search(plan, limits_, Purpose::looking), ""};
+    if (!for_causes_) return {plan, search(plan, limits_, Purpose::looking), {}, ""};
     return searchInWindows(plan, fitted, limits_, search);
   }
 

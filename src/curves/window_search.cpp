@@ -38,34 +38,34 @@ std::string unconfirmed(const std::vector<FoundCurve>& causes, int length, int o
          ", so that it may stand for something else. Not named";
 }
 
-/// Drops the causes that are not found again in windows of the length of `other`; all of them where
-/// that search has no time to find them. What is said of these; empty where there are none.
-std::string confirm(const WindowPlan& plan, const WindowPlan& other, CurveSearchLimits limits,
-                    const WindowSearcher& search, WindowSearch* searched) {
-  const std::vector<FoundCurve> causes = searched->result.causes;
+/// Withholds the causes that are not found again in windows of the length of `other`; all of them
+/// where that search has no time to find them.
+void confirm(const WindowPlan& other, CurveSearchLimits limits, const WindowSearcher& search,
+             PlannedSearch* searched) {
+  const WindowPlan& plan = searched->plan;
+  const std::vector<FoundCurve> causes = searched->found.result.causes;
   CurveSearchLimits with_these = limits;  // a search may miss what it would accept
-  if (causes.size() == 1) with_these.suggested = &searched->result;
+  if (causes.size() == 1) with_these.suggested = &searched->found.result;
   const CurveSearchResult again = search(other, with_these, Purpose::confirming).result;
   std::size_t confirmed = countConfirmed(causes, again.causes);
-  if (confirmed == causes.size()) return "";
+  if (confirmed == causes.size()) return;
   if (again.ended_early) {
     confirmed = 0;
-    searched->dropCauses();
+    searched->found.dropCauses();
   } else {
     limits.max_causes = static_cast<int>(confirmed);
-    *searched = search(plan, limits, Purpose::looking);
+    searched->found = search(plan, limits, Purpose::looking);
   }
-  return unconfirmed({causes.begin() + static_cast<std::ptrdiff_t>(confirmed), causes.end()},
-                     plan.length, other.length, again.ended_early);
+  searched->withheld = {causes.begin() + static_cast<std::ptrdiff_t>(confirmed), causes.end()};
+  searched->refused = unconfirmed(searched->withheld, plan.length, other.length, again.ended_early);
 }
 
 /// The search in windows of one length, with its causes confirmed where they need to be.
 PlannedSearch confirmed(const WindowPlan& plan, const std::vector<Experiment>& experiments,
                         const CurveSearchLimits& limits, const WindowSearcher& search) {
-  PlannedSearch searched{plan, search(plan, limits, Purpose::looking), ""};
+  PlannedSearch searched{plan, search(plan, limits, Purpose::looking), {}, ""};
   if (!plan.one_of_each && searched.found.needsConfirmation())
-    searched.refused =
-        confirm(plan, withOtherWindows(plan, experiments), limits, search, &searched.found);
+    confirm(withOtherWindows(plan, experiments), limits, search, &searched);
   return searched;
 }
 

@@ -46,7 +46,8 @@ using WindowSearcher =
 struct PlannedSearch {
   WindowPlan plan;
   WindowSearch found;
-  std::string refused;  ///< what is said of causes that are not confirmed; may be empty
+  std::vector<FoundCurve> withheld;  ///< causes that are not confirmed
+  std::string refused;               ///< what is said of these; may be empty
 };
 
 /// The search in windows of the plan or, where these show nothing and experiments are held out, in

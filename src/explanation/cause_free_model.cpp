@@ -8,6 +8,7 @@
 
 #include "data/text.h"
 #include "estimation/excerpt.h"
+#include "explanation/confirmation.h"
 #include "explanation/measure.h"
 #include "explanation/named_causes.h"
 #include "explanation/poor_simulation.h"
@@ -164,7 +165,8 @@ bool makesLikelier(const AnswerLikelihood& with, const Estimate& without,
 /// Whether the answer of the search remains beside this model.
 bool stands(const Explanation& explanation, const AnswerLikelihood& with_causes,
             const Estimate& without, const Split& data) {
-  if (!agrees(without, kCheckThreshold) || makesLikelier(with_causes, without, explanation))
+  if (!agrees(without, kCheckThreshold) || makesLikelier(with_causes, without, explanation) ||
+      isFoundTwice(explanation))
     return true;
   if (!leadingCurves(explanation.simulation).empty() && !without.trust.trusted) return true;
   if (standsForALine(explanation, without.nominal_model, longestOf(data.train))) return true;

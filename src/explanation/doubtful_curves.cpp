@@ -110,6 +110,17 @@ void dropOfPoorSimulation(SimulationCauses* simulation) {
 
 }  // namespace
 
+void dropCurvesThatLeaveMost(SimulationCauses* simulation) {
+  constexpr double kHalf = 0.5;  // of the squared error
+  const double share = std::pow((100 - simulation->fit_after) / (100 - simulation->fit_before), 2);
+  if (simulation->causes.empty() || !(share > kHalf)) return;
+  refuseCurves(namesOf(*simulation) + ": raises the fit of simulating held-out data from " +
+                   rounded(simulation->fit_before) + " to " + rounded(simulation->fit_after) +
+                   " % and leaves more than half of the squared error, so that it may stand for "
+                   "something else; not named",
+               simulation);
+}
+
 void dropDoubtfulCurves(const std::vector<Experiment>& fitted, SimulationCauses* simulation) {
   dropPlayOfSensorSteps(fitted, simulation);
   dropTimeGainOfSweeps(fitted, simulation);

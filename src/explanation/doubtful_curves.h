@@ -12,4 +12,8 @@ namespace uncertainty_identification {
 /// whose frequency does as well, and any with which the simulation fits by less than 60 %.
 void dropDoubtfulCurves(const std::vector<Experiment>& fitted, SimulationCauses* simulation);
 
+/// Drops curves that leave more than half of the squared error of the held-out data. Whatever else
+/// is wrong takes part of its error away by some curve. For models whose residuals still show it.
+void dropCurvesThatLeaveMost(SimulationCauses* simulation);
+
 }  // namespace uncertainty_identification

@@ -17,6 +17,10 @@ bool isOfSamples(const Cause& cause) {
                      [&](Trait trait) { return hasTrait(cause.name, trait); });
 }
 
+bool isStructural(const Cause& cause) {
+  return cause.group != "noise" && !isOfSamples(cause) && !hasTrait(cause.name, Trait::outliers);
+}
+
 std::string namesOf(const std::vector<Cause>& causes) {
   std::string names;
   for (const Cause& cause : causes) names += (names.empty() ? "" : ", ") + cause.name;

@@ -12,6 +12,9 @@ namespace uncertainty_identification {
 /// imitate it.
 bool isOfSamples(const Cause& cause);
 
+/// Whether a cause is neither of the noise nor a defect of samples.
+bool isStructural(const Cause& cause);
+
 /// "sens_hum, act_delay".
 std::string namesOf(const std::vector<Cause>& causes);
 

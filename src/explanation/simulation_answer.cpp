@@ -10,6 +10,8 @@
 #include "curves/curve_words.h"
 #include "data/text.h"
 #include "explanation/acceptance.h"
+#include "explanation/confirmation.h"
+#include "explanation/doubtful_curves.h"
 #include "explanation/named_causes.h"
 #include "explanation/poor_simulation.h"
 #include "explanation/residual_checks.h"
@@ -97,11 +99,6 @@ void takeCurves(Explanation* explanation) {
   explanation->message = text.str();
 }
 
-/// Whether a cause is neither of the noise nor a defect of samples.
-bool isStructural(const Cause& cause) {
-  return cause.group != "noise" && !isOfSamples(cause) && !hasTrait(cause.name, Trait::outliers);
-}
-
 /// Whether a cause is of a kind that the free simulation can show.
 bool isCurve(const Cause& cause) {
   static const std::vector<std::string> kCurves = curveCauseNames();
@@ -176,29 +173,12 @@ void dropCausesThatSimulateWorse(Explanation* explanation) {
   conclude(explanation, true);
 }
 
-/// Whether one cause alone describes all, and the last thirds of the records clearly.
-bool isConfirmed(const std::optional<LastThirds>& gains, const Explanation& explanation) {
-  constexpr double kClear = 6, kBetter = 0.8;  // [nats], of the squared error
-  const std::vector<Cause>& causes = explanation.causes;
-  return gains && explanation.verdict == Verdict::explained &&
-         std::count_if(causes.begin(), causes.end(), isStructural) == 1 &&
-         gains->log_density > kClear && gains->first > kClear && gains->error_ratio < kBetter;
-}
-
-std::string confirmation(const LastThirds& gains) {
-  return "no experiment is held out; fitted again to the first two thirds of each record, the "
-         "model "
-         "with the cause makes the last third more likely by " +
-         rounded(gains.log_density) + " nats and its simulation error " +
-         rounded(100 * std::sqrt(gains.error_ratio)) + " % of that without";
-}
-
 /// What makes the residuals white may stand for what the simulation lacks. Where the data or
 /// the steps of the input are too few to search for that, a structural cause has to make the
 /// simulation of held-out experiments better, and a curve to halve its error. Where none are held
 /// out, every parameter makes it better: the free simulation must show the cause in windows that
-/// were left out, the last thirds of the records confirm it or, of a kind that it cannot show, the
-/// cause halve the error.
+/// were left out, be it in windows of one length, the last thirds of the records confirm it or, of
+/// a kind that it cannot show, the cause halve the error.
 void dropUnverified(const std::optional<LastThirds>& last_thirds, Explanation* explanation) {
   const std::string& skipped = explanation->simulation.skipped;
   const bool few_data = skipped.rfind("fewer than", 0) == 0;
@@ -206,9 +186,9 @@ void dropUnverified(const std::optional<LastThirds>& last_thirds, Explanation* e
   const bool in_sample = explanation->held_out.empty();
   if (!too_few && !in_sample) return;
   constexpr double kBetter = 0.95, kHalved = 0.5;  // of the squared error
-  const bool confirmed = !few_data && isConfirmed(last_thirds, *explanation);
+  const std::string confirmation = few_data ? "" : confirmationOf(last_thirds, *explanation);
   const auto gains_enough = [&](const Cause& cause) {
-    if (confirmed) return true;
+    if (!confirmation.empty()) return true;
     if (in_sample && (few_data || isCurve(cause))) return false;
     return errorRatio(*cause.gain) < (in_sample || isCurve(cause) ? kHalved : kBetter);
   };
@@ -217,7 +197,7 @@ void dropUnverified(const std::optional<LastThirds>& last_thirds, Explanation* e
         return !isStructural(cause) || !cause.gain || cause.simulation || gains_enough(cause);
       });
   if (first == explanation->causes.end()) {
-    if (confirmed) explanation->warnings.push_back(confirmation(*last_thirds));
+    if (!confirmation.empty()) explanation->warnings.push_back(confirmation);
     return;
   }
   const std::vector<Cause> dropped(first, explanation->causes.end());
@@ -274,6 +254,7 @@ std::vector<std::string> leadingCurves(const SimulationCauses& simulation) {
 }
 
 void joinSimulation(Explanation* explanation, const std::optional<LastThirds>& last_thirds) {
+  if (!allPassed(explanation->checks_after)) dropCurvesThatLeaveMost(&explanation->simulation);
   if (!explanation->simulation.refused.empty())
     explanation->warnings.push_back(explanation->simulation.refused);
   if (!explanation->simulation.difference.empty())

@@ -63,6 +63,8 @@ struct SimulationCauses {
   std::vector<SimulationCause> causes;
   std::string refused;  ///< what simulates better but does not predict better, and why it is not
                         ///< named, in a sentence; empty: nothing
+  /// Names of the first cause that windows of another length do not show, and of its ties.
+  std::vector<std::string> withheld;
   /// Of simulating without causes: rms of held-out windows over that of the windows fitted to; NaN:
   /// not searched.
   double held_out_error_ratio = std::numeric_limits<double>::quiet_NaN();

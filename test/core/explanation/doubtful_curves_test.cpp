@@ -60,6 +60,18 @@ TEST(DoubtfulCurves, NoCauseIsNamedBesideAnOscillationThatNothingDamps) {
   expectNone(simulation, "an oscillation at 50 Hz");
 }
 
+/// Half of the squared error of a fit of 90 % is left by one of 92.9 %.
+TEST(DoubtfulCurves, NoCauseIsNamedThatLeavesMostOfTheError) {
+  const auto remaining = [](double after) {
+    SimulationCauses simulation =
+        found({"sens_backlash", "output_play", "output_play", ""}, 90, after);
+    dropCurvesThatLeaveMost(&simulation);
+    return simulation;
+  };
+  EXPECT_EQ(remaining(93).causes.size(), 1u);
+  expectNone(remaining(92.8), "leaves more than half of the squared error");
+}
+
 TEST(DoubtfulCurves, NoCauseIsNamedWhereTheSimulationStaysPoor) {
   const auto remaining = [](double after) {
     SimulationCauses simulation = found({"plant_sine", "position", "sine", ""}, -88, after);

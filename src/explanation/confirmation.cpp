@@ -1,0 +1,46 @@
+#include "explanation/confirmation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "data/text.h"
+#include "explanation/named_causes.h"
+
+namespace uncertainty_identification {
+namespace {
+
+bool isClear(const LastThirds& gains) {
+  constexpr double kClear = 6, kBetter = 0.8;  // [nats], of the squared error
+  return gains.log_density > kClear && gains.first > kClear && gains.error_ratio < kBetter;
+}
+
+std::string ofLastThirds(const LastThirds& gains) {
+  return "no experiment is held out; fitted again to the first two thirds of each record, the "
+         "model with the cause makes the last third more likely by " +
+         rounded(gains.log_density) + " nats and its simulation error " +
+         rounded(100 * std::sqrt(gains.error_ratio)) + " % of that without";
+}
+
+}  // namespace
+
+bool isFoundTwice(const Explanation& explanation) {
+  const std::vector<Cause>& causes = explanation.causes;
+  const std::vector<std::string>& withheld = explanation.simulation.withheld;
+  const auto cause = std::find_if(causes.begin(), causes.end(), isStructural);
+  return std::count_if(causes.begin(), causes.end(), isStructural) == 1 &&
+         std::find(withheld.begin(), withheld.end(), cause->name) != withheld.end();
+}
+
+std::string confirmationOf(const std::optional<LastThirds>& last_thirds,
+                           const Explanation& explanation) {
+  const std::vector<Cause>& causes = explanation.causes;
+  const bool explains_all = explanation.verdict == Verdict::explained &&
+                            std::count_if(causes.begin(), causes.end(), isStructural) == 1;
+  if (explains_all && last_thirds && isClear(*last_thirds)) return ofLastThirds(*last_thirds);
+  if (!isFoundTwice(explanation)) return "";
+  return std::find_if(causes.begin(), causes.end(), isStructural)->name +
+         " is named all the same: the likelihood of all samples asks for the same cause";
+}
+
+}  // namespace uncertainty_identification

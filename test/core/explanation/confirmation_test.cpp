@@ -1,0 +1,99 @@
+// What confirms a cause where no experiment is held out.
+#include "explanation/confirmation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "explanation/simulation_answer.h"
+#include "support/mentions.h"
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr LastThirds kClear{20, 20, 0.5};
+
+/// A play that explains all of one record by the likelihood, and that the free simulation shows in
+/// windows of one length only.
+Explanation playOfOneRecord() {
+  Explanation found;
+  Cause play;
+  play.name = "act_backlash";
+  play.gain = Gain{};
+  play.gain->nrmse_fit_percent = {78, 97};
+  found.causes = {play};
+  found.verdict = Verdict::explained;
+  found.checks_after = {{"whiteness", 1, 0.5, true, ""}};
+  found.simulation.preparation = "1 record";
+  found.simulation.fit_before = found.simulation.fit_after = 78;
+  found.simulation.refused = "act_backlash: is not found in windows of 133";
+  found.simulation.withheld = {"act_backlash", "plant_coulomb"};
+  return found;
+}
+
+TEST(Confirmation, IsOfLastThirdsThatGainClearly) {
+  Explanation found = playOfOneRecord();
+  found.simulation.withheld.clear();
+  EXPECT_TRUE(test::mentions(confirmationOf(kClear, found), "the last third more likely by 20"));
+  EXPECT_EQ(confirmationOf(LastThirds{5, 20, 0.5}, found), "");
+  EXPECT_EQ(confirmationOf(LastThirds{20, 5, 0.5}, found), "");
+  EXPECT_EQ(confirmationOf(LastThirds{20, 20, 0.9}, found), "");
+  EXPECT_EQ(confirmationOf({}, found), "");
+}
+
+TEST(Confirmation, IsThatTheSimulationShowsTheSameCauseInWindowsOfOneLength) {
+  Explanation found = playOfOneRecord();
+  EXPECT_TRUE(test::mentions(confirmationOf({}, found), "act_backlash is named all the same"));
+  found.simulation.withheld = {"plant_coulomb"};
+  EXPECT_EQ(confirmationOf({}, found), "");
+}
+
+TEST(Confirmation, IsOfOneCause) {
+  Explanation found = playOfOneRecord();
+  found.simulation.withheld.clear();
+  found.verdict = Verdict::partly_explained;
+  EXPECT_EQ(confirmationOf(kClear, found), "");
+  found = playOfOneRecord();
+  found.causes.push_back(found.causes.front());
+  EXPECT_EQ(confirmationOf(kClear, found), "");
+  found.causes.clear();
+  EXPECT_EQ(confirmationOf(kClear, found), "");
+}
+
+TEST(Confirmation, KeepsTheCauseInTheAnswer) {
+  Explanation found = playOfOneRecord();
+  joinSimulation(&found, {});
+  ASSERT_EQ(found.causes.size(), 1u);
+  const auto is_told = [](const std::string& warning) {
+    return test::mentions(warning, "named all the same");
+  };
+  EXPECT_TRUE(std::any_of(found.warnings.begin(), found.warnings.end(), is_told));
+  Explanation alone = playOfOneRecord();
+  alone.simulation.withheld.clear();
+  joinSimulation(&alone, {});
+  EXPECT_TRUE(alone.causes.empty());
+}
+
+/// Whatever else is wrong takes part of its error away by some curve.
+TEST(SimulationAnswer, CurvesThatLeaveMostOfTheErrorStandOnlyWhereAllTestsPass) {
+  const auto answered = [](bool passes) {
+    Explanation found = playOfOneRecord();
+    found.held_out = {"12"};
+    found.checks_after.front().passed = passes;
+    if (!passes) found.causes.clear();
+    found.verdict = passes ? Verdict::explained : Verdict::unknown;
+    SimulationCause play;
+    play.what = {"act_backlash", "play", "play", ""};
+    play.fit_before = 78;
+    play.fit_after = found.simulation.fit_after = 82;
+    found.simulation.causes = {play};
+    joinSimulation(&found, {});
+    return found;
+  };
+  EXPECT_TRUE(answered(false).causes.empty());
+  ASSERT_EQ(answered(true).causes.size(), 1u);
+  EXPECT_TRUE(answered(true).causes.front().simulation);
+}
+
+}  // namespace
+}  // namespace uncertainty_identification
