@@ -179,18 +179,21 @@ bool stands(const Explanation& explanation, const AnswerLikelihood& with_causes,
 
 /// Whether the model can be given as the answer: identify's own tests pass, the plant alone
 /// explains most of the output, parts that were held out are not simulated far worse, and the model
-/// is not that of a controller which computes the input from the output.
+/// is not that of a controller which computes the input from the output. Few experiments that
+/// differ much do not show whether they do so by chance or with the input.
 bool isAnswer(const Estimate& estimate, const Split& data) {
-  constexpr double kUseful = 50;  // [%] fit
+  constexpr double kUsefulOfFew = 75, kUsefulOfMany = 50;  // [%] fit
+  constexpr std::size_t kFew = 8;
   constexpr double kAnyLevel = 1;
+  const double useful = data.train.size() < kFew ? kUsefulOfFew : kUsefulOfMany;
   const NominalModelEstimate& nominal = estimate.nominal_model;
   const bool is_plant =
       trustOfDirection({}, followingOf(data.train), nominal.delay, true).trusted &&
       trustOfOrders({}, estimate.candidates, nominal.a.size(), estimate.simulation_fit_percent)
           .trusted;
   return is_plant && !neverDecays(nominal, longestOf(data.train)) && agrees(estimate, kAnyLevel) &&
-         estimate.simulation_fit_percent.value_or(0) >= kUseful &&
-         simulationFitOf(estimate).value_or(0) >= kUseful;
+         estimate.simulation_fit_percent.value_or(0) >= useful &&
+         simulationFitOf(estimate).value_or(0) >= useful;
 }
 
 Check checkOf(const std::string& name, double p_value) {
@@ -217,7 +220,7 @@ std::string messageOf(const std::vector<Cause>& causes, const Estimate& estimate
   const bool was_held_out = !estimate.validation.experiments.empty();
   if (const std::optional<double> fit = simulationFitOf(estimate))
     text += std::string(" Its simulation fits ") + (was_held_out ? "held-out data" : "the data") +
-            " by " + rounded(*fit) + " %";
+            " by " + rounded(*fit) + " %" + restInWords(*fit, !estimate.variation.empty());
   return text;
 }
 

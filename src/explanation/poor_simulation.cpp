@@ -163,12 +163,24 @@ void tellFit(Explanation* explanation) {
                                           : ". The simulation without a cause fits ") +
                           (was_held_out ? "held-out data" : "the data") + " by " + rounded(*fit) +
                           " %";
-  if (!explanation->simulation.skipped.empty())
+  const bool was_searched = explanation->simulation.skipped.empty();
+  if (was_searched && explanation->verdict == Verdict::none)
+    explanation->message += restInWords(*fit, false);
+  if (!was_searched)
     explanation->message +=
         "; what it lacks was not looked for (" + explanation->simulation.skipped + ")";
 }
 
 }  // namespace
+
+std::string restInWords(double fit, bool plants_differ) {
+  constexpr double kNearlyAll = 90;  // [%] fit
+  if (!(fit < kNearlyAll)) return "";
+  return "; the rest, " + rounded(100 - fit) + " % of the output's deviation, is taken for " +
+         (plants_differ ? "the differences between experiments and " : "") +
+         "a disturbance that the input does not cause, such as a load, an input that was not "
+         "recorded or a drift";
+}
 
 bool saysLittle(const Trust& trust, const SimulationCauses& simulation) {
   return !simulation.skipped.empty() && !trust.trusted && !trust.reasons.empty();

@@ -10,6 +10,11 @@ namespace uncertainty_identification {
 /// that such causes do not change it.
 void warnOfPoorSimulation(Explanation* explanation);
 
+/// What the model without causes takes the rest of the output for, to be added to its fit [%];
+/// empty where little is left. That nothing is wrong says that the tests see nothing which the
+/// input causes, not that the output holds nothing else.
+std::string restInWords(double fit, bool plants_differ);
+
 /// Whether nothing was looked for, since the data or the steps of the input are too few, in a model
 /// that is not to be relied on: tests that pass say little then.
 bool saysLittle(const Trust& trust, const SimulationCauses& simulation);

@@ -234,6 +234,23 @@ TEST(CauseFreeModel, IsNoAnswerWhereTheInputFollowsTheOutput) {
   EXPECT_NE(compared(partly(named("act_lag")), byDefault(), firstFive(all)).verdict, Verdict::none);
 }
 
+/// By 70 %: whether few plants differ by chance or with the input is not to be seen.
+TEST(CauseFreeModel, IsNoAnswerOfFewExperimentsThatItSimulatesPoorly) {
+  const auto answered = [](int count) {
+    std::mt19937_64 random(8);
+    std::normal_distribution<double> normal(0, 0.4);
+    std::vector<Experiment> all = plants(count, [](double u) { return u; });
+    for (Experiment& experiment : all)
+      for (int k = 0; k < experiment.samples(); ++k) experiment.y[k] += normal(random);
+    Split data;
+    data.train.assign(all.begin(), all.end() - 2);
+    data.held.assign(all.end() - 2, all.end());
+    return compared(partly(named("act_lag")), byDefault(), data);
+  };
+  EXPECT_EQ(answered(11).verdict, Verdict::none);
+  EXPECT_NE(answered(7).verdict, Verdict::none);
+}
+
 TEST(CauseFreeModel, IsNoAnswerOfFewDataWhereItIsNotTrusted) {
   const std::vector<Experiment> all = linearPlants();
   const Split two{{all[0], all[1]}, {all[0], all[1]}, true};  // too few to show how plants differ

@@ -60,6 +60,20 @@ TEST(PoorSimulation, NothingIsSaidWithTheFitAndWithWhatWasNotLookedFor) {
       << found.message;
 }
 
+TEST(PoorSimulation, NothingSaysWhatTheRestIsTakenFor) {
+  const auto said = [](double fit) {
+    Explanation explanation;
+    explanation.verdict = Verdict::none;
+    explanation.before.simulation_fit_percent = fit;
+    warnOfPoorSimulation(&explanation);
+    return explanation.message;
+  };
+  const std::string rest = "the rest, 20 % of the output's deviation, is taken for a disturbance";
+  EXPECT_TRUE(test::mentions(said(80), rest)) << said(80);
+  EXPECT_FALSE(test::mentions(said(91), "the rest")) << said(91);
+  EXPECT_TRUE(test::mentions(restInWords(80, true), "the differences between experiments and a"));
+}
+
 TEST(PoorSimulation, NothingIsNotSaidOfFewDataByAModelThatIsNotTrusted) {
   Explanation explanation;
   explanation.verdict = Verdict::none;
