@@ -142,13 +142,6 @@ std::string differenceInWords(const std::vector<Experiment>& held, const WindowS
                     : "";
 }
 
-/// The name of a cause and those of its ties.
-std::vector<std::string> namesOfTies(const FoundCurve& cause) {
-  std::vector<std::string> names{causeNamed(cause.place.place, cause.shape)};
-  for (const TiedCurve& tie : cause.ties) names.push_back(causeNamed(tie.place.place, tie.shape));
-  return names;
-}
-
 void describe(const PlannedSearch& searched, const std::vector<Experiment>& fitted,
               const std::vector<Experiment>& held, const std::vector<double>& levels,
               SimulationCauses* found) {
@@ -157,10 +150,12 @@ void describe(const PlannedSearch& searched, const std::vector<Experiment>& fitt
   if (found->own_levels)
     found->preparation += "; the output of each window is counted from a level of its own";
   found->refused = searched.refused;
-  if (!searched.withheld.empty()) found->withheld = namesOfTies(searched.withheld.front());
+  if (!searched.withheld.empty() && !search.result.ended_early)
+    found->withheld = possibleNames(searched.withheld.front());
   describe(search, found);
   found->lasting_oscillation = lastingOscillation(searched, fitted);
-  if (found->lasting_oscillation > 0) found->order = std::max(1, found->order - 2);
+  constexpr int kOfTheLine = 2;
+  if (found->lasting_oscillation > 0 && found->order > kOfTheLine) found->order -= kOfTheLine;
   found->difference = differenceInWords(held, search, found->held_out_error_ratio);
   found->pictures = picturesOf(held.empty() ? fitted : held, levels, search.kept, search.result);
   found->ended_early = search.result.ended_early;

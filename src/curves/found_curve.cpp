@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "curves/curve_words.h"
 #include "curves/fit_comparison.h"
 
 namespace uncertainty_identification {
@@ -61,6 +62,14 @@ FoundCurve foundCurve(const std::vector<CurveCandidate>& tied, const WindowFit& 
     addTie({tied[k].place, tied[k].naming.shape}, &found);
   addTies(first.naming, &found);
   return found;
+}
+
+std::vector<std::string> possibleNames(const FoundCurve& cause) {
+  if (!cause.place.covariate.empty()) return {};  // names do not tell one covariate from another
+  std::vector<std::string> names{causeNamed(cause.place.place, cause.shape)};
+  if (!cause.nearest.empty()) names.push_back(causeNamed(cause.place.place, cause.nearest));
+  for (const TiedCurve& tie : cause.ties) names.push_back(causeNamed(tie.place.place, tie.shape));
+  return names;
 }
 
 std::size_t countConfirmed(const std::vector<FoundCurve>& causes,

@@ -35,6 +35,10 @@ void addTies(const Naming& naming, FoundCurve* cause);
 /// the fit without it.
 FoundCurve foundCurve(const std::vector<CurveCandidate>& tied, const WindowFit& now);
 
+/// What a cause may be called: its name, that of the shape nearest to a free curve, and those of
+/// its ties. Nothing of a covariate's, as names do not tell which it is.
+std::vector<std::string> possibleNames(const FoundCurve& cause);
+
 /// How many of the first causes are also among `others`: at the same place, as a tie or with one.
 std::size_t countConfirmed(const std::vector<FoundCurve>& causes,
                            const std::vector<FoundCurve>& others);

@@ -179,21 +179,17 @@ bool stands(const Explanation& explanation, const AnswerLikelihood& with_causes,
 
 /// Whether the model can be given as the answer: identify's own tests pass, the plant alone
 /// explains most of the output, parts that were held out are not simulated far worse, and the model
-/// is not that of a controller which computes the input from the output. Few experiments that
-/// differ much do not show whether they do so by chance or with the input.
+/// is not that of a controller which computes the input from the output.
 bool isAnswer(const Estimate& estimate, const Split& data) {
-  constexpr double kUsefulOfFew = 75, kUsefulOfMany = 50;  // [%] fit
-  constexpr std::size_t kFew = 8;
-  constexpr double kAnyLevel = 1;
-  const double useful = data.train.size() < kFew ? kUsefulOfFew : kUsefulOfMany;
+  constexpr double kUseful = 50, kAnyLevel = 1;  // [%] fit, and of the tests
   const NominalModelEstimate& nominal = estimate.nominal_model;
   const bool is_plant =
       trustOfDirection({}, followingOf(data.train), nominal.delay, true).trusted &&
       trustOfOrders({}, estimate.candidates, nominal.a.size(), estimate.simulation_fit_percent)
           .trusted;
   return is_plant && !neverDecays(nominal, longestOf(data.train)) && agrees(estimate, kAnyLevel) &&
-         estimate.simulation_fit_percent.value_or(0) >= useful &&
-         simulationFitOf(estimate).value_or(0) >= useful;
+         estimate.simulation_fit_percent.value_or(0) >= kUseful &&
+         simulationFitOf(estimate).value_or(0) >= kUseful;
 }
 
 Check checkOf(const std::string& name, double p_value) {
@@ -224,8 +220,7 @@ std::string messageOf(const std::vector<Cause>& causes, const Estimate& estimate
   return text;
 }
 
-/// Without a cause, but for those that the samples show, the linear plant describes the data as
-/// well.
+/// The linear plant describes the data as well, without causes but for those of the samples.
 void withdrawCauses(Explanation* explanation) {
   std::vector<Cause> kept, withdrawn;
   for (const Cause& cause : explanation->causes)
@@ -242,7 +237,7 @@ void withdrawCauses(Explanation* explanation) {
   conclude(explanation, true);
 }
 
-/// What was said of the model of the search, but for what is so whatever the model is.
+/// What was said of the search's model, but for what is so whatever the model is.
 void forgetSearch(Explanation* explanation) {
   std::vector<std::string>& warnings = explanation->warnings;
   const std::vector<std::string> kept{kNothingHeldOut, kOutOfTime,
@@ -256,6 +251,11 @@ void forgetSearch(Explanation* explanation) {
 }
 
 void take(Estimate estimate, const Split& data, Explanation* explanation) {
+  const std::string few = tooFewToTell(data.train.size(), simulationFitOf(estimate).value_or(0));
+  if (!few.empty()) {
+    explanation->warnings.push_back(few);
+    return withdrawCauses(explanation);
+  }
   forgetSearch(explanation);
   withdrawCauses(explanation);
   for (const auto* remarks : {&estimate.warnings, &estimate.trust.reasons})

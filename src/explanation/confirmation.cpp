@@ -22,25 +22,26 @@ std::string ofLastThirds(const LastThirds& gains) {
          rounded(100 * std::sqrt(gains.error_ratio)) + " % of that without";
 }
 
+/// The only structural cause; null where there are none or several.
+const Cause* singleCause(const std::vector<Cause>& causes) {
+  const auto cause = std::find_if(causes.begin(), causes.end(), isStructural);
+  return std::count_if(causes.begin(), causes.end(), isStructural) == 1 ? &*cause : nullptr;
+}
+
 }  // namespace
 
 bool isFoundTwice(const Explanation& explanation) {
-  const std::vector<Cause>& causes = explanation.causes;
+  const Cause* cause = singleCause(explanation.causes);
   const std::vector<std::string>& withheld = explanation.simulation.withheld;
-  const auto cause = std::find_if(causes.begin(), causes.end(), isStructural);
-  return std::count_if(causes.begin(), causes.end(), isStructural) == 1 &&
+  return cause && !cause->simulation &&
          std::find(withheld.begin(), withheld.end(), cause->name) != withheld.end();
 }
 
 std::string confirmationOf(const std::optional<LastThirds>& last_thirds,
                            const Explanation& explanation) {
-  const std::vector<Cause>& causes = explanation.causes;
-  const bool explains_all = explanation.verdict == Verdict::explained &&
-                            std::count_if(causes.begin(), causes.end(), isStructural) == 1;
-  if (explains_all && last_thirds && isClear(*last_thirds)) return ofLastThirds(*last_thirds);
-  if (!isFoundTwice(explanation)) return "";
-  return std::find_if(causes.begin(), causes.end(), isStructural)->name +
-         " is named all the same: the likelihood of all samples asks for the same cause";
+  const bool explains_all =
+      explanation.verdict == Verdict::explained && singleCause(explanation.causes);
+  return explains_all && last_thirds && isClear(*last_thirds) ? ofLastThirds(*last_thirds) : "";
 }
 
 }  // namespace uncertainty_identification

@@ -12,9 +12,9 @@ namespace uncertainty_identification {
 /// windows of one length, and not in others. Either may be misled, but not by the same.
 bool isFoundTwice(const Explanation& explanation);
 
-/// Why that cause is believed although no experiment is held out, in a sentence: all tests pass
-/// with it and the last thirds of the records confirm it clearly, or it was found twice. Empty
-/// where neither is so.
+/// Why a single structural cause with which all tests pass is believed although no experiment is
+/// held out, in a sentence: the last thirds of the records confirm it clearly. Empty where they do
+/// not.
 std::string confirmationOf(const std::optional<LastThirds>& last_thirds,
                            const Explanation& explanation);
 

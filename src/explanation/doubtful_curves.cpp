@@ -20,8 +20,9 @@ std::string namesOf(const SimulationCauses& simulation) {
 
 /// Names none of the curves that were found, for this reason.
 void refuseCurves(const std::string& why, SimulationCauses* simulation) {
-  simulation->refused = why;
+  simulation->refused += (simulation->refused.empty() ? "" : "; ") + why;
   simulation->causes.clear();
+  simulation->withheld.clear();
   simulation->fit_after = simulation->fit_before;
   for (SimulatedWindow& window : simulation->pictures) window.after = window.before;
 }
@@ -88,13 +89,12 @@ void dropTimeGainOfSweeps(const std::vector<Experiment>& fitted, SimulationCause
 /// of any initial state follow such a line of the noise, and what the plant lacks beside it is
 /// looked for with a wrong plant: a friction with a limit cycle keeps the line's amplitude.
 void dropBesideLine(SimulationCauses* simulation) {
-  if (simulation->causes.empty() || !(simulation->lasting_oscillation > 0)) return;
-  refuseCurves(namesOf(*simulation) +
-                   ": the linear plant that it was found with holds an "
-                   "oscillation at " +
+  if (!(simulation->lasting_oscillation > 0)) return;
+  simulation->withheld.clear();
+  if (simulation->causes.empty()) return;
+  refuseCurves(namesOf(*simulation) + ": found beside an oscillation of the linear plant at " +
                    rounded(simulation->lasting_oscillation) +
-                   " Hz that does not decay within the records, as hum does and no machine; not "
-                   "named",
+                   " Hz that does not decay within the records, as of hum; not named",
                simulation);
 }
 
@@ -113,7 +113,7 @@ void dropOfPoorSimulation(SimulationCauses* simulation) {
 void dropCurvesThatLeaveMost(SimulationCauses* simulation) {
   constexpr double kHalf = 0.5;  // of the squared error
   const double share = std::pow((100 - simulation->fit_after) / (100 - simulation->fit_before), 2);
-  if (simulation->causes.empty() || !(share > kHalf)) return;
+  if (simulation->causes.empty() || share <= kHalf) return;
   refuseCurves(namesOf(*simulation) + ": raises the fit of simulating held-out data from " +
                    rounded(simulation->fit_before) + " to " + rounded(simulation->fit_after) +
                    " % and leaves more than half of the squared error, so that it may stand for "

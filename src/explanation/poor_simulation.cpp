@@ -163,23 +163,33 @@ void tellFit(Explanation* explanation) {
                                           : ". The simulation without a cause fits ") +
                           (was_held_out ? "held-out data" : "the data") + " by " + rounded(*fit) +
                           " %";
-  const bool was_searched = explanation->simulation.skipped.empty();
-  if (was_searched && explanation->verdict == Verdict::none)
-    explanation->message += restInWords(*fit, false);
-  if (!was_searched)
-    explanation->message +=
-        "; what it lacks was not looked for (" + explanation->simulation.skipped + ")";
+  const SimulationCauses& simulation = explanation->simulation;
+  const bool showed_nothing =
+      simulation.skipped.empty() && simulation.causes.empty() && simulation.refused.empty();
+  if (showed_nothing && explanation->verdict == Verdict::none)
+    explanation->message += restInWords(*fit, !explanation->before.variation.empty());
+  if (!simulation.skipped.empty())
+    explanation->message += "; what it lacks was not looked for (" + simulation.skipped + ")";
 }
 
 }  // namespace
 
 std::string restInWords(double fit, bool plants_differ) {
-  constexpr double kNearlyAll = 90;  // [%] fit
-  if (!(fit < kNearlyAll)) return "";
+  constexpr double kMost = 50, kNearlyAll = 90;  // [%] fit
+  if (!(fit >= kMost && fit < kNearlyAll)) return "";
   return "; the rest, " + rounded(100 - fit) + " % of the output's deviation, is taken for " +
          (plants_differ ? "the differences between experiments and " : "") +
-         "a disturbance that the input does not cause, such as a load, an input that was not "
+         "what the input does not cause: noise of the sensor, a load, an input that was not "
          "recorded or a drift";
+}
+
+std::string tooFewToTell(std::size_t experiments, double fit) {
+  constexpr std::size_t kFew = 8;
+  constexpr double kWell = 75;  // [%] fit
+  if (experiments < 2 || experiments >= kFew || fit >= kWell) return "";
+  return "the model that identify chooses by default passes its tests, but simulates by " +
+         rounded(fit) + " % only: so few experiments (" + std::to_string(experiments) +
+         " are fitted to) do not show whether they differ by chance or with the input";
 }
 
 bool saysLittle(const Trust& trust, const SimulationCauses& simulation) {

@@ -11,9 +11,13 @@ namespace uncertainty_identification {
 void warnOfPoorSimulation(Explanation* explanation);
 
 /// What the model without causes takes the rest of the output for, to be added to its fit [%];
-/// empty where little is left. That nothing is wrong says that the tests see nothing which the
-/// input causes, not that the output holds nothing else.
+/// empty where little is left, or most. `none` means that the tests see nothing more that the input
+/// causes; the output may hold other things.
 std::string restInWords(double fit, bool plants_differ);
+
+/// Why a model without causes that passes its tests is not the answer, in a sentence: it simulates
+/// few experiments poorly, which do not show whether they differ by chance. Empty where it is.
+std::string tooFewToTell(std::size_t experiments, double fit);
 
 /// Whether nothing was looked for, since the data or the steps of the input are too few, in a model
 /// that is not to be relied on: tests that pass say little then.

@@ -187,8 +187,9 @@ void dropUnverified(const std::optional<LastThirds>& last_thirds, Explanation* e
   if (!too_few && !in_sample) return;
   constexpr double kBetter = 0.95, kHalved = 0.5;  // of the squared error
   const std::string confirmation = few_data ? "" : confirmationOf(last_thirds, *explanation);
+  const bool twice = !few_data && isFoundTwice(*explanation);
   const auto gains_enough = [&](const Cause& cause) {
-    if (!confirmation.empty()) return true;
+    if (twice || !confirmation.empty()) return true;
     if (in_sample && (few_data || isCurve(cause))) return false;
     return errorRatio(*cause.gain) < (in_sample || isCurve(cause) ? kHalved : kBetter);
   };
@@ -210,6 +211,7 @@ void dropUnverified(const std::optional<LastThirds>& last_thirds, Explanation* e
       (too_few ? "curves are not looked for in the simulation (" + skipped + ")"
                : "the simulation does not clearly show it") +
       "; not named" + (in_sample ? ": give another record by --validation" : ""));
+  dropCurvesThatLeaveMost(&explanation->simulation);
   if (!explanation->simulation.causes.empty() &&
       std::none_of(explanation->causes.begin(), explanation->causes.end(), isStructural))
     return takeCurves(explanation);
@@ -262,6 +264,10 @@ void joinSimulation(Explanation* explanation, const std::optional<LastThirds>& l
   if (explanation->simulation.skipped.empty()) joinCurves(explanation);
   if (explanation->simulation.causes.empty()) dropCausesThatSimulateWorse(explanation);
   dropUnverified(last_thirds, explanation);
+  if (isFoundTwice(*explanation))
+    explanation->warnings.push_back(
+        namesOf(explanation->causes) +
+        " is named all the same: the likelihood of all samples asks for the same cause");
   warnOfPoorSimulation(explanation);
 }
 

@@ -98,6 +98,7 @@ void bind(Archive& archive, SimulationCauses& simulation) {
   archive("preparation", simulation.preparation);
   archive("skipped", simulation.skipped);
   archive("order", simulation.order);
+  archive.ifThere("lasting_oscillation", simulation.lasting_oscillation);
   archive.ifThere("own_levels", simulation.own_levels);
   archive("causes", simulation.causes);
   archive("held_out_error_ratio", simulation.held_out_error_ratio);

@@ -53,6 +53,7 @@ inline Explanation exampleExplanation() {
   example.causes[0].simulation = zone;
   example.simulation.preparation = "12 records, simulated in 24 windows";
   example.simulation.order = 2;
+  example.simulation.lasting_oscillation = 50;
   example.simulation.causes = {zone};
   example.simulation.fit_before = 81;
   example.simulation.fit_after = 89.5;

@@ -55,7 +55,7 @@ struct SimulatedWindow {
 struct SimulationCauses {
   std::string preparation;  ///< what was done with the records, in a sentence; empty: not searched
   std::string skipped;  ///< why no curves were looked for, or not at all places; empty: they were
-  int order = 0;        ///< of the linear plant without causes and lasting oscillation
+  int order = 0;        ///< of the linear plant without causes, and without a lasting oscillation
   /// [Hz] of an oscillation of that plant that no damping ends within the records: of hum, or of
   /// another line in the noise, not of a machine; 0: none.
   double lasting_oscillation = 0;
@@ -63,7 +63,8 @@ struct SimulationCauses {
   std::vector<SimulationCause> causes;
   std::string refused;  ///< what simulates better but does not predict better, and why it is not
                         ///< named, in a sentence; empty: nothing
-  /// Names of the first cause that windows of another length do not show, and of its ties.
+  /// What the first cause that a search in windows of another length did not find may be called:
+  /// its name, that of the shape nearest to it, and those of its ties. Not saved.
   std::vector<std::string> withheld;
   /// Of simulating without causes: rms of held-out windows over that of the windows fitted to; NaN:
   /// not searched.

@@ -158,9 +158,11 @@ TEST(ExplainSimulation, FindsNothingInALinearPlant) {
 
 TEST(ExplainSimulation, TellsHumThatThePlantHolds) {
   std::vector<Experiment> all = runs(kRuns + kHeld, 4, same, none);
-  for (Experiment& run : all)
-    for (int k = 0; k < kSamples; ++k) run.y[k] += 0.5 * std::sin(1.3 * k + run.u[0]);
-  EXPECT_NEAR(explained(all).lasting_oscillation, 2.07, 0.01) << "[Hz]";
+  const Eigen::ArrayXd angle = Eigen::ArrayXd::LinSpaced(kSamples, 0, 1.3 * (kSamples - 1));
+  for (Experiment& run : all) run.y.array() += 0.5 * (angle + run.u[0]).sin();
+  const SimulationCauses found = explained(all);
+  EXPECT_NEAR(found.lasting_oscillation, 2.07, 0.01) << "[Hz]";
+  EXPECT_EQ(found.order, 1);
 }
 
 /// A curve that takes little of the error away is no cause, however significant it is.

@@ -27,7 +27,7 @@ WindowSearch with(const std::vector<FoundCurve>& causes, std::size_t most) {
 
 struct Confirmed {
   std::string said;
-  std::vector<FoundCurve> causes;
+  std::vector<FoundCurve> causes, withheld;
 };
 
 /// Records that windows of 60 samples divide, and those of 120, too.
@@ -56,7 +56,7 @@ Confirmed confirmed(const std::vector<FoundCurve>& causes, const std::vector<Fou
     return searched;
   };
   const PlannedSearch searched = searchInWindows(ofSixty(), records(720), {}, search);
-  return {searched.refused, searched.found.result.causes};
+  return {searched.refused, searched.found.result.causes, searched.withheld};
 }
 
 TEST(WindowSearch, KeepsWhatOtherWindowsShowAtTheSamePlace) {
@@ -74,6 +74,8 @@ TEST(WindowSearch, DropsWhatTheyDoNotShowAndWhatWasFoundAfterIt) {
   const Confirmed left = confirmed({input, rate, position}, {position, input});
   ASSERT_EQ(left.causes.size(), 1u);
   EXPECT_EQ(left.causes[0].shape, "dead_zone");
+  ASSERT_EQ(left.withheld.size(), 2u);
+  EXPECT_EQ(left.withheld[0].shape, "coulomb");
   EXPECT_TRUE(test::mentions(left.said, "plant_coulomb, plant_root"));
   EXPECT_TRUE(test::mentions(left.said, "not found in windows of 90"));
   EXPECT_TRUE(confirmed({input}, {}).causes.empty());
@@ -101,6 +103,18 @@ TEST(WindowSearch, SuggestsWhatWasFoundToTheSearchInOtherWindows) {
   };
   const PlannedSearch searched = searchInWindows(ofSixty(), records(720), {}, search);
   EXPECT_EQ(searched.found.result.causes.size(), 1u);
+}
+
+TEST(WindowSearch, WhatAFoundCurveMayBeCalled) {
+  using Names = std::vector<std::string>;
+  const FoundCurve tied = found(Place::rate, "coulomb", {{{Place::position, ""}, "root"}});
+  EXPECT_EQ(possibleNames(tied), (Names{"plant_coulomb", "plant_root"}));
+  FoundCurve curve = found(Place::input, "curve");
+  curve.nearest = "dead_zone";
+  EXPECT_EQ(possibleNames(curve), (Names{"act_curve", "act_deadzone"}));
+  FoundCurve heater = found(Place::covariate, "linear");
+  heater.place.covariate = "heater";
+  EXPECT_EQ(possibleNames(heater), Names()) << "or another covariate";
 }
 
 TEST(WindowSearch, CovariatesAreAlikeWhateverTheirLag) {

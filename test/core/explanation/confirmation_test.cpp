@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "explanation/simulation_answer.h"
 #include "support/mentions.h"
 
@@ -41,16 +39,8 @@ TEST(Confirmation, IsOfLastThirdsThatGainClearly) {
   EXPECT_EQ(confirmationOf({}, found), "");
 }
 
-TEST(Confirmation, IsThatTheSimulationShowsTheSameCauseInWindowsOfOneLength) {
+TEST(Confirmation, IsOfOneCauseThatExplainsAll) {
   Explanation found = playOfOneRecord();
-  EXPECT_TRUE(test::mentions(confirmationOf({}, found), "act_backlash is named all the same"));
-  found.simulation.withheld = {"plant_coulomb"};
-  EXPECT_EQ(confirmationOf({}, found), "");
-}
-
-TEST(Confirmation, IsOfOneCause) {
-  Explanation found = playOfOneRecord();
-  found.simulation.withheld.clear();
   found.verdict = Verdict::partly_explained;
   EXPECT_EQ(confirmationOf(kClear, found), "");
   found = playOfOneRecord();
@@ -60,18 +50,35 @@ TEST(Confirmation, IsOfOneCause) {
   EXPECT_EQ(confirmationOf(kClear, found), "");
 }
 
-TEST(Confirmation, KeepsTheCauseInTheAnswer) {
+TEST(FoundTwice, IsTheOnlyCauseIfTheSimulationShowsItInWindowsOfOneLength) {
   Explanation found = playOfOneRecord();
-  joinSimulation(&found, {});
-  ASSERT_EQ(found.causes.size(), 1u);
-  const auto is_told = [](const std::string& warning) {
-    return test::mentions(warning, "named all the same");
+  EXPECT_TRUE(isFoundTwice(found));
+  found.simulation.withheld = {"plant_coulomb"};
+  EXPECT_FALSE(isFoundTwice(found));
+  found = playOfOneRecord();
+  found.causes.push_back(found.causes.front());
+  EXPECT_FALSE(isFoundTwice(found));
+  found.causes.clear();
+  EXPECT_FALSE(isFoundTwice(found));
+}
+
+TEST(FoundTwice, KeepsTheCauseInTheAnswerAndSaysSo) {
+  const auto answered = [](Explanation found, const std::optional<LastThirds>& gains) {
+    joinSimulation(&found, gains);
+    return found;
   };
-  EXPECT_TRUE(std::any_of(found.warnings.begin(), found.warnings.end(), is_told));
+  const std::string told = "named all the same";
+  const Explanation kept = answered(playOfOneRecord(), {});
+  ASSERT_EQ(kept.causes.size(), 1u);
+  EXPECT_TRUE(test::anyMentions(kept.warnings, told));
+  EXPECT_TRUE(test::anyMentions(answered(playOfOneRecord(), kClear).warnings, told))
+      << "beside what the last thirds say";
+  Explanation held_out = playOfOneRecord();
+  held_out.held_out = {"12"};
+  EXPECT_TRUE(test::anyMentions(answered(held_out, {}).warnings, told));
   Explanation alone = playOfOneRecord();
   alone.simulation.withheld.clear();
-  joinSimulation(&alone, {});
-  EXPECT_TRUE(alone.causes.empty());
+  EXPECT_TRUE(answered(alone, {}).causes.empty());
 }
 
 /// Whatever else is wrong takes part of its error away by some curve.

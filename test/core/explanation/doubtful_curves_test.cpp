@@ -56,8 +56,12 @@ TEST(DoubtfulCurves, NoCauseIsNamedBesideAnOscillationThatNothingDamps) {
   dropDoubtfulCurves(readInSteps(0.01), &simulation);
   EXPECT_EQ(simulation.causes.size(), 1u);
   simulation.lasting_oscillation = 50;
+  simulation.refused = "plant_sine: not confirmed";
+  simulation.withheld = {"plant_sine"};
   dropDoubtfulCurves(readInSteps(0.01), &simulation);
-  expectNone(simulation, "an oscillation at 50 Hz");
+  expectNone(simulation, "an oscillation of the linear plant at 50 Hz");
+  EXPECT_TRUE(test::mentions(simulation.refused, "plant_sine: not confirmed; plant_coulomb"));
+  EXPECT_TRUE(simulation.withheld.empty()) << "was found with the same plant";
 }
 
 /// Half of the squared error of a fit of 90 % is left by one of 92.9 %.
@@ -70,6 +74,7 @@ TEST(DoubtfulCurves, NoCauseIsNamedThatLeavesMostOfTheError) {
   };
   EXPECT_EQ(remaining(93).causes.size(), 1u);
   expectNone(remaining(92.8), "leaves more than half of the squared error");
+  EXPECT_TRUE(remaining(std::nan("")).causes.empty());
 }
 
 TEST(DoubtfulCurves, NoCauseIsNamedWhereTheSimulationStaysPoor) {

@@ -68,10 +68,11 @@ TEST(PoorSimulation, NothingSaysWhatTheRestIsTakenFor) {
     warnOfPoorSimulation(&explanation);
     return explanation.message;
   };
-  const std::string rest = "the rest, 20 % of the output's deviation, is taken for a disturbance";
+  const std::string rest = "the rest, 20 % of the output's deviation, is taken for what the input";
   EXPECT_TRUE(test::mentions(said(80), rest)) << said(80);
   EXPECT_FALSE(test::mentions(said(91), "the rest")) << said(91);
-  EXPECT_TRUE(test::mentions(restInWords(80, true), "the differences between experiments and a"));
+  EXPECT_TRUE(
+      test::mentions(restInWords(80, true), "the differences between experiments and what"));
 }
 
 TEST(PoorSimulation, NothingIsNotSaidOfFewDataByAModelThatIsNotTrusted) {
