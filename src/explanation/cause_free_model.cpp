@@ -166,7 +166,7 @@ bool makesLikelier(const AnswerLikelihood& with, const Estimate& without,
 bool stands(const Explanation& explanation, const AnswerLikelihood& with_causes,
             const Estimate& without, const Split& data) {
   if (!agrees(without, kCheckThreshold) || makesLikelier(with_causes, without, explanation) ||
-      isFoundTwice(explanation))
+      isFoundTwice(explanation) || hasUnnamedCurves(explanation))
     return true;
   if (!leadingCurves(explanation.simulation).empty() && !without.trust.trusted) return true;
   if (standsForALine(explanation, without.nominal_model, longestOf(data.train))) return true;

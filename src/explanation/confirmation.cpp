@@ -37,6 +37,10 @@ bool isFoundTwice(const Explanation& explanation) {
          std::find(withheld.begin(), withheld.end(), cause->name) != withheld.end();
 }
 
+bool hasUnnamedCurves(const Explanation& explanation) {
+  return explanation.causes.empty() && !explanation.simulation.causes.empty();
+}
+
 std::string confirmationOf(const std::optional<LastThirds>& last_thirds,
                            const Explanation& explanation) {
   const bool explains_all =

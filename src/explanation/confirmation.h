@@ -12,6 +12,9 @@ namespace uncertainty_identification {
 /// windows of one length, and not in others. Either may be misled, but not by the same.
 bool isFoundTwice(const Explanation& explanation);
 
+/// Whether the free simulation gains by curves, and no cause is named, as all tests pass without.
+bool hasUnnamedCurves(const Explanation& explanation);
+
 /// Why a single structural cause with which all tests pass is believed although no experiment is
 /// held out, in a sentence: the last thirds of the records confirm it clearly. Empty where they do
 /// not.

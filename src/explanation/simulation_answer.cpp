@@ -243,6 +243,22 @@ void joinCurves(Explanation* explanation) {
     takeCurves(explanation);
 }
 
+/// Nothing is not wrong where the free simulation gains by curves that the tests do not ask for.
+void doubtNothing(Explanation* explanation) {
+  const SimulationCauses& simulation = explanation->simulation;
+  if (explanation->verdict != Verdict::none || !hasUnnamedCurves(*explanation)) return;
+  std::string names;
+  for (const SimulationCause& cause : simulation.causes)
+    names += (names.empty() ? "" : ", ") + cause.what.name;
+  explanation->verdict = Verdict::unknown;
+  explanation->message =
+      "the checks of the residuals find nothing wrong, but the fit of simulating held-out data "
+      "rises "
+      "from " +
+      rounded(simulation.fit_before) + " to " + rounded(simulation.fit_after) + " % by " + names +
+      "; not named, because this is less than half of the squared error";
+}
+
 }  // namespace
 
 std::vector<std::string> leadingCurves(const SimulationCauses& simulation) {
@@ -269,6 +285,7 @@ void joinSimulation(Explanation* explanation, const std::optional<LastThirds>& l
         namesOf(explanation->causes) +
         " is named all the same: the likelihood of all samples asks for the same cause");
   warnOfPoorSimulation(explanation);
+  doubtNothing(explanation);
 }
 
 }  // namespace uncertainty_identification

@@ -255,6 +255,15 @@ TEST(CauseFreeModel, IsNoAnswerOfFewExperimentsThatItSimulatesPoorly) {
   EXPECT_TRUE(test::anyMentions(few.warnings, "so few experiments (5 are fitted to) do not show"));
 }
 
+TEST(CauseFreeModel, IsNoAnswerBesideCurvesThatTheSimulationShows) {
+  Explanation found = partly(named("act_lag"));
+  found.causes.clear();
+  found.verdict = Verdict::unknown;
+  EXPECT_EQ(compared(found, byDefault(), firstFive(linearPlants())).verdict, Verdict::none);
+  found.simulation.causes.resize(1);
+  EXPECT_EQ(compared(found, byDefault(), firstFive(linearPlants())).verdict, Verdict::unknown);
+}
+
 TEST(CauseFreeModel, LeavesACauseThatWasFoundTwice) {
   Explanation found = partly(named("act_lag"));
   found.simulation.withheld = {"act_lag"};

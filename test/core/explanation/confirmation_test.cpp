@@ -102,5 +102,19 @@ TEST(SimulationAnswer, CurvesThatLeaveMostOfTheErrorStandOnlyWhereAllTestsPass) 
   EXPECT_TRUE(answered(true).causes.front().simulation);
 }
 
+TEST(SimulationAnswer, NothingIsNotSaidBesideACurveOfTheSimulation) {
+  Explanation found = playOfOneRecord();
+  found.causes.clear();
+  found.verdict = Verdict::none;
+  SimulationCause play;
+  play.what = {"act_backlash", "play", "play", ""};
+  found.simulation.fit_after = 82;
+  found.simulation.causes = {play};
+  joinSimulation(&found, {});
+  EXPECT_EQ(found.verdict, Verdict::unknown);
+  EXPECT_TRUE(test::mentions(found.message, "rises from 78 to 82 % by act_backlash"))
+      << found.message;
+}
+
 }  // namespace
 }  // namespace uncertainty_identification
