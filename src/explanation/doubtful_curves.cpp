@@ -9,7 +9,6 @@
 #include "explanation/sample_checks.h"
 
 namespace uncertainty_identification {
-namespace {
 
 std::string namesOf(const SimulationCauses& simulation) {
   std::string names;
@@ -17,6 +16,8 @@ std::string namesOf(const SimulationCauses& simulation) {
     names += (names.empty() ? "" : ", ") + cause.what.name;
   return names;
 }
+
+namespace {
 
 /// Names none of the curves that were found, for this reason.
 void refuseCurves(const std::string& why, SimulationCauses* simulation) {
@@ -110,15 +111,17 @@ void dropOfPoorSimulation(SimulationCauses* simulation) {
 
 }  // namespace
 
-void dropCurvesThatLeaveMost(SimulationCauses* simulation) {
+std::string dropCurvesThatLeaveMost(SimulationCauses* simulation) {
   constexpr double kHalf = 0.5;  // of the squared error
   const double share = std::pow((100 - simulation->fit_after) / (100 - simulation->fit_before), 2);
-  if (simulation->causes.empty() || share <= kHalf) return;
-  refuseCurves(namesOf(*simulation) + ": raises the fit of simulating held-out data from " +
-                   rounded(simulation->fit_before) + " to " + rounded(simulation->fit_after) +
-                   " % and leaves more than half of the squared error, so that it may stand for "
-                   "something else; not named",
-               simulation);
+  if (simulation->causes.empty() || share <= kHalf) return "";
+  const std::string why =
+      namesOf(*simulation) + ": raises the fit of simulating held-out data from " +
+      rounded(simulation->fit_before) + " to " + rounded(simulation->fit_after) +
+      " % and leaves more than half of the squared error, so that it may stand for something else; "
+      "not named";
+  refuseCurves(why, simulation);
+  return why;
 }
 
 void dropDoubtfulCurves(const std::vector<Experiment>& fitted, SimulationCauses* simulation) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "uncertainty_identification/data/experiment.h"
@@ -12,8 +13,12 @@ namespace uncertainty_identification {
 /// whose frequency does as well, and any with which the simulation fits by less than 60 %.
 void dropDoubtfulCurves(const std::vector<Experiment>& fitted, SimulationCauses* simulation);
 
-/// Drops curves that leave more than half of the squared error of the held-out data. Whatever else
-/// is wrong takes part of its error away by some curve. For models whose residuals still show it.
-void dropCurvesThatLeaveMost(SimulationCauses* simulation);
+/// "act_deadzone, plant_drag": the curves that the free simulation shows.
+std::string namesOf(const SimulationCauses& simulation);
+
+/// Drops curves that leave more than half of the squared error of the held-out data, and says so in
+/// a sentence; empty where there are none. Whatever else is wrong takes part of its error away by
+/// some curve. For models whose residuals still show it.
+std::string dropCurvesThatLeaveMost(SimulationCauses* simulation);
 
 }  // namespace uncertainty_identification

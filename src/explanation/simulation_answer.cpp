@@ -211,7 +211,8 @@ void dropUnverified(const std::optional<LastThirds>& last_thirds, Explanation* e
       (too_few ? "curves are not looked for in the simulation (" + skipped + ")"
                : "the simulation does not clearly show it") +
       "; not named" + (in_sample ? ": give another record by --validation" : ""));
-  dropCurvesThatLeaveMost(&explanation->simulation);
+  const std::string left = dropCurvesThatLeaveMost(&explanation->simulation);
+  if (!left.empty()) explanation->warnings.push_back(left);
   if (!explanation->simulation.causes.empty() &&
       std::none_of(explanation->causes.begin(), explanation->causes.end(), isStructural))
     return takeCurves(explanation);
@@ -243,20 +244,19 @@ void joinCurves(Explanation* explanation) {
     takeCurves(explanation);
 }
 
-/// Nothing is not wrong where the free simulation gains by curves that the tests do not ask for.
+/// The verdict is not `none` where the free simulation gains by curves, although all tests pass
+/// without them.
 void doubtNothing(Explanation* explanation) {
   const SimulationCauses& simulation = explanation->simulation;
   if (explanation->verdict != Verdict::none || !hasUnnamedCurves(*explanation)) return;
-  std::string names;
-  for (const SimulationCause& cause : simulation.causes)
-    names += (names.empty() ? "" : ", ") + cause.what.name;
   explanation->verdict = Verdict::unknown;
   explanation->message =
       "the checks of the residuals find nothing wrong, but the fit of simulating held-out data "
       "rises "
       "from " +
-      rounded(simulation.fit_before) + " to " + rounded(simulation.fit_after) + " % by " + names +
-      "; not named, because this is less than half of the squared error";
+      rounded(simulation.fit_before) + " to " + rounded(simulation.fit_after) + " % by " +
+      namesOf(simulation) +
+      "; not named, because that takes away less than half of the squared error";
 }
 
 }  // namespace
@@ -282,7 +282,7 @@ void joinSimulation(Explanation* explanation, const std::optional<LastThirds>& l
   dropUnverified(last_thirds, explanation);
   if (isFoundTwice(*explanation))
     explanation->warnings.push_back(
-        namesOf(explanation->causes) +
+        std::find_if(explanation->causes.begin(), explanation->causes.end(), isStructural)->name +
         " is named all the same: the likelihood of all samples asks for the same cause");
   warnOfPoorSimulation(explanation);
   doubtNothing(explanation);

@@ -102,6 +102,18 @@ TEST(SimulationAnswer, CurvesThatLeaveMostOfTheErrorStandOnlyWhereAllTestsPass) 
   EXPECT_TRUE(answered(true).causes.front().simulation);
 }
 
+TEST(SimulationAnswer, CurvesThatLeaveMostDoNotTakeThePlaceOfAnUnverifiedCause) {
+  Explanation found = playOfOneRecord();
+  found.simulation.withheld.clear();
+  found.simulation.fit_after = 82;
+  SimulationCause drag;
+  drag.what = {"plant_drag", "rate", "signed_square", ""};
+  found.simulation.causes = {drag};
+  joinSimulation(&found, {});
+  EXPECT_TRUE(found.causes.empty());
+  EXPECT_TRUE(test::anyMentions(found.warnings, "plant_drag: raises the fit")) << "and it is told";
+}
+
 TEST(SimulationAnswer, NothingIsNotSaidBesideACurveOfTheSimulation) {
   Explanation found = playOfOneRecord();
   found.causes.clear();
