@@ -30,11 +30,13 @@ long repeats(const std::vector<double>& sorted) {
 /// those of a sensor do that holds its last value. A machine that stands still, as friction or a
 /// dead zone makes it, goes on from where it stood. Where a reading says little about the next one,
 /// most of it is noise; that would be seen of a machine that stands still, too, so that readings
-/// that repeat exactly are the sensor's.
+/// that repeat exactly are the sensor's. Where no reading follows, nothing was made up for: the
+/// record was filled up.
 bool catchesUp(const std::vector<Experiment>& experiments, double low, double high) {
   constexpr double kSmooth = 0.3;  // correlation of two steps of a reading that has little noise
   constexpr double kShare = 0.5;   // of what a steady motion would have made meanwhile
   double products = 0, squares = 0, made = 0, expected = 0;
+  bool goes_on = false;
   for (const Experiment& experiment : experiments) {
     const Eigen::VectorXd& y = experiment.y;
     for (int t = 2; t + 1 < experiment.samples(); ++t) {
@@ -46,6 +48,7 @@ bool catchesUp(const std::vector<Experiment>& experiments, double low, double hi
         squares += (y[t] - y[t - 1]) * (y[t] - y[t - 1]);
         continue;
       }
+      goes_on = true;
       int first = t - 1;  // the reading that was repeated
       while (isHeld(experiment, first, low, high)) --first;
       const double before = first > 0 ? std::abs(y[first] - y[first - 1]) : 0;
@@ -53,7 +56,7 @@ bool catchesUp(const std::vector<Experiment>& experiments, double low, double hi
       expected += (t - first) * 0.5 * (before + std::abs(y[t + 1] - y[t]));
     }
   }
-  return products < kSmooth * squares || made >= kShare * expected;
+  return goes_on && (products < kSmooth * squares || made >= kShare * expected);
 }
 
 /// Whether the values that are repeated go up and down by few steps of one size, as those of a slow

@@ -233,6 +233,16 @@ TEST(SampleChecks, AMachineThatStandsStillIsNoSensorThatHolds) {
 
 // An oven that warms up, read in steps of 0.25 degrees; the logger averages eight readings, so that
 // many of its values are no multiples of the steps.
+/// A record that is filled up with its last value: nothing is read after it.
+TEST(SampleChecks, ARecordThatEndsWithItsLastValueIsNoSensorThatHolds) {
+  Experiment swings;
+  swings.sample_time = 0.1;
+  swings.u = Eigen::VectorXd::Ones(500);
+  swings.y.resize(500);
+  for (int t = 0; t < 500; ++t) swings.y[t] = std::sin(0.1 * std::min(t, 320));
+  EXPECT_TRUE(checkSamples({swings}).empty());
+}
+
 TEST(SampleChecks, ASlowSignalInCoarseStepsIsNoSensorThatHolds) {
   std::mt19937_64 engine(3);
   std::normal_distribution<double> noise(0, 0.02);
