@@ -1,6 +1,10 @@
 #include "curves/curve_search.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "curves/fit_comparison.h"
 #include "curves/held_out.h"
@@ -20,6 +24,22 @@ bool standsForOrders(const CurveSearchResult& with_causes, const CurveSearchResu
   return with_causes.held_error <= orders.held_error &&
          with_causes.fit.left_out + with_causes.held_error <
              (is_no_larger ? kLess : kFarLess) * (orders.fit.left_out + orders.held_error);
+}
+
+/// Whether a stable plant with this in it oscillates about a controller's setpoint, by sticking.
+bool sticks(const FoundCurve& cause) {
+  const auto has = [&](const char* word) { return cause.shape.find(word) != std::string::npos; };
+  return cause.place.place == Place::play || cause.place.place == Place::output_play ||
+         has("dead_zone") || has("coulomb") || has("stribeck");
+}
+
+/// Whether a controller holds an unstable plant: a small error grows tenfold within a window. A
+/// curve that bends the simulation back then gains, whatever the plant is. What makes the loop
+/// oscillate looks the same, and is not meant.
+bool bendsUnstablePlantBack(const std::vector<FoundCurve>& causes, const SimulationData& data) {
+  constexpr double kTenfold = 10;
+  return std::none_of(causes.begin(), causes.end(), sticks) &&
+         std::pow(predictedGrowth(data), data.longest) > kTenfold;
 }
 
 /// Whether the causes, which leave much unexplained, simulate better and do not predict better. In
@@ -123,16 +143,17 @@ CurveSearchResult bestOfSearches(const SimulationData& data, const SimulationDat
   return best;
 }
 
-/// Drops causes that do not simulate held-out windows better than the linear plant: they are none
-/// of its errors.
+/// Drops causes that do not simulate held-out windows better than the linear plant, or of which a
+/// controller may be the reason: they are none of its errors.
 CurveSearchResult believed(CurveSearchResult best, const SimulationData& data,
                            const SimulationData& held, const CurveSearchLimits& limits) {
   const double base_error = heldOutErrors(held, best.base.model).sum();
   const bool is_poor =
       heldOutFit(held, Eigen::VectorXd::Constant(1, best.held_error)) < limits.least_fit;
   const bool is_better = !is_poor && best.held_error < (1 - limits.least_gain) * base_error;
-  if (best.causes.empty() || (is_better && !isControllersAnswer(data, held, limits, best)))
-    return best;
+  if (best.causes.empty()) return best;
+  best.is_unstable = bendsUnstablePlantBack(best.causes, data);
+  if (is_better && !best.is_unstable && !isControllersAnswer(data, held, limits, best)) return best;
   best.refused = is_better ? std::move(best.causes) : std::vector<FoundCurve>();
   best.causes.clear();
   best.fit = best.base;

@@ -61,11 +61,6 @@ bool isFactor(Place place) {
          place == Place::hysteresis;
 }
 
-/// Whether the whole characteristic is drawn, and not only what it adds.
-bool isCharacteristic(Place place) {
-  return place == Place::input || place == Place::loop_error || place == Place::sensor;
-}
-
 double valueUnit(Place place, const SignalScales& scales) {
   return isFactor(place) ? 1 : place == Place::sensor ? scales.y.unit : scales.u.unit;
 }
@@ -183,7 +178,7 @@ CurvePicture pictureOf(const Curve& curve, const Eigen::VectorXd& parameters,
   picture.of = signalOf(at);
   picture.unit = isFactor(at.place) ? "1" : at.place == Place::sensor ? "output" : "input";
   const Eigen::VectorXd z = Eigen::VectorXd::LinSpaced(kPoints, range.first, range.second);
-  const bool is_characteristic = isCharacteristic(at.place);
+  const bool is_characteristic = isPassed(at.place);
   const auto drawn = [&](const Eigen::VectorXd& of) {
     return is_characteristic ? curve.characteristic(z, of) : curve.at(z, of);
   };

@@ -97,11 +97,16 @@ std::vector<SimulatedWindow> picturesOf(const std::vector<Experiment>& experimen
   return pictures;
 }
 
-std::string refusalOf(const std::vector<FoundCurve>& refused) {
-  return namesOf(refused) +
-         ": simulates held-out data better, but does not clearly predict the next output better "
-         "than a linear model; where a controller answers to disturbances, or a load differs from "
-         "time to time, a linear plant looks the same. The simulation alone does not name it";
+std::string refusalOf(const CurveSearchResult& result) {
+  const std::string causes = namesOf(result.refused) + ": simulates held-out data better, but ";
+  if (result.is_unstable)
+    return causes +
+           "the plant is unstable, and a controller holds it: a simulation from the input alone "
+           "runs away, and any curve that bends it back simulates better. Not named";
+  return causes +
+         "does not clearly predict the next output better than a linear model; where a controller "
+         "answers to disturbances, or a load differs from time to time, a linear plant looks the "
+         "same. The simulation alone does not name it";
 }
 
 /// [Hz] of an oscillation of the linear plant without causes that lasts as long as the records do.
@@ -123,7 +128,7 @@ void describe(const WindowSearch& search, SimulationCauses* found) {
     found->causes.back().fit_before = search.fitOf(cause.held_before);
     found->causes.back().fit_after = search.fitOf(cause.held_after);
   }
-  if (!result.refused.empty() && found->refused.empty()) found->refused = refusalOf(result.refused);
+  if (!result.refused.empty() && found->refused.empty()) found->refused = refusalOf(result);
   const double of_fitted = heldOutErrors(search.data, result.base.model).sum();
   found->held_out_error_ratio = std::sqrt(search.baseError() / std::max(search.kept.samples, 1) /
                                           std::max(of_fitted / search.data.samples, 1e-12));

@@ -102,10 +102,26 @@ struct Contender {
   WindowFit fit;
 };
 
-/// Whether a machine can have the last curve. Friction that pushes along with the motion is none:
-/// it stands for something else that limits the speed.
+/// Whether what the curve passes is steeper at the recorded value that is nearest to the physical
+/// zero than at the one that is farthest from it.
+bool levelsOff(const Curve& curve, const Eigen::VectorXd& parameters) {
+  constexpr double kStep = 0.01;  // [standard deviations]
+  const double low = curve.samples()[0], high = curve.samples()[curve.samples().size() - 1];
+  const double zero = -curve.zero();
+  const double nearest = std::min(std::max(zero, low), high);
+  const double farthest = zero - low > high - zero ? low : high;
+  const Eigen::Vector4d at(nearest - kStep, nearest + kStep, farthest - kStep, farthest + kStep);
+  const Eigen::VectorXd passed = curve.characteristic(at, parameters);
+  return std::abs(passed[3] - passed[2]) < std::abs(passed[1] - passed[0]);
+}
+
+/// Whether the last curve is what its shape is called. Friction that pushes along with the motion
+/// is none: it stands for something else that limits the speed. A curve that grows steeper does not
+/// level off.
 bool isPossible(const CurveModel& model) {
   const Curve& curve = model.curves.back();
+  if (curve.shape()->levels_off && isPassed(curve.place()))
+    return levelsOff(curve, model.parametersOf(model.curves.size() - 1));
   if (!curve.shape()->opposes || !isFedBack(curve.place())) return true;
   const double gain = model.directGain() + model.theta.segment(model.order, model.order).sum();
   return gain * model.parametersOf(model.curves.size() - 1)[0] <= 0;

@@ -36,6 +36,10 @@ bool hasPhysicalZero(Place place) {
          place == Place::rate_gain || place == Place::output_state || place == Place::loop_error;
 }
 
+bool isPassed(Place place) {
+  return place == Place::input || place == Place::loop_error || place == Place::sensor;
+}
+
 bool isFedBack(Place place) {
   return place == Place::position || place == Place::rate || place == Place::output_state ||
          place == Place::loop_error || place == Place::hysteresis;

@@ -48,6 +48,9 @@ int linearPart(Place place);
 /// Whether the signal has a zero that means something: no voltage, no speed, no deflection.
 bool hasPhysicalZero(Place place);
 
+/// Whether the signal itself passes the place, so that what comes out is the signal and the curve.
+bool isPassed(Place place);
+
 /// Whether the curve is fed back, so that the plant's own poles may lie outside the unit circle.
 bool isFedBack(Place place);
 

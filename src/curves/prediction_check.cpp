@@ -7,6 +7,7 @@
 
 #include "curves/fit_comparison.h"
 #include "curves/held_out.h"
+#include "math/polynomial.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -49,15 +50,19 @@ Regression regressionOf(const SimulationData& data, const std::vector<VectorXd>&
   return all;
 }
 
-/// Squared errors of predicting the output of each held-out window by the first `columns`.
-VectorXd errorsOf(const Regression& fitted, const Regression& held, Index columns) {
+/// Least squares of the output on the first `columns`.
+VectorXd coefficientsOf(const Regression& fitted, Index columns) {
   const VectorXd scale =
       fitted.rows.leftCols(columns).colwise().norm().cwiseMax(1e-12).cwiseInverse();
   const MatrixXd regressors = fitted.rows.leftCols(columns) * scale.asDiagonal();
   MatrixXd gram = regressors.transpose() * regressors;
   gram.diagonal().array() += 1e-9;
-  const VectorXd theta =
-      scale.asDiagonal() * gram.ldlt().solve(regressors.transpose() * fitted.rows.rightCols(1));
+  return scale.asDiagonal() * gram.ldlt().solve(regressors.transpose() * fitted.rows.rightCols(1));
+}
+
+/// Squared errors of predicting the output of each held-out window by the first `columns`.
+VectorXd errorsOf(const Regression& fitted, const Regression& held, Index columns) {
+  const VectorXd theta = coefficientsOf(fitted, columns);
   const VectorXd error = held.rows.rightCols(1) - held.rows.leftCols(columns) * theta;
   VectorXd sums(static_cast<Index>(held.begin.size()) - 1);
   for (Index w = 0; w < sums.size(); ++w) {
@@ -86,6 +91,21 @@ std::optional<PredictionGain> predictionGain(const SimulationData& data, const S
   const VectorXd without = errorsOf(fitted, unseen, columns - kLags - 1),
                  with = errorsOf(fitted, unseen, columns);
   return PredictionGain{1 - with.sum() / without.sum(), pairedT(without, with)};
+}
+
+double predictedGrowth(const SimulationData& data) {
+  constexpr Index kColumns = 2 * kLags + 2;  // a constant, past outputs and inputs
+  std::vector<VectorXd> none;
+  for (const SimulationWindow& window : data.windows)
+    none.push_back(VectorXd::Zero(window.samples()));
+  const Regression fitted = regressionOf(data, none, none, kLags);
+  if (fitted.rows.rows() < kRowsPerColumn * kColumns) return 0;
+  const VectorXd past = coefficientsOf(fitted, kColumns).segment(1, kLags);
+  const Eigen::VectorXcd poles = roots(-past.reverse());
+  double largest = 0;
+  for (Index k = 0; k < poles.size(); ++k)
+    if (std::abs(poles[k].imag()) < 1e-9) largest = std::max(largest, poles[k].real());
+  return largest;
 }
 
 }  // namespace uncertainty_identification

@@ -21,4 +21,10 @@ struct PredictionGain {
 std::optional<PredictionGain> predictionGain(const SimulationData& data, const SimulationData& held,
                                              const CurveModel& before, const CurveModel& after);
 
+/// The largest real pole of a linear plant that predicts the next output of the windows from past
+/// outputs and the input, by least squares: the factor from sample to sample by which a response
+/// grows. Far above 1 where a controller holds an unstable plant, whose free simulation says
+/// little; 0 where no pole is positive or too few outputs are measured in succession.
+double predictedGrowth(const SimulationData& data);
+
 }  // namespace uncertainty_identification

@@ -80,8 +80,10 @@ bool CurveSearch::takePlant(const CurveCandidate& candidate) {
 
 bool CurveSearch::convinces(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const {
   if (before.size() == 0) return true;
-  return 1 - after.sum() / before.sum() >= limits_.least_gain &&
-         pairedT(before, after) >= limits_.least_held_t;
+  constexpr double kHalf = 0.5;  // with which the held-out windows may be too few to be significant
+  const double left = after.sum() / before.sum();
+  return left <= kHalf ||
+         (left <= 1 - limits_.least_gain && pairedT(before, after) >= limits_.least_held_t);
 }
 
 /// Whether held-out windows gain, also where each record has a linear plant of its own. Whether the

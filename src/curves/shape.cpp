@@ -113,7 +113,11 @@ std::vector<Shape> smoothShapes() {
       {"tanh",
        [](double z, const double* p) { return std::tanh(p[0] * z); },
        {{"steepness", ShapeUnit::per_signal}},
-       {{0.7}, {1.5}}}};
+       {{0.7}, {1.5}},
+       false,
+       false,
+       false,
+       true}};
 }
 
 std::vector<Shape> brokenShapes() {

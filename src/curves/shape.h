@@ -28,6 +28,7 @@ struct Shape {
   bool is_whole = false;
   bool needs_zero = false;  ///< the physical zero must lie within the data
   bool opposes = false;     ///< fed back, it acts against its argument, as friction and drag do
+  bool levels_off = false;  ///< what passes through it is steepest at the physical zero
 
   int count() const { return static_cast<int>(parameters.size()) + (is_whole ? 0 : 1); }
 };

@@ -24,11 +24,16 @@ bool passes(const Gain& gain, AcceptanceRule rule) {
 }
 
 bool simulatesAsWell(const Effect& effect, const Gain& gain) {
-  constexpr double kMost = 1.01, kMostByTheta = 1.1;
+  constexpr double kHelps = 0.99, kMost = 1.01, kMostByTheta = 1.1;
+  constexpr double kAFifth = 0.8, kUseful = 50;  // of the variance; [% of fit]
   const bool structural = effect.description().screening == ScreeningKind::regression &&
                           !isOfNoise(effect) && !isOfMixture(effect);
   if (effect.has(Trait::constant)) return errorRatio(gain) < kClearly;
-  return errorRatio(gain) <= (structural ? kMost : kMostByTheta);
+  if (!structural) return errorRatio(gain) <= kMostByTheta;
+  const Comparison& noise = gain.noise_variance;
+  const bool must_help = noise.after < kAFifth * noise.before &&
+                         gain.nrmse_fit_percent.before >= kUseful && !effect.has(Trait::order);
+  return errorRatio(gain) <= (must_help ? kHelps : kMost);
 }
 
 bool stillHolds(const Effect& effect, const Gain& gain) {

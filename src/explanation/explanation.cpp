@@ -14,6 +14,7 @@
 #include "explanation/gains.h"
 #include "explanation/last_thirds.h"
 #include "explanation/limits_of_time.h"
+#include "explanation/masked_samples.h"
 #include "explanation/named_causes.h"
 #include "explanation/order_candidates.h"
 #include "explanation/prediction_checks.h"
@@ -232,17 +233,15 @@ std::string Explaining::describeModels(const SearchState& base, const SearchStat
   constexpr int kHurried = 10;  // iterations, once the time has run out
   const bool extended = !found.fit.model->effects().empty() ||
                         found.fit.at.mixture.components() != base.fit.at.mixture.components();
-  explanation_.after =
-      extended
-          ? estimateOf(found.fit, found.train, explanation_.before,
-                       progress_.outOfTime() ? kHurried : configuration_.estimation.max_iterations)
-          : explanation_.before;
-  const double lost = found.fit.log_likelihood - explanation_.after.log_likelihood;
+  const int most = progress_.outOfTime() ? kHurried : configuration_.estimation.max_iterations;
+  explanation_.after = extended ? estimateOf(found.fit, found.train, explanation_.before, most)
+                                : explanation_.before;
   explanation_.before.configuration.limits = explanation_.after.configuration.limits =
       asked_.limits;
   explanation_.residual_before = residualPicture(base.fit, base.train);
   explanation_.residual_after = residualPicture(found.fit, found.train);
   explanation_.pictures = picturesOf(base.fit, found.fit, found.held);
+  const double lost = found.fit.log_likelihood - explanation_.after.log_likelihood;
   return extended && lost > 1
              ? "the model that is saved was optimised again and ends " + rounded(lost) +
                    " nats below the model that the causes were found with"

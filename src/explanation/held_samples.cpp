@@ -88,12 +88,32 @@ bool repeatsCoarseSteps(const std::vector<Experiment>& experiments, double low, 
          static_cast<double>(whole) >= kMost * static_cast<double>(steps.size());
 }
 
+/// Whether a row of repeats, from `first` to the sample before `next`, is a gap: what was missed is
+/// made up for in one step, by about as much as the steps before and after say, and by far more
+/// than either of them.
+bool isGap(const Eigen::VectorXd& y, int first, int next) {
+  constexpr double kFar = 2, kAbout = 3;
+  const double before = std::abs(y[first] - y[first - 1]), after = std::abs(y[next + 1] - y[next]);
+  const double made = std::abs(y[next] - y[next - 1]);
+  const double expected = (next - first) * 0.5 * (before + after);
+  return before > 0 && after > 0 && made >= kFar * std::max(before, after) &&
+         made <= kAbout * expected && expected <= kAbout * made;
+}
+
 }  // namespace
 
-bool isHeld(const Experiment& experiment, int t, double low, double high) {
-  return t > 0 && !isSameReading(experiment, t) && experiment.isValid(t) &&
-         experiment.isValid(t - 1) && experiment.y[t] == experiment.y[t - 1] &&
-         experiment.y[t] > low && experiment.y[t] < high;
+bool isHeld(const Experiment& experiment, int t, double low, double high, int in_a_row) {
+  const auto repeats = [&](int at) {
+    return at > 0 && at < experiment.samples() && !isSameReading(experiment, at) &&
+           experiment.isValid(at) && experiment.isValid(at - 1) &&
+           experiment.y[at] == experiment.y[at - 1] && experiment.y[at] > low &&
+           experiment.y[at] < high;
+  };
+  if (!repeats(t)) return false;
+  int count = 1;
+  for (int at = t - 1; count < in_a_row && repeats(at); --at) ++count;
+  for (int at = t + 1; count < in_a_row && repeats(at); ++at) ++count;
+  return count >= in_a_row;
 }
 
 double heldShare(const std::vector<Experiment>& experiments, const std::vector<double>& sorted) {
@@ -109,6 +129,25 @@ double heldShare(const std::vector<Experiment>& experiments, const std::vector<d
       repeatsCoarseSteps(experiments, sorted.front(), sorted.back()))
     return 0;
   return static_cast<double>(held) / static_cast<double>(sorted.size());
+}
+
+double shareInGaps(const std::vector<Experiment>& experiments, double low, double high) {
+  constexpr double kMost = 0.5;
+  int rows = 0, gaps = 0;
+  double held = 0, samples = 0;
+  for (const Experiment& experiment : experiments) {
+    samples += static_cast<double>(experiment.validSamples());
+    for (int t = 1; t + 1 < experiment.samples(); ++t) {
+      if (!isHeld(experiment, t - 1, low, high, kOfAGap)) continue;
+      ++held;
+      if (isHeld(experiment, t, low, high, kOfAGap)) continue;
+      int first = t - 1;
+      while (isHeld(experiment, first, low, high, kOfAGap)) --first;
+      ++rows;
+      gaps += first > 0 && isGap(experiment.y, first, t);
+    }
+  }
+  return gaps >= kFewestRepeats && gaps >= kMost * rows ? held / samples : 0;
 }
 
 }  // namespace uncertainty_identification

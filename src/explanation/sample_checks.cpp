@@ -5,15 +5,11 @@
 #include <limits>
 #include <utility>
 
-#include "data/stray_readings.h"
 #include "data/unmeasured_start.h"
 #include "explanation/held_samples.h"
-#include "uncertainty_identification/effects/catalogue.h"
 
 namespace uncertainty_identification {
 namespace {
-
-constexpr double kAny = 0.999;  ///< masked samples must not count towards limits.max_missing
 
 constexpr double kCrowded = 3;  // times as many samples at a limit as at the values next to it
 
@@ -79,8 +75,9 @@ double latticeStep(const std::vector<double>& values) {
   return step;
 }
 
-CauseParameter exact(const std::string& name, const std::string& unit, double value) {
-  return {name, unit, value, 0, value, value};
+SpoiltSamples heldSamples(double share, int in_a_row) {
+  return {Trait::held_samples,
+          {exactly("share", "1", share), exactly("in_a_row", "samples", in_a_row)}};
 }
 
 /// Number of samples at a value that was reached and left again: a record that begins or ends there
@@ -191,12 +188,11 @@ double visitsNextTo(Iterator first, Iterator end) {
   return counts[1 + (counts.size() - 1) / 2];
 }
 
-bool isExcluded(const std::vector<std::string>& excluded, Trait trait) {
-  return std::any_of(excluded.begin(), excluded.end(),
-                     [&](const std::string& name) { return hasTrait(name, trait); });
-}
-
 }  // namespace
+
+CauseParameter exactly(const std::string& name, const std::string& unit, double value) {
+  return {name, unit, value, 0, value, value};
+}
 
 std::vector<Experiment> withoutRest(std::vector<Experiment> experiments) {
   constexpr int kKept = kFewestRepeats - 1;  // samples that show where the system rested
@@ -213,10 +209,15 @@ std::vector<Experiment> withoutRest(std::vector<Experiment> experiments) {
 std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experiments) {
   const std::vector<double> values = measured(experiments);
   if (values.size() < 2) return {};
-  if (const double step = latticeStep(values); step > 0)
-    return {{Trait::quantisation, {exact("step", "unit of y", step)}}};
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const double low = values.front(), high = values.back();
+  const double in_gaps = shareInGaps(experiments, low, high);
+  std::vector<SpoiltSamples> found;
+  if (const double step = latticeStep(values); step > 0) {
+    found.push_back({Trait::quantisation, {exactly("step", "unit of y", step)}});
+    if (in_gaps > 0) found.push_back(heldSamples(in_gaps, kOfAGap));
+    return found;
+  }
   const double held = heldShare(experiments, values), resolution = smallestDifference(values);
   const auto isLimit = [&](double value, double next_to_it) {
     const auto count = static_cast<double>(visits(experiments, value, held > 0));
@@ -227,72 +228,13 @@ std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experimen
   };
   const bool at_low = isLimit(low, visitsNextTo(values.begin(), values.end()));
   const bool at_high = isLimit(high, visitsNextTo(values.rbegin(), values.rend()));
-  std::vector<SpoiltSamples> found;
   if (at_low || at_high)
     found.push_back({Trait::output_limit,
-                     {exact("lower_limit", "unit of y", at_low ? low : -kNone),
-                      exact("upper_limit", "unit of y", at_high ? high : kNone)}});
-  if (held > 0) found.push_back({Trait::held_samples, {exact("share", "1", held)}});
+                     {exactly("lower_limit", "unit of y", at_low ? low : -kNone),
+                      exactly("upper_limit", "unit of y", at_high ? high : kNone)}});
+  if (held > 0 || in_gaps > 0)
+    found.push_back(held > 0 ? heldSamples(held, 1) : heldSamples(in_gaps, kOfAGap));
   return found;
-}
-
-bool isExceeded(const SpoiltSamples& limit, const std::vector<Experiment>& others) {
-  if (limit.trait != Trait::output_limit) return false;
-  const double low = limit.parameters.at(0).value, high = limit.parameters.at(1).value;
-  const std::vector<double> values = measured(others);
-  return !values.empty() && (values.front() < low || values.back() > high);
-}
-
-std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,
-                                       const SpoiltSamples& defect) {
-  if (defect.trait == Trait::quantisation) return experiments;
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  const bool clipped = defect.trait == Trait::output_limit;
-  const double low = clipped ? defect.parameters[0].value : -kFar;
-  const double high = clipped ? defect.parameters[1].value : kFar;
-  for (Experiment& experiment : experiments) {
-    std::vector<std::uint8_t> valid(static_cast<std::size_t>(experiment.samples()));
-    for (int t = 0; t < experiment.samples(); ++t) {
-      const bool spoiled = clipped ? experiment.y[t] <= low || experiment.y[t] >= high
-                                   : isHeld(experiment, t, low, high);
-      valid[static_cast<std::size_t>(t)] = experiment.isValid(t) && !spoiled;
-    }
-    experiment.valid = std::move(valid);
-  }
-  return experiments;
-}
-
-std::optional<SpoiltSamples> maskStray(Configuration* configuration, Split* data) {
-  double most = 0;
-  std::swap(most, configuration->limits.max_stray);
-  if (isExcluded(configuration->explanation.exclude, Trait::outliers)) return std::nullopt;
-  const StrayReadings stray = strayReadings(data->train, most),
-                      stray_held = strayReadings(data->held, most, stray.count > 0);
-  data->train = without(stray, std::move(data->train));
-  data->held = without(stray_held, std::move(data->held));
-  if (stray.count == 0) return std::nullopt;
-  configuration->limits.max_missing = kAny;
-  return SpoiltSamples{
-      Trait::outliers,
-      {exact("share", "1", stray.share), exact("distance", "unit of y", stray.size)}};
-}
-
-std::vector<SpoiltSamples> maskSpoilt(const std::optional<SpoiltSamples>& stray,
-                                      Configuration* configuration, Split* data) {
-  data->train = withoutRest(std::move(data->train));
-  data->held = withoutRest(std::move(data->held));
-  std::vector<SpoiltSamples> spoilt;
-  for (SpoiltSamples& each : checkSamples(data->train))
-    if (!isExcluded(configuration->explanation.exclude, each.trait) &&
-        !isExceeded(each, data->held))
-      spoilt.push_back(std::move(each));
-  for (const SpoiltSamples& each : spoilt) {
-    data->train = withoutSpoiled(std::move(data->train), each);
-    data->held = withoutSpoiled(std::move(data->held), each);
-    if (each.trait != Trait::quantisation) configuration->limits.max_missing = kAny;
-  }
-  if (stray) spoilt.push_back(*stray);
-  return spoilt;
 }
 
 }  // namespace uncertainty_identification

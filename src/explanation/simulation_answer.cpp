@@ -178,7 +178,8 @@ void dropCausesThatSimulateWorse(Explanation* explanation) {
 /// simulation of held-out experiments better, and a curve to halve its error. Where none are held
 /// out, every parameter makes it better: the free simulation must show the cause in windows that
 /// were left out, be it in windows of one length, the last thirds of the records confirm it or, of
-/// a kind that it cannot show, the cause halve the error.
+/// a kind that it cannot show, the cause halve the error. A constant only guesses the states better
+/// that the records begin from.
 void dropUnverified(const std::optional<LastThirds>& last_thirds, Explanation* explanation) {
   const std::string& skipped = explanation->simulation.skipped;
   const bool few_data = skipped.rfind("fewer than", 0) == 0;
@@ -190,7 +191,8 @@ void dropUnverified(const std::optional<LastThirds>& last_thirds, Explanation* e
   const bool twice = !few_data && isFoundTwice(*explanation);
   const auto gains_enough = [&](const Cause& cause) {
     if (twice || !confirmation.empty()) return true;
-    if (in_sample && (few_data || isCurve(cause))) return false;
+    if (in_sample && (few_data || isCurve(cause) || hasTrait(cause.name, Trait::constant)))
+      return false;
     return errorRatio(*cause.gain) < (in_sample || isCurve(cause) ? kHalved : kBetter);
   };
   const auto first = std::stable_partition(

@@ -73,8 +73,13 @@ class NamingACurve : public testing::Test {
     CurveSearchContext made;
     made.pool = &pool_;
     made.going_on = [] { return true; };
+    made.excluded = [this](Place, const std::string& shape) {
+      return !allowed_.empty() && shape != allowed_ && shape != "curve";
+    };
     return made;
   }
+
+  std::string allowed_;  ///< the only shape beside the free curve; empty: all are
 
  private:
   WorkerPool pool_{1};
@@ -158,6 +163,18 @@ TEST_F(NamingACurve, FrictionOpposesTheMotion) {
   EXPECT_FALSE(is_friction(pushing.shape)) << pushing.shape;
   EXPECT_FALSE(is_friction(pushing.nearest)) << pushing.nearest;
   for (const OtherShape& other : pushing.others) EXPECT_FALSE(is_friction(other.shape));
+}
+
+/// A tanh that is taken away makes a curve that grows steeper, however well it fits.
+TEST_F(NamingACurve, WhatGrowsSteeperDoesNotLevelOff) {
+  allowed_ = "tanh";
+  const auto shapeOf = [&](double amplitude) {
+    return named(sensorWindows([&](double x) { return x + amplitude * std::tanh(2 * x); }),
+                 {Place::sensor, ""})
+        .shape;
+  };
+  EXPECT_EQ(shapeOf(1), "tanh");
+  EXPECT_EQ(shapeOf(-0.3), "curve");
 }
 
 TEST_F(NamingACurve, TheCriterionCountsIndependentSamples) {

@@ -67,6 +67,20 @@ TEST(AcceptanceRules, RefuseWhatSimulatesWorse) {
   EXPECT_FALSE(simulatesAsWell(Named("act_deadzone"), simulated(80, std::nan(""))));
 }
 
+/// A hundredth less in the square than at a fit of 80 % is 80.1 %.
+TEST(AcceptanceRules, RefuseWhatExplainsMuchOfTheNoiseAndNothingOfTheSimulation) {
+  const auto gained = [](double fit, double noise, double before = 80) {
+    Gain gain = simulated(before, fit);
+    gain.noise_variance = {1, noise};
+    return gain;
+  };
+  EXPECT_TRUE(simulatesAsWell(Named("act_deadzone"), gained(24.5, 0.7, 24.4))) << "plants differ";
+  EXPECT_TRUE(simulatesAsWell(Named("act_deadzone"), gained(80.11, 0.79)));
+  EXPECT_FALSE(simulatesAsWell(Named("act_deadzone"), gained(80.09, 0.79)));
+  EXPECT_TRUE(simulatesAsWell(Named("act_deadzone"), gained(80.09, 0.81)));
+  EXPECT_TRUE(simulatesAsWell(Named("plant_pole", {Trait::order}), gained(80.09, 0.79)));
+}
+
 /// What states a record may begin from is not known, so that a constant beside the model's offset
 /// raises the likelihood wherever it makes these more usual.
 TEST(AcceptanceRules, AskAConstantForABetterSimulation) {

@@ -1,0 +1,86 @@
+#include "explanation/masked_samples.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "data/stray_readings.h"
+#include "explanation/held_samples.h"
+#include "uncertainty_identification/effects/catalogue.h"
+
+namespace uncertainty_identification {
+namespace {
+
+constexpr double kAny = 0.999;  ///< masked samples must not count towards limits.max_missing
+
+bool isExcluded(const std::vector<std::string>& excluded, Trait trait) {
+  return std::any_of(excluded.begin(), excluded.end(),
+                     [&](const std::string& name) { return hasTrait(name, trait); });
+}
+
+}  // namespace
+
+bool isExceeded(const SpoiltSamples& limit, const std::vector<Experiment>& others) {
+  if (limit.trait != Trait::output_limit) return false;
+  const double low = limit.parameters.at(0).value, high = limit.parameters.at(1).value;
+  for (const Experiment& experiment : others)
+    for (int t = 0; t < experiment.samples(); ++t)
+      if (experiment.isValid(t) && (experiment.y[t] < low || experiment.y[t] > high)) return true;
+  return false;
+}
+
+std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,
+                                       const SpoiltSamples& defect) {
+  if (defect.trait == Trait::quantisation) return experiments;
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  const bool clipped = defect.trait == Trait::output_limit;
+  const double low = clipped ? defect.parameters[0].value : -kFar;
+  const double high = clipped ? defect.parameters[1].value : kFar;
+  const int in_a_row = clipped ? 1 : static_cast<int>(defect.parameters.at(1).value);
+  for (Experiment& experiment : experiments) {
+    std::vector<std::uint8_t> valid(static_cast<std::size_t>(experiment.samples()));
+    for (int t = 0; t < experiment.samples(); ++t) {
+      const bool spoiled = clipped ? experiment.y[t] <= low || experiment.y[t] >= high
+                                   : isHeld(experiment, t, low, high, in_a_row);
+      valid[static_cast<std::size_t>(t)] = experiment.isValid(t) && !spoiled;
+    }
+    experiment.valid = std::move(valid);
+  }
+  return experiments;
+}
+
+std::optional<SpoiltSamples> maskStray(Configuration* configuration, Split* data) {
+  double most = 0;
+  std::swap(most, configuration->limits.max_stray);
+  if (isExcluded(configuration->explanation.exclude, Trait::outliers)) return std::nullopt;
+  const StrayReadings stray = strayReadings(data->train, most),
+                      stray_held = strayReadings(data->held, most, stray.count > 0);
+  data->train = without(stray, std::move(data->train));
+  data->held = without(stray_held, std::move(data->held));
+  if (stray.count == 0) return std::nullopt;
+  configuration->limits.max_missing = kAny;
+  return SpoiltSamples{
+      Trait::outliers,
+      {exactly("share", "1", stray.share), exactly("distance", "unit of y", stray.size)}};
+}
+
+std::vector<SpoiltSamples> maskSpoilt(const std::optional<SpoiltSamples>& stray,
+                                      Configuration* configuration, Split* data) {
+  data->train = withoutRest(std::move(data->train));
+  data->held = withoutRest(std::move(data->held));
+  std::vector<SpoiltSamples> spoilt;
+  for (SpoiltSamples& each : checkSamples(data->train))
+    if (!isExcluded(configuration->explanation.exclude, each.trait) &&
+        !isExceeded(each, data->held))
+      spoilt.push_back(std::move(each));
+  for (const SpoiltSamples& each : spoilt) {
+    data->train = withoutSpoiled(std::move(data->train), each);
+    data->held = withoutSpoiled(std::move(data->held), each);
+    if (each.trait != Trait::quantisation) configuration->limits.max_missing = kAny;
+  }
+  if (stray) spoilt.push_back(*stray);
+  return spoilt;
+}
+
+}  // namespace uncertainty_identification
