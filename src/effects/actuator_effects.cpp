@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include "effects/built_in_effects.h"
 #include "effects/effect_functions.h"
@@ -9,6 +10,12 @@ namespace uncertainty_identification {
 namespace {
 
 using Eigen::VectorXd;
+
+/// Whether a value is, but for a tenth of it, a multiple of the step.
+bool isMultiple(double value, double step) {
+  constexpr double kTenth = 0.1;
+  return std::abs(std::remainder(value, step)) < kTenth * step;
+}
 
 std::vector<VectorXd> joined(std::vector<VectorXd> first, const std::vector<VectorXd>& second) {
   first.insert(first.end(), second.begin(), second.end());
@@ -62,7 +69,9 @@ MadeEffects actuatorDelay(const DataSummary& data) {
                       })};
 }
 
-/// step round(u/step). The likelihood is far from smooth in the step, so the starts are dense.
+/// level + step round((u - level)/step), with a level of 0 or, of the variant, one that is
+/// estimated. The likelihood is far from smooth in the step, so the starts are dense; the variant
+/// starts from what the residuals show.
 MadeEffects actuatorQuantisation(const DataSummary& data) {
   constexpr int kStarts = 45;
   std::vector<VectorXd> starts;
@@ -70,19 +79,36 @@ MadeEffects actuatorQuantisation(const DataSummary& data) {
   for (int k = 0; k < kStarts; ++k)
     starts.push_back(
         VectorXd::Constant(1, 0.12 * data.input_deviation * std::pow(20.0, k / (kStarts - 1.0))));
-  return {chainEffect(
-      {"act_quantisation",
-       "",
-       "actuator that moves in steps",
-       "Check the resolution of the actuator's command (converter, valve "
-       "positioner, integer message).",
-       {},
-       Stage::actuator,
-       ScreeningKind::regression,
-       {{"step", "unit of u", data.input_deviation, 1e-6 * data.input_deviation,
-         10 * data.input_deviation, false}},
-       starts},
-      [](const VectorXd& psi, Chain* chain) { chain->u = psi[0] * (chain->u / psi[0]).round(); })};
+  const auto quantisation = [&](const char* variant, std::vector<EffectParameter> parameters,
+                                const std::vector<VectorXd>& from) {
+    return chainEffect({"act_quantisation",
+                        variant,
+                        "actuator that moves in steps",
+                        "Check the resolution of the actuator's command (converter, valve "
+                        "positioner, integer message).",
+                        {},
+                        Stage::actuator,
+                        ScreeningKind::regression,
+                        std::move(parameters),
+                        from},
+                       [](const VectorXd& psi, Chain* chain) {
+                         const double level = psi.size() > 1 ? psi[1] : 0;
+                         chain->u = level + psi[0] * ((chain->u - level) / psi[0]).round();
+                       });
+  };
+  const auto step = [](double size) {
+    return EffectParameter{"step", "unit of u", size, 1e-6 * size, 10 * size, false};
+  };
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  const double first = data.input_step > 0 ? data.input_step : data.input_deviation;
+  std::vector<VectorXd> seen;
+  if (data.input_step > 0 && isMultiple(data.input_level, data.input_step))
+    starts.push_back(VectorXd::Constant(1, data.input_step));
+  else if (data.input_step > 0)
+    seen.push_back(Eigen::Vector2d(data.input_step, data.input_level));
+  return {quantisation("", {step(data.input_deviation)}, starts),
+          quantisation("shifted", {step(first), {"level", "unit of u", first, -kAny, kAny, false}},
+                       seen)};
 }
 
 /// sign(u) max(|u| - width, 0).

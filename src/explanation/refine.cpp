@@ -171,7 +171,8 @@ Fit searchGrid(Fit fit, const FitData& data, const FitContext& context) {
     if (parameters[i].smooth) continue;
     const int at = fit.model->offsetOf(last) + static_cast<int>(i);
     double span = 0.06 * (parameters[i].lower == 0 ? parameters[i].upper - parameters[i].lower
-                                                   : fit.at.parameters[at]);
+                          : std::isfinite(parameters[i].lower) ? fit.at.parameters[at]
+                                                               : parameters[i].scale);
     for (int level = 0; level < kLevels; ++level, span *= 0.2) {
       const double centre = fit.at.parameters[at];
       for (int k = -kHalf; k <= kHalf; ++k) {

@@ -60,6 +60,7 @@ Effects Search::considered(const SearchState& state) const {
     if (effect->stage() == Stage::data || !isWanted(*effect, state) || state.excludes(*effect))
       continue;
     if (effect->has(Trait::by_experiment) && state.train.count() < kFewest) continue;
+    if (effect->description().starts.empty()) continue;  // the residuals do not show it
     effects.push_back(effect);
   }
   return effects;

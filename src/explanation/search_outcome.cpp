@@ -7,6 +7,7 @@
 #include "data/unmeasured_start.h"
 #include "explanation/estimate_fit.h"
 #include "explanation/feedback_check.h"
+#include "explanation/input_steps.h"
 #include "explanation/residual_checks.h"
 #include "explanation/spectral_peaks.h"
 #include "explanation/verdict.h"
@@ -50,7 +51,9 @@ DataSummary summaryOf(const SearchState& base) {
   summary.regressors = base.fit.model->regressors();
   summary.plant_parameters =
       plantParameters(nominal, base.fit.at.parameters.head(nominal.parameterCount()));
-  findSpectralPeaks(residualsOf(base.fit, base.train), base.train, &summary);
+  const Residuals residuals = residualsOf(base.fit, base.train);
+  findSpectralPeaks(residuals, base.train, &summary);
+  findInputSteps(residuals, base.fit, base.train, &summary);
   return summary;
 }
 

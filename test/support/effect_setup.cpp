@@ -122,6 +122,7 @@ const std::map<std::string, Values>& known() {
       {"act_loss", {{0, 8}, {0.4, 7.2}}},
       {"act_offset", {{0}, {0.3}}},
       {"act_quantisation", {{2.5e-6}, {1.1}}},
+      {"act_quantisation (shifted)", {{2.5e-6, 0}, {1.1, 0.3}}},
       {"act_ratelimit", {{150}, {1.2}}},
       {"act_saturation", {{150}, {1.7}}},
       {"exp_clock", {{-14}, {1}}},

@@ -86,10 +86,13 @@ struct DataSummary {
   /// [rad/sample] frequency of the largest peak in the spectrum of the mean residual over all
   /// experiments, and of that in the mean of the spectra of the experiments' residuals.
   double common_peak = 1, own_peak = 1;
+  /// [unit of u] step in which the residuals show that the actuator moves, and a level of it; 0:
+  /// none
+  double input_step = 0, input_level = 0;
 };
 
 /// Summarises the recorded data. What depends on a model keeps its default: `regressors`,
-/// `plant_parameters` and the peaks of the residuals' spectra.
+/// `plant_parameters`, the peaks of the residuals' spectra and the steps of the actuator.
 DataSummary summarise(const std::vector<Experiment>& experiments);
 
 /// q-quantile of sorted values; 0 if there are none.

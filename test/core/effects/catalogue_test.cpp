@@ -74,7 +74,8 @@ TEST(Catalogue, EffectsOfTheChainHaveAdmissibleStartsOfTheirSize) {
       EXPECT_EQ(effect->parameterCount(), 0);
       continue;
     }
-    EXPECT_FALSE(starts.empty());
+    EXPECT_EQ(starts.empty(), effect->label() == "act_quantisation (shifted)")
+        << "which starts from what residuals show";
     for (const Eigen::VectorXd& start : starts) {
       EXPECT_EQ(start.size(), effect->parameterCount());
       EXPECT_TRUE(effect->admissible(start)) << start.transpose();
@@ -89,9 +90,9 @@ TEST(Catalogue, KeepsItsPhysicalOrder) {
   const std::vector<std::string> expected{
       "sens_lag", "noise_colour",
       // what drives the plant
-      "act_offset", "act_delay", "act_quantisation", "act_deadzone", "act_backlash",
-      "act_ratelimit", "act_saturation", "act_hammerstein", "act_loss", "plant_drift",
-      "plant_temp (flow)", "plant_temp (temp)",
+      "act_offset", "act_delay", "act_quantisation", "act_quantisation (shifted)", "act_deadzone",
+      "act_backlash", "act_ratelimit", "act_saturation", "act_hammerstein", "act_loss",
+      "plant_drift", "plant_temp (flow)", "plant_temp (temp)",
       // in the loop, beside and behind the plant
       "plant_cubic", "plant_coulomb", "plant_resonance", "plant_pole",
       // the output
@@ -107,6 +108,20 @@ TEST(Catalogue, KeepsItsPhysicalOrder) {
   std::vector<std::string> found;
   for (const auto& effect : all()) found.push_back(effect->label());
   EXPECT_EQ(found, expected);
+}
+
+/// Steps that the residuals show have a level of their own only where zero is none.
+TEST(Catalogue, StepsOfTheActuatorStartFromWhatTheResidualsShow) {
+  const auto startsWith = [](double level, const char* variant) {
+    DataSummary data;
+    data.input_step = 0.5;
+    data.input_level = level;
+    return findEffect(catalogue(data), "act_quantisation", variant)->description().starts;
+  };
+  ASSERT_EQ(startsWith(20.2, "shifted").size(), 1u);
+  EXPECT_EQ(startsWith(20.2, "shifted")[0], Eigen::VectorXd(Eigen::Vector2d(0.5, 20.2)));
+  EXPECT_TRUE(startsWith(20.04, "shifted").empty());
+  EXPECT_EQ(startsWith(20.04, "").size(), startsWith(20.2, "").size() + 1);
 }
 
 TEST(Catalogue, PositionsRiseWithinAStage) {

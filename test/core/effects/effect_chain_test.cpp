@@ -129,6 +129,11 @@ std::vector<Case> actuators() {
                [](const VectorXd& u, const VectorXd& p) {
                  return each(u, [&](double v) { return p[0] * std::round(v / p[0]); });
                }),
+      {"act_quantisation", "shifted",
+       [](const Experiment& of, const VectorXd& p, const test::EffectSetup&) {
+         return plant(
+             each(of.u, [&](double v) { return p[1] + p[0] * std::round((v - p[1]) / p[0]); }));
+       }},
       actuator("act_saturation",
                [](const VectorXd& u, const VectorXd& p) {
                  return each(u, [&](double v) { return std::clamp(v, -p[0], p[0]); });

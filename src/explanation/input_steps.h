@@ -1,0 +1,14 @@
+#pragma once
+
+#include "explanation/fit.h"
+
+namespace uncertainty_identification {
+
+/// Looks for steps in which the actuator follows its command, wherever they begin: what rounding
+/// leaves is nearly a sine of the command, whose response the residuals hold. Stores the step and
+/// a level in `summary` (input_step, input_level) if the residuals gain 10 nats or more;
+/// the fit of a shifted quantisation (act_quantisation) starts from them.
+void findInputSteps(const Residuals& residuals, const Fit& base, const FitData& data,
+                    DataSummary* summary);
+
+}  // namespace uncertainty_identification
