@@ -223,6 +223,7 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   explanation_.candidates = best.tried;
   describe(best.base, best.found);
   compareWithCauseFreeModel(asked_, whole, likelihoodOf(best), progress_, &explanation_);
+  tellOddExperiments(&explanation_);
   if (progress_.cancelled()) throw CancelledError("cancelled");
   explanation_.seconds = progress_.seconds();
   return std::move(explanation_);

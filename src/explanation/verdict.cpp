@@ -246,4 +246,13 @@ void conclude(Explanation* explanation, bool withheld) {
     explanation->message = withheld ? notNamed(failed) : unfinished(failed);
 }
 
+void tellOddExperiments(Explanation* explanation) {
+  if (!explanation->before.has_odd_experiments || !explanation->causes.empty()) return;
+  const bool agrees = explanation->verdict == Verdict::none;
+  explanation->message = "not all experiments belong together, as a warning tells. " +
+                         std::string(agrees ? "Apart from this: " : "Besides: ") +
+                         explanation->message;
+  explanation->verdict = Verdict::unknown;
+}
+
 }  // namespace uncertainty_identification

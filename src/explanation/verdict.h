@@ -51,4 +51,8 @@ bool isOfNoiseAlone(const std::vector<Check>& checks);
 /// found that are not named.
 void conclude(Explanation* explanation, bool withheld = false);
 
+/// Says first that not all experiments belong together, where the model tells so and nothing is
+/// named as a cause: the verdict is then not `none`.
+void tellOddExperiments(Explanation* explanation);
+
 }  // namespace uncertainty_identification

@@ -52,13 +52,12 @@ std::string inWords(const std::string& names, const std::vector<double>& odd,
 
 std::string oddExperiments(const LinearModel& model, const ModelParameters& point, double offset,
                            EstimationOptions options, const std::vector<Experiment>& experiments) {
-  constexpr std::size_t kFewest = 5;
+  constexpr std::size_t kFewest = 4;
   constexpr double kFar = 8, kMaterial = 0.25, kNormal = 1.4826;  // deviations; of the factor
   constexpr double kFollows = 0.5;                                // of the variance
   constexpr double kTimeConstants = 3;  // in the longest experiment, at least
   if (experiments.size() < kFewest) return "";
   options.initial_state = InitialState::estimate;
-  options.offsets = Offsets::estimate;  // means are subtracted
   const Polynomials plant = meanPlant(model, point);
   // What a slow plant does by itself may look like an answer to the input.
   if (!isStable(plant.a, std::exp(-kTimeConstants / longestOf(experiments)))) return "";

@@ -11,7 +11,7 @@ namespace uncertainty_identification {
 
 /// Names the experiments whose output is another multiple of what the mean plant simulates than
 /// that of all others, by far: another range or sign of the sensor, another unit, or another
-/// machine. At most a tenth of the experiments, or one, of five or more. A sentence, or nothing.
+/// machine. At most a tenth of the experiments, or one, of four or more. A sentence, or nothing.
 ///
 /// @param offset of the output [unit of y]
 std::string oddExperiments(const LinearModel& model, const ModelParameters& point, double offset,

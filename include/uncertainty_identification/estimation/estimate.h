@@ -174,6 +174,7 @@ struct Estimate {
   Validation validation;
   ResidualTests residual_tests;
   std::string variation;  ///< how the plants differ from experiment to experiment, in a sentence
+  bool has_odd_experiments = false;  ///< not all belong together; a warning names those that do not
   StructureError structure_error;
   Trust trust;
   std::vector<std::string> warnings;

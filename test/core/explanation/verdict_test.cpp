@@ -218,5 +218,25 @@ TEST(Conclude, TellsThatOnlyTheDirectionIsNotKnown) {
   EXPECT_TRUE(test::mentions(explanation.warnings[0], "the model answers later"));
 }
 
+TEST(TellOddExperiments, AreNoAgreementAndTakeNoCauseAway) {
+  Explanation explanation;
+  explanation.verdict = Verdict::none;
+  explanation.message = "the model agrees";
+  tellOddExperiments(&explanation);
+  EXPECT_EQ(explanation.verdict, Verdict::none);
+  explanation.before.has_odd_experiments = true;
+  tellOddExperiments(&explanation);
+  EXPECT_EQ(explanation.verdict, Verdict::unknown);
+  EXPECT_TRUE(test::mentions(explanation.message, "belong together"));
+  EXPECT_TRUE(test::mentions(explanation.message, "Apart from this: the model agrees"));
+
+  Explanation named;
+  named.verdict = Verdict::explained;
+  named.causes.resize(1);
+  named.before.has_odd_experiments = true;
+  tellOddExperiments(&named);
+  EXPECT_EQ(named.verdict, Verdict::explained);
+}
+
 }  // namespace
 }  // namespace uncertainty_identification

@@ -71,6 +71,30 @@ TEST(OddExperiments, AreFew) {
   EXPECT_EQ(warningWhere(2.2, 3), "") << "another population, not an oddity";
 }
 
+/// Levels of their own, as of a machine that is run at another point each day.
+TEST(OddExperiments, AreSeenAtAnyLevel) {
+  std::vector<Experiment> all = experiments();
+  for (std::size_t r = 0; r < all.size(); ++r) {
+    if (r == 3) all[r].y = (0.4 * (all[r].y.array() - 4) + 4).matrix();
+    all[r].y.array() += 10.0 * static_cast<double>(r * r % 7);
+  }
+  Configuration configuration;
+  configuration.nominal_model.orders_auto = false;
+  configuration.nominal_model.structure = Structure::output_error;
+  configuration.estimation.offsets = Offsets::per_experiment;
+  const Estimate estimate = Identifier(configuration).identify(all);
+  EXPECT_TRUE(test::mentions(warningOf(estimate), "experiment 'run_3'"));
+  EXPECT_TRUE(estimate.has_odd_experiments);
+}
+
+TEST(OddExperiments, AreToldOfFour) {
+  std::vector<Experiment> all = experiments();
+  all.resize(4);
+  EXPECT_FALSE(identifiedFrom(all).has_odd_experiments);
+  all[0].y = (0.1 * (all[0].y.array() - 4) + 4).matrix();
+  EXPECT_TRUE(identifiedFrom(all).has_odd_experiments);
+}
+
 TEST(OddExperiments, FollowTheSimulation) {
   std::vector<Experiment> all = experiments();
   std::mt19937_64 engine(12);
