@@ -100,8 +100,7 @@ Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* jo
   estimate.simulation_fit_percent =
       meanPlantFit(model, point, offset, options, experiments).pooledFor(options.offsets);
   const std::string odd = oddExperiments(model, point, offset, options, experiments);
-  estimate.has_odd_experiments = !odd.empty();
-  if (!odd.empty()) {
+  if ((estimate.has_odd_experiments = !odd.empty())) {
     journal->warnings.push_back(odd);
     estimate.variation += " Not all experiments belong together, as a warning tells.";
   }
