@@ -56,6 +56,13 @@ ResidualTests testsOf(const Problem& problem, const FittedModel& fitted, Journal
   return residualTests(about ? *about->model : *model, blocks, at.parameters, &nominal);
 }
 
+void tellOdd(const std::string& odd, Journal* journal, Estimate* estimate) {
+  if (odd.empty()) return;
+  journal->warnings.push_back(odd);
+  estimate->has_odd_experiments = true;
+  estimate->variation += " Not all experiments belong together, as a warning tells.";
+}
+
 }  // namespace
 
 Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* journal) {
@@ -99,11 +106,7 @@ Estimate describe(const Problem& problem, const FittedModel& fitted, Journal* jo
   const std::vector<Experiment>& experiments = problem.data.experiments;
   estimate.simulation_fit_percent =
       meanPlantFit(model, point, offset, options, experiments).pooledFor(options.offsets);
-  const std::string odd = oddExperiments(model, point, offset, options, experiments);
-  if ((estimate.has_odd_experiments = !odd.empty())) {
-    journal->warnings.push_back(odd);
-    estimate.variation += " Not all experiments belong together, as a warning tells.";
-  }
+  tellOdd(oddExperiments(model, point, offset, options, experiments), journal, &estimate);
   estimate.trust = trustOf(fitted, estimate);
   journal->passes += fitted.likelihood->passes();
   return estimate;
