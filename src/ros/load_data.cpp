@@ -4,6 +4,9 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "uncertainty_identification/errors.h"
 #include "uncertainty_identification/io/csv.h"
@@ -60,13 +63,36 @@ void makeIdsDistinct(std::vector<std::pair<fs::path, LoadedData>>& parts) {
       if (files_with[experiment.id] > 1) experiment.id = file.stem().string() + "/" + experiment.id;
 }
 
-/// Files of one logger share what was assumed about them: it is said once.
-void dropRepeated(std::vector<std::string>& warnings) {
-  std::set<std::string> said;
-  warnings.erase(
-      std::remove_if(warnings.begin(), warnings.end(),
-                     [&said](const auto& warning) { return !said.insert(warning).second; }),
-      warnings.end());
+/// Files of one logger share what was assumed about them, and what is wrong with them: it is said
+/// once, of the first file and so many others.
+std::vector<std::string> saidOnce(const std::vector<std::pair<fs::path, LoadedData>>& parts) {
+  struct Said {
+    std::string of, what;  ///< "FILE: " is taken off, if it is there
+    int times = 1;
+  };
+  std::vector<Said> all;
+  for (const auto& [file, data] : parts) {
+    const std::string prefix = file.string() + ": ";
+    for (const std::string& warning : data.warnings) {
+      const bool is_of_file = warning.rfind(prefix, 0) == 0;
+      const std::string what = is_of_file ? warning.substr(prefix.size()) : warning;
+      const auto said =
+          std::find_if(all.begin(), all.end(), [&](const Said& one) { return one.what == what; });
+      if (said != all.end())
+        ++said->times;
+      else
+        all.push_back({is_of_file ? file.string() : "", what});
+    }
+  }
+  std::vector<std::string> warnings;
+  for (const Said& one : all) {
+    const std::string others = one.times == 2 ? " and another file"
+                               : one.times > 2
+                                   ? " and " + std::to_string(one.times - 1) + " other files"
+                                   : "";
+    warnings.push_back(one.of.empty() ? one.what : one.of + others + ": " + one.what);
+  }
+  return warnings;
 }
 
 void requireExperiments(const LoadedData& data) {
@@ -93,8 +119,9 @@ LoadedData loadData(const std::vector<std::string>& paths, const Configuration& 
     parts.emplace_back(file, readFile(file, configuration, keep_going));
   makeIdsDistinct(parts);
   LoadedData data;
+  std::vector<std::string> warnings = saidOnce(parts);
   for (auto& part : parts) append(std::move(part.second), data);
-  dropRepeated(data.warnings);
+  data.warnings = std::move(warnings);
   requireExperiments(data);
   return data;
 }

@@ -58,6 +58,22 @@ TEST(LoadData, FilesOfOneLoggerShareARemark) {
       (std::vector<std::string>{"the columns were read as follows: the time is 'time_ms' in ms"}));
 }
 
+TEST(LoadData, AWarningOfSeveralFilesIsSaidOnce) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.csv", "b.csv", "c.csv"}) {
+    std::ofstream file(folder / name);
+    file << "t,u,y\n";
+    for (int k = 0; k < 30; ++k) file << 20 * k << "," << k % 3 << "," << k % 4 << "\n";
+  }
+  const std::vector<std::string> warnings = loadData({folder.path()}, {}).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].rfind(folder / "a.csv" + " and 2 other files: t holds whole numbers", 0),
+            0u)
+      << warnings[0];
+  EXPECT_EQ(loadData({folder / "a.csv"}, {}).warnings[0].rfind(folder / "a.csv" + ": t holds", 0),
+            0u);
+}
+
 TEST(LoadData, ConfiguredColumnsAndModesHoldForFiles) {
   const TemporaryFolder folder;
   std::ofstream file(folder / "log.csv");
