@@ -1,8 +1,6 @@
 #include "curves/curve_search.h"
 
-#include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,20 +24,14 @@ bool standsForOrders(const CurveSearchResult& with_causes, const CurveSearchResu
              (is_no_larger ? kLess : kFarLess) * (orders.fit.left_out + orders.held_error);
 }
 
-/// Whether a stable plant with this in it oscillates about a controller's setpoint, by sticking.
-bool sticks(const FoundCurve& cause) {
-  const auto has = [&](const char* word) { return cause.shape.find(word) != std::string::npos; };
-  return cause.place.place == Place::play || cause.place.place == Place::output_play ||
-         has("dead_zone") || has("coulomb") || has("stribeck");
-}
-
 /// Whether a controller holds an unstable plant: a small error grows tenfold within a window. A
-/// curve that bends the simulation back then gains, whatever the plant is. What makes the loop
-/// oscillate looks the same, and is not meant.
-bool bendsUnstablePlantBack(const std::vector<FoundCurve>& causes, const SimulationData& data) {
+/// curve that bends the simulation back then gains, whatever the plant is. A stable plant that
+/// sticks oscillates about the controller's setpoint, which looks the same, and is not meant.
+bool bendsUnstablePlantBack(const FoundCurve& first, const SimulationData& data) {
   constexpr double kTenfold = 10;
-  return std::none_of(causes.begin(), causes.end(), sticks) &&
-         std::pow(predictedGrowth(data), data.longest) > kTenfold;
+  const Place place = first.place.place;
+  const bool may_stick = place == Place::play || place == Place::output_play || sticks(first.shape);
+  return !may_stick && std::pow(predictedGrowth(data), data.longest) > kTenfold;
 }
 
 /// Whether the causes, which leave much unexplained, simulate better and do not predict better. In
@@ -152,7 +144,7 @@ CurveSearchResult believed(CurveSearchResult best, const SimulationData& data,
       heldOutFit(held, Eigen::VectorXd::Constant(1, best.held_error)) < limits.least_fit;
   const bool is_better = !is_poor && best.held_error < (1 - limits.least_gain) * base_error;
   if (best.causes.empty()) return best;
-  best.is_unstable = bendsUnstablePlantBack(best.causes, data);
+  best.is_unstable = is_better && bendsUnstablePlantBack(best.causes.front(), data);
   if (is_better && !best.is_unstable && !isControllersAnswer(data, held, limits, best)) return best;
   best.refused = is_better ? std::move(best.causes) : std::vector<FoundCurve>();
   best.causes.clear();

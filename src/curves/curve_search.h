@@ -10,7 +10,7 @@ namespace uncertainty_identification {
 struct CurveSearchResult {
   WindowFit base, fit;
   std::vector<FoundCurve> causes;   ///< in the order found; fit.model.curves may have another one
-  std::vector<FoundCurve> refused;  ///< simulate better, but do not predict better; not named
+  std::vector<FoundCurve> refused;  ///< simulate better, which a controller may be the reason of
   double held_error = 0;            ///< squared, of all held-out windows
   bool is_unstable = false;         ///< the plant, which is why curves were refused
   bool ended_early = false;

@@ -80,9 +80,10 @@ bool CurveSearch::takePlant(const CurveCandidate& candidate) {
 
 bool CurveSearch::convinces(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const {
   if (before.size() == 0) return true;
-  constexpr double kHalf = 0.5;  // with which the held-out windows may be too few to be significant
+  constexpr std::size_t kFew = 4;  // windows, which may be too few to be significant
+  constexpr double kHalf = 0.5;
   const double left = after.sum() / before.sum();
-  return left <= kHalf ||
+  return (left <= kHalf && held_.windows.size() <= kFew) ||
          (left <= 1 - limits_.least_gain && pairedT(before, after) >= limits_.least_held_t);
 }
 

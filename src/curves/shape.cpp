@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 namespace uncertainty_identification {
@@ -216,6 +217,13 @@ const std::vector<Shape>& shapes() {
     return found;
   }();
   return all;
+}
+
+bool sticks(const std::string& shape) {
+  static const std::set<std::string> kSticking{
+      "dead_zone", "dead_zone_saturation", "asymmetric_dead_zone", "coulomb",
+      "stribeck",  "asymmetric_coulomb"};
+  return kSticking.count(shape) > 0;
 }
 
 std::vector<const Shape*> shapesAt(Place place) {

@@ -40,6 +40,9 @@ double degreeOf(const Shape& shape, const double* parameters);
 /// All shapes.
 const std::vector<Shape>& shapes();
 
+/// Whether a machine with a curve of this shape stops and starts: dead zones and dry friction.
+bool sticks(const std::string& shape);
+
 /// The shapes that occur at a place, the simplest first: of two that the data cannot tell apart,
 /// the first is named.
 std::vector<const Shape*> shapesAt(Place place);

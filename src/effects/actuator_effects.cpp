@@ -90,14 +90,19 @@ MadeEffects actuatorQuantisation(const DataSummary& data) {
                         Stage::actuator,
                         ScreeningKind::regression,
                         std::move(parameters),
-                        from},
+                        from,
+                        /*nonlinear=*/false,
+                        /*own_point=*/false,
+                        {Trait::one_cause}},
                        [](const VectorXd& psi, Chain* chain) {
                          const double level = psi.size() > 1 ? psi[1] : 0;
                          chain->u = level + psi[0] * ((chain->u - level) / psi[0]).round();
                        });
   };
-  const auto step = [](double size) {
-    return EffectParameter{"step", "unit of u", size, 1e-6 * size, 10 * size, false};
+  const auto step = [&](double scale, double most) {
+    return EffectParameter{
+        "step", "unit of u", scale, 1e-6 * data.input_deviation, most * data.input_deviation,
+        false};
   };
   constexpr double kAny = std::numeric_limits<double>::infinity();
   const double first = data.input_step > 0 ? data.input_step : data.input_deviation;
@@ -106,9 +111,10 @@ MadeEffects actuatorQuantisation(const DataSummary& data) {
     starts.push_back(VectorXd::Constant(1, data.input_step));
   else if (data.input_step > 0)
     seen.push_back(Eigen::Vector2d(data.input_step, data.input_level));
-  return {quantisation("", {step(data.input_deviation)}, starts),
-          quantisation("shifted", {step(first), {"level", "unit of u", first, -kAny, kAny, false}},
-                       seen)};
+  return {
+      quantisation("", {step(data.input_deviation, 10)}, starts),
+      quantisation("shifted",
+                   {step(first, 1000), {"level", "unit of u", first, -kAny, kAny, false}}, seen)};
 }
 
 /// sign(u) max(|u| - width, 0).

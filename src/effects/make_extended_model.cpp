@@ -55,9 +55,11 @@ VectorXd startingValues(const Effects& effects, const std::vector<EffectOptions>
     for (std::size_t i = 0; i < description.parameters.size(); ++i) {
       const auto found = options[k].parameters.find(description.parameters[i].name);
       given += found != options[k].parameters.end() ? 1 : 0;
-      values.push_back(found != options[k].parameters.end() ? found->second
-                       : description.starts.empty()
-                           ? description.parameters[i].scale
+      if (found == options[k].parameters.end() && description.starts.empty())
+        throw ConfigurationError("effects: " + effects[k]->label() + " has no value to begin its " +
+                                 description.parameters[i].name + " with: state one");
+      values.push_back(found != options[k].parameters.end()
+                           ? found->second
                            : description.starts.front()[static_cast<Index>(i)]);
     }
     if (given == options[k].parameters.size()) continue;

@@ -25,14 +25,16 @@ bool passes(const Gain& gain, AcceptanceRule rule) {
 
 bool simulatesAsWell(const Effect& effect, const Gain& gain) {
   constexpr double kHelps = 0.99, kMost = 1.01, kMostByTheta = 1.1;
-  constexpr double kAFifth = 0.8, kUseful = 50;  // of the variance; [% of fit]
+  constexpr double kAFifth = 0.8, kWell = 80;  // of the variance; [% of fit]
   const bool structural = effect.description().screening == ScreeningKind::regression &&
                           !isOfNoise(effect) && !isOfMixture(effect);
   if (effect.has(Trait::constant)) return errorRatio(gain) < kClearly;
   if (!structural) return errorRatio(gain) <= kMostByTheta;
   const Comparison& noise = gain.noise_variance;
-  const bool must_help = noise.after < kAFifth * noise.before &&
-                         gain.nrmse_fit_percent.before >= kUseful && !effect.has(Trait::order);
+  const bool moves_plant = effect.stage() == Stage::actuator || effect.stage() == Stage::loop;
+  const bool must_help = moves_plant && !effect.has(Trait::order) &&
+                         noise.after < kAFifth * noise.before &&
+                         gain.nrmse_fit_percent.before >= kWell;
   return errorRatio(gain) <= (must_help ? kHelps : kMost);
 }
 
@@ -69,10 +71,15 @@ bool mayBeOrder(const FittedEffect& chosen, const std::vector<FittedEffect>& ran
          });
 }
 
+bool isFormOfOneCause(const Effect& one, const Effect& other) {
+  return one.name() == other.name() && one.has(Trait::one_cause);
+}
+
 std::vector<std::string> equivalentOf(const FittedEffect& chosen,
                                       const std::vector<FittedEffect>& ranked) {
   std::vector<std::string> names = chosen.effect->description().equivalent;
   for (const FittedEffect& other : ranked) {
+    if (isFormOfOneCause(*other.effect, *chosen.effect)) continue;
     const bool same = other.effect->name() == chosen.effect->name();
     const std::string name = same ? other.effect->label() : other.effect->name();
     const bool is_new = std::find(names.begin(), names.end(), name) == names.end();

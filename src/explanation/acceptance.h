@@ -24,11 +24,11 @@ bool passes(const Gain& gain, AcceptanceRule rule);
 /// likelihood alone also rewards what makes residuals white and the simulation wrong. The squared
 /// error may grow by a hundredth, which is chance where the plants differ much. Effects that move
 /// the simulation only by way of theta (all but ScreeningKind::regression) may let it grow by a
-/// tenth. One of the others that takes a fifth of the noise variance away, and is no linear
-/// dynamics, must also take a hundredth of the simulation's squared error away: otherwise it stands
-/// for something in the noise. Where the fit is below a half, plants differ too much to say so. A
-/// constant beside the model's offset must make it smaller by a
-/// twentieth: otherwise it is only a better guess of the states that records begin from.
+/// tenth. What acts before or in the plant, is no linear dynamics and takes a fifth of the noise
+/// variance away must also take a hundredth of the simulation's squared error away: otherwise it
+/// stands for something in the noise. Where the fit is below 80 %, plants differ too much to say
+/// so. A constant beside the model's offset must make it smaller by a twentieth: otherwise it is
+/// only a better guess of the states that records begin from.
 bool simulatesAsWell(const Effect& effect, const Gain& gain);
 
 /// Whether a cause, measured again in the final model, neither loses log density significantly nor
@@ -52,6 +52,9 @@ bool isDifferencing(const Fit& fit);
 /// Whether a model of higher order or longer delay may explain the data as well as the chosen
 /// candidate: it is such dynamics itself, or one of a score within a few nats is.
 bool mayBeOrder(const FittedEffect& chosen, const std::vector<FittedEffect>& ranked);
+
+/// Whether two effects are forms of one cause, which are no rivals (Trait::one_cause).
+bool isFormOfOneCause(const Effect& one, const Effect& other);
 
 /// Names of the effects that the data may not distinguish from the chosen one: those that its
 /// description lists, and those of a score within a few nats. Another form of the same effect is

@@ -59,6 +59,7 @@ double confidenceFor(const SearchState& state, const FittedEffect& chosen, const
   for (const FittedEffect& other : ranked) {
     if (other.effect == chosen.effect || other.score < chosen.score - kBeyondDoubt) continue;
     if (other.fit.model && isDifferencing(other.fit)) continue;  // is never accepted
+    if (isFormOfOneCause(*other.effect, *chosen.effect)) continue;
     // A distribution of the residuals has no fit of its own.
     rivals.push_back(isResidualDistribution(*other.effect)
                          ? Evidence{other.score, {}}

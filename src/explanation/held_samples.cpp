@@ -88,32 +88,46 @@ bool repeatsCoarseSteps(const std::vector<Experiment>& experiments, double low, 
          static_cast<double>(whole) >= kMost * static_cast<double>(steps.size());
 }
 
-/// Whether a row of repeats, from `first` to the sample before `next`, is a gap: what was missed is
-/// made up for in one step, by about as much as the steps before and after say, and by far more
-/// than either of them.
-bool isGap(const Eigen::VectorXd& y, int first, int next) {
-  constexpr double kFar = 2, kAbout = 3;
-  const double before = std::abs(y[first] - y[first - 1]), after = std::abs(y[next + 1] - y[next]);
-  const double made = std::abs(y[next] - y[next - 1]);
-  const double expected = (next - first) * 0.5 * (before + after);
-  return before > 0 && after > 0 && made >= kFar * std::max(before, after) &&
-         made <= kAbout * expected && expected <= kAbout * made;
+std::vector<HeldRow> rowsOf(const Experiment& experiment, const Readings& readings) {
+  constexpr int kFewest = 3;
+  std::vector<HeldRow> rows;
+  int begin = 1;
+  for (int t = 1; t <= experiment.samples(); ++t) {
+    if (t < experiment.samples() && isHeld(experiment, t, readings.low, readings.high)) continue;
+    if (t - begin >= kFewest) rows.push_back({begin, t});
+    begin = t + 1;
+  }
+  return rows;
+}
+
+/// Whether the two readings before the row and after it are known.
+bool isBetweenReadings(const Experiment& experiment, const HeldRow& row) {
+  return row.begin >= 2 && row.end + 1 < experiment.samples() &&
+         experiment.isValid(row.begin - 2) && experiment.isValid(row.end) &&
+         experiment.isValid(row.end + 1);
+}
+
+bool isGap(const Experiment& experiment, const HeldRow& row, double resolution) {
+  constexpr double kMoves = 2.5, kFar = 2, kAbout = 3;  // steps; ratios
+  const Eigen::VectorXd &y = experiment.y, &u = experiment.u;
+  const double before = std::abs(y[row.begin - 1] - y[row.begin - 2]);
+  const double after = std::abs(y[row.end + 1] - y[row.end]);
+  const double made = std::abs(y[row.end] - y[row.end - 1]);
+  const double expected = (row.end - row.begin + 1) * 0.5 * (before + after);
+  const int half = (row.end - row.begin + 1) / 2;
+  const bool is_driven =
+      u.segment(row.begin, half).cwiseNotEqual(u.segment(row.begin - 1, half)).any();
+  return is_driven && std::min(before, after) > kMoves * resolution &&
+         made >= kFar * std::max(before, after) && made <= kAbout * expected &&
+         expected <= kAbout * made;
 }
 
 }  // namespace
 
-bool isHeld(const Experiment& experiment, int t, double low, double high, int in_a_row) {
-  const auto repeats = [&](int at) {
-    return at > 0 && at < experiment.samples() && !isSameReading(experiment, at) &&
-           experiment.isValid(at) && experiment.isValid(at - 1) &&
-           experiment.y[at] == experiment.y[at - 1] && experiment.y[at] > low &&
-           experiment.y[at] < high;
-  };
-  if (!repeats(t)) return false;
-  int count = 1;
-  for (int at = t - 1; count < in_a_row && repeats(at); --at) ++count;
-  for (int at = t + 1; count < in_a_row && repeats(at); ++at) ++count;
-  return count >= in_a_row;
+bool isHeld(const Experiment& experiment, int t, double low, double high) {
+  return t > 0 && !isSameReading(experiment, t) && experiment.isValid(t) &&
+         experiment.isValid(t - 1) && experiment.y[t] == experiment.y[t - 1] &&
+         experiment.y[t] > low && experiment.y[t] < high;
 }
 
 double heldShare(const std::vector<Experiment>& experiments, const std::vector<double>& sorted) {
@@ -131,20 +145,25 @@ double heldShare(const std::vector<Experiment>& experiments, const std::vector<d
   return static_cast<double>(held) / static_cast<double>(sorted.size());
 }
 
-double shareInGaps(const std::vector<Experiment>& experiments, double low, double high) {
+std::vector<HeldRow> gapsOf(const Experiment& experiment, const Readings& readings) {
+  std::vector<HeldRow> gaps = rowsOf(experiment, readings);
+  const auto is_none = [&](const HeldRow& row) {
+    return !isBetweenReadings(experiment, row) || !isGap(experiment, row, readings.resolution);
+  };
+  gaps.erase(std::remove_if(gaps.begin(), gaps.end(), is_none), gaps.end());
+  return gaps;
+}
+
+double shareInGaps(const std::vector<Experiment>& experiments, const Readings& readings) {
   constexpr double kMost = 0.5;
-  int rows = 0, gaps = 0;
-  double held = 0, samples = 0;
+  double rows = 0, gaps = 0, held = 0, samples = 0;
   for (const Experiment& experiment : experiments) {
-    samples += static_cast<double>(experiment.validSamples());
-    for (int t = 1; t + 1 < experiment.samples(); ++t) {
-      if (!isHeld(experiment, t - 1, low, high, kOfAGap)) continue;
-      ++held;
-      if (isHeld(experiment, t, low, high, kOfAGap)) continue;
-      int first = t - 1;
-      while (isHeld(experiment, first, low, high, kOfAGap)) --first;
-      ++rows;
-      gaps += first > 0 && isGap(experiment.y, first, t);
+    samples += experiment.validSamples();
+    for (const HeldRow& row : rowsOf(experiment, readings))
+      rows += isBetweenReadings(experiment, row) ? 1 : 0;
+    for (const HeldRow& gap : gapsOf(experiment, readings)) {
+      ++gaps;
+      held += gap.end - gap.begin;
     }
   }
   return gaps >= kFewestRepeats && gaps >= kMost * rows ? held / samples : 0;

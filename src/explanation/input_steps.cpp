@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
-#include <set>
+#include <vector>
 
 #include "math/constants.h"
 #include "math/polynomial.h"
@@ -20,23 +19,33 @@ using Eigen::VectorXd;
 
 using Function = std::function<Signals(const Signals& u)>;
 
-/// Mean and half the range of the command, and whether it takes enough values to show steps.
+/// Where 98 % of the command lie, and the least difference of two of its values; 0 where it takes
+/// too many to tell. `is_fine`: it takes enough values to show steps.
 struct CommandRange {
-  double mean = 0, half = 0;
+  double mean = 0, half = 0, grid = 0;
   bool is_fine = false;
 };
 
 CommandRange rangeOf(const std::vector<Experiment>& experiments) {
-  constexpr std::size_t kFewest = 30;
-  std::set<double> values;
-  double sum = 0, samples = 0;
-  for (const Experiment& experiment : experiments) {
-    values.insert(experiment.u.data(), experiment.u.data() + experiment.u.size());
-    sum += experiment.u.sum();
-    samples += static_cast<double>(experiment.u.size());
-  }
-  if (values.size() < kFewest) return {};
-  return {sum / samples, 0.5 * (*values.rbegin() - *values.begin()), true};
+  constexpr std::size_t kFewest = 30, kMany = 4000, kMost = 200000;  // values; samples
+  std::vector<double> values;
+  std::size_t samples = 0;
+  for (const Experiment& experiment : experiments) samples += experiment.u.size();
+  const auto every = static_cast<Index>(samples / kMost + 1);
+  for (const Experiment& experiment : experiments)
+    for (Index t = 0; t < experiment.u.size(); t += every) values.push_back(experiment.u[t]);
+  std::sort(values.begin(), values.end());
+  const auto end = static_cast<double>(values.size()) - 1;
+  const double low = values[static_cast<std::size_t>(0.01 * end)],
+               high = values[static_cast<std::size_t>(0.99 * end)];
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  CommandRange range{0.5 * (low + high), 0.5 * (high - low), 0, false};
+  range.is_fine = values.size() >= kFewest && range.half > 0;
+  if (!range.is_fine || values.size() > kMany) return range;
+  range.grid = high - low;
+  for (std::size_t k = 1; k < values.size(); ++k)
+    range.grid = std::min(range.grid, values[k] - values[k - 1]);
+  return range;
 }
 
 /// What the model answers to functions of the command, whitened as its residuals are, in standard
@@ -48,23 +57,25 @@ class Responses {
         polynomials_(base.model->nominal().polynomials(
             base.at.parameters.head(base.model->nominal().parameterCount()))),
         deviation_(std::sqrt(base.at.noise_variance)) {
-    constexpr int kEnough = 30000;  // samples that show steps
+    constexpr int kEnough = 60000;  // samples that show steps
     int samples = 0;
-    while (blocks_ < data.blocks().size() && samples < kEnough) {
-      const Block& block = data.blocks()[blocks_++];
-      samples += std::accumulate(block.lengths.begin(), block.lengths.end(), 0);
+    for (const Block& block : data.blocks()) {
+      if (samples >= kEnough) break;
+      columns_.push_back(std::min(block.samples, (kEnough - samples) / block.lanes + 1));
+      samples += columns_.back() * block.lanes;
     }
   }
 
-  /// One signal per block, of the first ones that hold enough samples.
+  /// One signal per block, of the first samples that are enough.
   std::vector<Signals> to(const Function& function) const {
     std::vector<Signals> all;
-    for (std::size_t b = 0; b < blocks_; ++b) {
+    for (std::size_t b = 0; b < columns_.size(); ++b) {
       const Block& block = data_.blocks()[b];
       Signals answer, whitened;
-      filter(polynomials_.b, polynomials_.a, polynomials_.delay, function(block.u), &answer);
+      filter(polynomials_.b, polynomials_.a, polynomials_.delay,
+             function(block.u.leftCols(columns_[b])), &answer);
       filter(withLeadingOne(polynomials_.d), polynomials_.c, 0, answer, &whitened);
-      all.push_back(whitened * block.weight / deviation_);
+      all.push_back(whitened * block.weight.leftCols(columns_[b]) / deviation_);
     }
     return all;
   }
@@ -73,13 +84,14 @@ class Responses {
   const FitData& data_;
   Polynomials polynomials_;
   double deviation_;
-  std::size_t blocks_ = 0;
+  std::vector<int> columns_;  ///< samples of each block that are used
 };
 
-/// Over the blocks of `left`, which may be the first ones of `right`.
+/// Over the samples of `left`, which may be the first ones of `right`.
 double product(const std::vector<Signals>& left, const std::vector<Signals>& right) {
   double sum = 0;
-  for (std::size_t b = 0; b < left.size(); ++b) sum += (left[b] * right[b]).sum();
+  for (std::size_t b = 0; b < left.size(); ++b)
+    sum += (left[b] * right[b].leftCols(left[b].cols())).sum();
   return sum;
 }
 
@@ -151,11 +163,12 @@ void findInputSteps(const Residuals& residuals, const Fit& base, const FitData& 
                     DataSummary* summary) {
   constexpr double kFewest = 3, kMost = 60;  // steps over the range of the command
   constexpr double kOfATurn = 0.2;           // by which neighbours differ at the ends of the range
-  constexpr double kLeast = 10;              // [nats]
+  constexpr double kLeast = 10, kAbout = 2;  // [nats]; ratio of amplitudes
   const CommandRange range = rangeOf(data.experiments());
   if (!range.is_fine) return;
   const SineSearch search(residuals, base, data, range);
-  const double between = kOfATurn / range.half, first = 0.5 * kFewest / range.half;
+  const double between = kOfATurn / range.half;
+  const double most = std::min(0.5 * kMost / range.half, 0.4 / std::max(range.grid, 1e-300));
   double turns = 0;
   SineSearch::Found best;
   const auto ask = [&](double candidate) {
@@ -164,12 +177,12 @@ void findInputSteps(const Residuals& residuals, const Fit& base, const FitData& 
     best = found;
     turns = candidate;
   };
-  for (double candidate = first; candidate < 0.5 * kMost / range.half; candidate += between)
-    ask(candidate);
+  for (double at = 0.5 * kFewest / range.half; at < most; at += between) ask(at);
   for (double step = between / 2; step > 1e-3 * between; step /= 2)
     for (const double candidate : {turns - step, turns + step}) ask(candidate);
-  if (best.gain < kLeast) return;
   // round((u - s)/q) q + s - u is nearly -q/pi sin(2 pi (u - s)/q).
+  const double amplitude = std::hypot(best.sine, best.cosine) * kPi * turns;
+  if (best.gain < kLeast || amplitude > kAbout || amplitude < 1 / kAbout) return;
   summary->input_step = 1 / turns;
   summary->input_level = range.mean + std::atan2(best.cosine, -best.sine) / (2 * kPi * turns);
 }

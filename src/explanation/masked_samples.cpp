@@ -37,14 +37,16 @@ std::vector<Experiment> withoutSpoiled(std::vector<Experiment> experiments,
   const bool clipped = defect.trait == Trait::output_limit;
   const double low = clipped ? defect.parameters[0].value : -kFar;
   const double high = clipped ? defect.parameters[1].value : kFar;
-  const int in_a_row = clipped ? 1 : static_cast<int>(defect.parameters.at(1).value);
   for (Experiment& experiment : experiments) {
     std::vector<std::uint8_t> valid(static_cast<std::size_t>(experiment.samples()));
     for (int t = 0; t < experiment.samples(); ++t) {
       const bool spoiled = clipped ? experiment.y[t] <= low || experiment.y[t] >= high
-                                   : isHeld(experiment, t, low, high, in_a_row);
+                                   : defect.resolution == 0 && isHeld(experiment, t, low, high);
       valid[static_cast<std::size_t>(t)] = experiment.isValid(t) && !spoiled;
     }
+    if (defect.resolution > 0)
+      for (const HeldRow& gap : gapsOf(experiment, {low, high, defect.resolution}))
+        std::fill(valid.begin() + gap.begin, valid.begin() + gap.end, 0);
     experiment.valid = std::move(valid);
   }
   return experiments;

@@ -75,11 +75,6 @@ double latticeStep(const std::vector<double>& values) {
   return step;
 }
 
-SpoiltSamples heldSamples(double share, int in_a_row) {
-  return {Trait::held_samples,
-          {exactly("share", "1", share), exactly("in_a_row", "samples", in_a_row)}};
-}
-
 /// Number of samples at a value that was reached and left again: a record that begins or ends there
 /// may show a machine at rest. If the sensor `holds` samples, those that repeat the sample before
 /// are not counted.
@@ -211,14 +206,16 @@ std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experimen
   if (values.size() < 2) return {};
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const double low = values.front(), high = values.back();
-  const double in_gaps = shareInGaps(experiments, low, high);
+  const double resolution = smallestDifference(values);
+  const double in_gaps = shareInGaps(experiments, {low, high, resolution});
+  const SpoiltSamples gaps{Trait::held_samples, {exactly("share", "1", in_gaps)}, resolution};
   std::vector<SpoiltSamples> found;
   if (const double step = latticeStep(values); step > 0) {
     found.push_back({Trait::quantisation, {exactly("step", "unit of y", step)}});
-    if (in_gaps > 0) found.push_back(heldSamples(in_gaps, kOfAGap));
+    if (in_gaps > 0) found.push_back(gaps);
     return found;
   }
-  const double held = heldShare(experiments, values), resolution = smallestDifference(values);
+  const double held = heldShare(experiments, values);
   const auto isLimit = [&](double value, double next_to_it) {
     const auto count = static_cast<double>(visits(experiments, value, held > 0));
     return count >= kFewestRepeats && count >= kCrowded * next_to_it &&
@@ -232,8 +229,10 @@ std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experimen
     found.push_back({Trait::output_limit,
                      {exactly("lower_limit", "unit of y", at_low ? low : -kNone),
                       exactly("upper_limit", "unit of y", at_high ? high : kNone)}});
-  if (held > 0 || in_gaps > 0)
-    found.push_back(held > 0 ? heldSamples(held, 1) : heldSamples(in_gaps, kOfAGap));
+  if (held > 0)
+    found.push_back({Trait::held_samples, {exactly("share", "1", held)}});
+  else if (in_gaps > 0)
+    found.push_back(gaps);
   return found;
 }
 

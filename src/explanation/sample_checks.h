@@ -15,6 +15,7 @@ namespace uncertainty_identification {
 struct SpoiltSamples {
   Trait trait;  ///< of the effect: quantisation, output_limit, held_samples or outliers
   std::vector<CauseParameter> parameters;
+  double resolution = 0;  ///< [unit of y] of a sensor that holds samples in gaps; 0: anywhere
 };
 
 /// A parameter that is counted, not estimated.

@@ -45,6 +45,7 @@ enum class Trait {
   of_noise,       ///< changes no simulation, as all effects of Stage::noise
   heavy_tails,    ///< all innovations are distributed with heavier tails than Gaussian
   outliers,       ///< some samples are
+  one_cause,      ///< its forms contain each other, and are no rivals
   own_shifts,     ///< its points are shifts in time, and are found by a search of their own
   quantisation,   ///< seen in the samples: they lie on a lattice
   held_samples,   ///< seen in the samples: they repeat
@@ -109,8 +110,10 @@ struct EffectDescription {
   Stage stage = Stage::output;
   ScreeningKind screening = ScreeningKind::regression;
   std::vector<EffectParameter> parameters;
-  std::vector<Eigen::VectorXd> starts;  ///< parameter vectors from which fits may start; screening
-                                        ///< chooses the best; empty for Stage::data
+  /// Parameter vectors from which fits may start; screening chooses the best. Empty for
+  /// Stage::data, and where the data do not show where to start: the search does not try the effect
+  /// then.
+  std::vector<Eigen::VectorXd> starts;
   /// Whether the effect makes the output nonlinear in the error parameters xi. The output is then
   /// linearised about a value of xi in each experiment.
   bool nonlinear = false;

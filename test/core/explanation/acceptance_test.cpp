@@ -11,14 +11,17 @@ namespace {
 /// An effect that does nothing.
 class Named : public Effect {
  public:
-  explicit Named(const std::string& name, std::vector<Trait> traits = {})
-      : Effect(described(name, std::move(traits))) {}
+  explicit Named(const std::string& name, std::vector<Trait> traits = {},
+                 Stage stage = Stage::actuator)
+      : Effect(described(name, std::move(traits), stage)) {}
   void apply(const Eigen::VectorXd& /*psi*/, Chain* /*chain*/) const override {}
 
  private:
-  static EffectDescription described(const std::string& name, std::vector<Trait> traits) {
+  static EffectDescription described(const std::string& name, std::vector<Trait> traits,
+                                     Stage stage) {
     EffectDescription description;
     description.name = name;
+    description.stage = stage;
     description.traits = std::move(traits);
     return description;
   }
@@ -79,6 +82,7 @@ TEST(AcceptanceRules, RefuseWhatExplainsMuchOfTheNoiseAndNothingOfTheSimulation)
   EXPECT_FALSE(simulatesAsWell(Named("act_deadzone"), gained(80.09, 0.79)));
   EXPECT_TRUE(simulatesAsWell(Named("act_deadzone"), gained(80.09, 0.81)));
   EXPECT_TRUE(simulatesAsWell(Named("plant_pole", {Trait::order}), gained(80.09, 0.79)));
+  EXPECT_TRUE(simulatesAsWell(Named("sens_drift", {}, Stage::output), gained(80.09, 0.79)));
 }
 
 /// What states a record may begin from is not known, so that a constant beside the model's offset

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "support/fit_setup.h"
+#include "uncertainty_identification/explanation/explanation.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -22,14 +24,19 @@ Eigen::VectorXd answer(const dense::Model& plant, const Eigen::VectorXd& u) {
   return x;
 }
 
-/// What is found where the actuator of the paper's Example 1 moves in steps.
-DataSummary foundOf(double step, double level) {
+/// The paper's Example 1 with an actuator that moves in steps.
+test::RandomSystem movedInSteps(double step, double level) {
   test::RandomSystem system = test::example1(2, 30);
   for (Experiment& experiment : system.experiments) {
     const Eigen::VectorXd rounded = experiment.u.unaryExpr(
         [&](double u) { return level + step * std::round((u - level) / step); });
     experiment.y += answer(system.truth, rounded - experiment.u);
   }
+  return system;
+}
+
+DataSummary foundOf(double step, double level) {
+  const test::RandomSystem system = movedInSteps(step, level);
   const FitData data = test::example1Data(system.experiments);
   const Fit fit = test::fitOfTruth(system.truth, test::example1Configuration(), data);
   DataSummary summary = summarise(data.experiments());
@@ -48,6 +55,56 @@ TEST(InputSteps, AreFoundWhereverTheyBegin) {
 }
 
 TEST(InputSteps, AreNotFoundWhereThereAreNone) { EXPECT_EQ(foundOf(1e-6, 0).input_step, 0); }
+
+/// Of a command of few levels, any function is a line or a curve.
+TEST(InputSteps, AreNotLookedForInFewLevels) {
+  test::RandomSystem system = movedInSteps(1, 0.3);
+  for (Experiment& experiment : system.experiments)
+    experiment.u = experiment.u.unaryExpr([](double u) { return std::round(u); });
+  const FitData data = test::example1Data(system.experiments);
+  const Fit fit = test::fitOfTruth(system.truth, test::example1Configuration(), data);
+  DataSummary summary = summarise(data.experiments());
+  findInputSteps(residualsOf(fit, data), fit, data, &summary);
+  EXPECT_EQ(summary.input_step, 0);
+}
+
+/// Runs of a heater of the first order, whose gain differs a little, at a command of about 40 that
+/// it follows in steps.
+std::vector<Experiment> heaterInSteps(double step, double level) {
+  std::mt19937_64 engine(3);
+  std::normal_distribution<double> normal;
+  std::vector<Experiment> all(16);
+  for (Experiment& each : all) {
+    each.id = "run_" + std::to_string(&each - all.data());
+    each.sample_time = 1;
+    each.u.resize(200);
+    each.y.resize(200);
+    const double gain = 1 + 0.03 * normal(engine);
+    double x = 40, slow = 0;
+    for (int t = 0; t < 200; ++t) {
+      slow = 0.9 * slow + 0.9 * normal(engine);
+      each.u[t] = 40 + slow;
+      each.y[t] = gain * x + 0.02 * normal(engine);
+      x = 0.8 * x + 0.2 * (level + step * std::round((each.u[t] - level) / step));
+    }
+  }
+  return all;
+}
+
+/// The whole way: the cause is named with its values, and has no rival in its other form.
+TEST(InputSteps, AreNamedWithTheirLevel) {
+  Configuration configuration;
+  configuration.nominal_model.orders_auto = false;
+
+  const Explanation found = explain(configuration, heaterInSteps(1.3, 40.4));
+  ASSERT_EQ(found.causes.size(), 1u) << found.message;
+  const Cause& cause = found.causes.front();
+  EXPECT_EQ(cause.name, "act_quantisation");
+  EXPECT_EQ(cause.variant, "shifted");
+  EXPECT_TRUE(cause.equivalent.empty());
+  EXPECT_NEAR(cause.parameters.at(0).value, 1.3, 0.02);
+  EXPECT_NEAR(std::remainder(cause.parameters.at(1).value - 40.4, 1.3), 0, 0.1);
+}
 
 }  // namespace
 }  // namespace uncertainty_identification

@@ -223,34 +223,6 @@ std::vector<Experiment> encoder(bool loses) {
   return all;
 }
 
-/// A motor that turns to and fro, read in hundredths; from each 50th sample on, `lost` readings are
-/// the last one again. `sticks`: meanwhile the motor stands still.
-std::vector<Experiment> motorReadInSteps(int lost, bool sticks) {
-  std::vector<Experiment> one{noise().front()};
-  double angle = 0;
-  for (int t = 0; t < 500; ++t) {
-    const bool is_lost = t % 50 < lost && t >= 50;
-    angle += is_lost && sticks ? 0 : 0.3 * std::sin(0.061 * t + 1);
-    one[0].y[t] = is_lost ? one[0].y[t - 1] : std::round(100 * angle) / 100;
-  }
-  return one;
-}
-
-TEST(SampleChecks, ASensorOfCoarseStepsHoldsItsLastReadingInGaps) {
-  const std::vector<Experiment> experiments = motorReadInSteps(6, false);
-  const auto found = checkSamples(experiments);
-  ASSERT_EQ(found.size(), 2u);
-  EXPECT_EQ(found[0].trait, Trait::quantisation);
-  EXPECT_EQ(found[1].trait, Trait::held_samples);
-  EXPECT_NEAR(found[1].parameters.at(0).value, 9 * 6 / 500.0, 0.01);
-  const std::vector<Experiment> kept = withoutSpoiled(experiments, found[1]);
-  EXPECT_FALSE(kept[0].isValid(103));
-  EXPECT_EQ(kept[0].validSamples(), 500 - std::lround(500 * found[1].parameters.at(0).value));
-  for (const auto& other : {motorReadInSteps(6, true), motorReadInSteps(2, false)})
-    for (const SpoiltSamples& each : checkSamples(other))
-      EXPECT_NE(each.trait, Trait::held_samples) << "stands still, or is slower than a step";
-}
-
 TEST(SampleChecks, AMachineThatStandsStillIsNoSensorThatHolds) {
   EXPECT_TRUE(checkSamples(encoder(false)).empty());
   const auto found = checkSamples(encoder(true));
