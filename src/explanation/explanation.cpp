@@ -208,7 +208,7 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   left_out_ = leaveOutReadingsOfTheOutput(asked_, &data);
   following_ = followingOf(data.train);
   configuration_.estimation.offsets = offsetsOfBaseModel(asked_, data.train);
-  searchSimulation(data);
+  searchSimulation(withoutSpoiltSamples(configuration_, data));
   leading_curves_ = leadingCurves(explanation_.simulation);
   const Split whole = data;
   if (configuration_.explanation.time_limit > 0) thinning_ = thinLongRecords(&data);

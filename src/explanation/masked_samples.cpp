@@ -19,6 +19,15 @@ bool isExcluded(const std::vector<std::string>& excluded, Trait trait) {
                      [&](const std::string& name) { return hasTrait(name, trait); });
 }
 
+/// The defects that are neither excluded by name nor disproved by held-out experiments.
+std::vector<SpoiltSamples> spoiltOf(const Configuration& configuration, const Split& data) {
+  std::vector<SpoiltSamples> spoilt;
+  for (SpoiltSamples& each : checkSamples(withoutRest(data.train)))
+    if (!isExcluded(configuration.explanation.exclude, each.trait) && !isExceeded(each, data.held))
+      spoilt.push_back(std::move(each));
+  return spoilt;
+}
+
 }  // namespace
 
 bool isExceeded(const SpoiltSamples& limit, const std::vector<Experiment>& others) {
@@ -71,11 +80,7 @@ std::vector<SpoiltSamples> maskSpoilt(const std::optional<SpoiltSamples>& stray,
                                       Configuration* configuration, Split* data) {
   data->train = withoutRest(std::move(data->train));
   data->held = withoutRest(std::move(data->held));
-  std::vector<SpoiltSamples> spoilt;
-  for (SpoiltSamples& each : checkSamples(data->train))
-    if (!isExcluded(configuration->explanation.exclude, each.trait) &&
-        !isExceeded(each, data->held))
-      spoilt.push_back(std::move(each));
+  std::vector<SpoiltSamples> spoilt = spoiltOf(*configuration, *data);
   for (const SpoiltSamples& each : spoilt) {
     data->train = withoutSpoiled(std::move(data->train), each);
     data->held = withoutSpoiled(std::move(data->held), each);
@@ -83,6 +88,14 @@ std::vector<SpoiltSamples> maskSpoilt(const std::optional<SpoiltSamples>& stray,
   }
   if (stray) spoilt.push_back(*stray);
   return spoilt;
+}
+
+Split withoutSpoiltSamples(const Configuration& configuration, Split data) {
+  for (const SpoiltSamples& each : spoiltOf(configuration, data)) {
+    data.train = withoutSpoiled(std::move(data.train), each);
+    data.held = withoutSpoiled(std::move(data.held), each);
+  }
+  return data;
 }
 
 }  // namespace uncertainty_identification

@@ -28,4 +28,8 @@ std::optional<SpoiltSamples> maskStray(Configuration* configuration, Split* data
 std::vector<SpoiltSamples> maskSpoilt(const std::optional<SpoiltSamples>& stray,
                                       Configuration* configuration, Split* data);
 
+/// The data with the spoilt samples masked that maskSpoilt() would find, and the rests kept: for
+/// the free simulation, which would show a limit or a gap of the sensor as a curve.
+Split withoutSpoiltSamples(const Configuration& configuration, Split data);
+
 }  // namespace uncertainty_identification

@@ -119,6 +119,26 @@ bool isReachedByDifferentInputs(const std::vector<Experiment>& experiments, doub
   return there[there.size() - 1 - tenth] - there[tenth] > kWidely * inputDeviation(experiments);
 }
 
+/// Whether readings between the extremes hardly ever repeat, but go up and down, while the input
+/// stands still: the sensor shows its noise, so that a machine at rest would not repeat a value.
+bool showsNoiseAtRest(const std::vector<Experiment>& experiments, double low, double high) {
+  constexpr double kFewest = 100, kHardlyEver = 0.01, kUpAndDown = 0.3;  // samples; shares
+  double still = 0, repeats = 0, turns = 0;
+  for (const Experiment& experiment : experiments) {
+    const Eigen::VectorXd &y = experiment.y, &u = experiment.u;
+    const auto between = [&](int t) {
+      return experiment.isValid(t) && y[t] > low && y[t] < high && u[t] == u[0 < t ? t - 1 : t];
+    };
+    for (int t = 2; t < experiment.samples(); ++t) {
+      if (!between(t) || !between(t - 1) || !between(t - 2)) continue;
+      ++still;
+      repeats += y[t] == y[t - 1] ? 1 : 0;
+      turns += (y[t] - y[t - 1]) * (y[t - 1] - y[t - 2]) < 0 ? 1 : 0;
+    }
+  }
+  return still >= kFewest && repeats < kHardlyEver * still && turns > kUpAndDown * still;
+}
+
 /// Whether readings between the extremes stand still about as long as at this one, while the input
 /// moves: then they are held, or interpolated, wherever they are.
 bool standsStillElsewhere(const std::vector<Experiment>& experiments, double value, double low,
@@ -216,10 +236,11 @@ std::vector<SpoiltSamples> checkSamples(const std::vector<Experiment>& experimen
     return found;
   }
   const double held = heldShare(experiments, values);
+  const bool noisy = showsNoiseAtRest(experiments, low, high);
   const auto isLimit = [&](double value, double next_to_it) {
     const auto count = static_cast<double>(visits(experiments, value, held > 0));
     return count >= kFewestRepeats && count >= kCrowded * next_to_it &&
-           isReachedByDifferentInputs(experiments, value) &&
+           (noisy || isReachedByDifferentInputs(experiments, value)) &&
            !standsStillElsewhere(experiments, value, low, high) &&
            isReachedAtSpeed(experiments, value, resolution);
   };

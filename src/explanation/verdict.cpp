@@ -100,6 +100,12 @@ bool isLineOfInput(const FoundCause& found, const SearchState& state) {
   return mayComeFromInput(value * train.front().sample_time, train);
 }
 
+/// Whether a constant of the input may only complete the cause: one of actuator or plant.
+bool mayNeedConstant(const FoundCause& cause) {
+  return !cause.effect->has(Trait::constant) && !isOfNoise(*cause.effect) &&
+         !isOfMixture(*cause.effect) && cause.effect->stage() <= Stage::output;
+}
+
 }  // namespace
 
 const EnumNames<Verdict>& enumNames(Verdict) {
@@ -140,6 +146,11 @@ bool isBesideSimulation(const FoundCause& found) {
 
 std::string reasonNotToName(const FoundCause& found, const SearchState& state, bool passed_before,
                             bool passed) {
+  if (found.effect->has(Trait::constant))
+    for (const FoundCause& other : state.causes)
+      if (mayNeedConstant(other) && !reasonNotToName(other, state, passed_before, passed).empty())
+        return named(*found.effect) + ": beside " + named(*other.effect) +
+               ", which is not named, it says nothing by itself; not named";
   if (found.may_be_order)
     return named(*found.effect) +
            ": the orders of the model were chosen, not stated, and one order more may be all that "

@@ -281,6 +281,28 @@ TEST(SampleChecks, OfARestBeforeTheTestThreeSamplesStay) {
   EXPECT_EQ(withoutRest({rested}).front().samples(), 50) << "the input moves, the output does not";
 }
 
+/// A heater that is read with noise, and whose highest input alone leads beyond the range; without
+/// noise, it may rest there.
+TEST(SampleChecks, ANoisyReadingThatStaysAtItsLargestIsALimit) {
+  const auto heater = [](double size) {
+    std::mt19937_64 engine(8);
+    std::normal_distribution<double> normal;
+    std::vector<Experiment> one{noise().front()};
+    double x = 0;
+    for (int t = 0; t < 500; ++t) {
+      one[0].u[t] = t / 50 % 4;
+      x += 0.2 * (one[0].u[t] - x);
+      one[0].y[t] = std::min(x + size * normal(engine), 2.5);
+    }
+    return one;
+  };
+  const auto found = checkSamples(heater(0.02));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].trait, Trait::output_limit);
+  EXPECT_EQ(found[0].parameters.at(1).value, 2.5);
+  EXPECT_TRUE(checkSamples(heater(0)).empty());
+}
+
 TEST(SampleChecks, ALargestValueThatIsHeldIsNoLimit) {
   std::vector<Experiment> experiments = noise();
   for (int t = 10; t < 500; t += 100) experiments[1].y[t] = experiments[1].y[t - 1];
@@ -352,6 +374,26 @@ TEST(SampleChecks, StrayReadingsAreMaskedEverywhereUnlessExcluded) {
   Split kept = split;
   EXPECT_FALSE(maskStray(&without, &kept));
   EXPECT_EQ(kept.train[0].validSamples(), kept.train[0].samples());
+}
+
+/// A limit of the sensor must not show as a curve; how long a machine rested may.
+TEST(SampleChecks, TheFreeSimulationDoesNotSeeSpoiltSamples) {
+  Split data;
+  data.train = data.held = noise();
+  for (Experiment& experiment : data.train) {
+    experiment.y = experiment.y.cwiseMin(1.0);
+    experiment.u.head(50).setZero();
+    experiment.y.head(50).setZero();
+  }
+  data.held = data.train;
+  const Split seen = withoutSpoiltSamples({}, data);
+  for (const auto* part : {&seen.train, &seen.held})
+    for (const Experiment& experiment : *part) {
+      EXPECT_EQ(experiment.samples(), 500);
+      EXPECT_TRUE(experiment.isValid(20));
+      for (int t = 0; t < experiment.samples(); ++t)
+        EXPECT_EQ(experiment.isValid(t), experiment.y[t] < 1);
+    }
 }
 
 }  // namespace

@@ -45,6 +45,15 @@ TEST(ReasonNotToName, IsThatTheOrdersWereChosen) {
 }
 
 /// 1 % of the squared error at a fit of 80 % is a fit of 80.1 %.
+TEST(ReasonNotToName, IsThatAConstantCompletesWhatIsNotNamed) {
+  FoundCause offset = found("act_offset", 60), curve = found("act_hammerstein", 60);
+  offset.effect = std::make_shared<Idle>("act_offset", std::vector<Trait>{Trait::constant});
+  EXPECT_EQ(reasonNotToName(offset, with({curve, offset}), false, true), "");
+  curve.may_be_order = true;
+  EXPECT_TRUE(
+      test::mentions(reasonNotToName(offset, with({curve, offset}), false, true), "beside"));
+}
+
 TEST(ReasonNotToName, IsThatTestsPassWithoutItAndTheSimulationIsTheSame) {
   FoundCause zone = found("act_deadzone", 60);
   const auto reason = [&](bool passed_before) {
