@@ -100,20 +100,25 @@ TEST_F(LivePageNodeTest, AHostileClientDoesNotDisturbTheRecording) {
     record(kSamples);
     EXPECT_TRUE(waitFor([&] { return attack.sent() == 1000; }));
   };
-  recordAttacked();  // threads and caches come into being
-  ASSERT_TRUE(waitFor([this] { return listed().size() == 1; }));
-  ASSERT_TRUE(waitFor([this] { return client_.status().running.empty(); }));
-  const double before = residentMemory(node_.id());
-  recordAttacked();
-  ASSERT_TRUE(waitFor([this] { return listed().size() == 2; }));
+  const auto memoryAfter = [&](std::size_t experiments) {
+    recordAttacked();
+    EXPECT_TRUE(waitFor([&] { return listed().size() == experiments; }));
+    EXPECT_TRUE(waitFor([this] { return client_.status().running.empty(); }));
+    return residentMemory(node_.id());
+  };
+  double before = memoryAfter(1), now = memoryAfter(2);  // threads and caches come into being first
   for (const auto& experiment : listed()) {
     EXPECT_EQ(experiment.input.lost, 0U);
     EXPECT_EQ(experiment.output.lost, 0U);
     EXPECT_GE(experiment.samples, static_cast<unsigned>(kSamples - 1));
   }
-  ASSERT_TRUE(waitFor([this] { return client_.status().running.empty(); }));
-  const double growth = residentMemory(node_.id()) - before;
-  EXPECT_LT(growth, 15) << "MB, of which the experiment and its result take some";
+  constexpr double kMost = 15;  // [MB]
+  // A thread may get its own heap of malloc at the second attack; what leaks grows at each.
+  if (now - before >= kMost) {
+    before = now;
+    now = memoryAfter(3);
+  }
+  EXPECT_LT(now - before, kMost) << "of which the experiment and its result take some";
   EXPECT_TRUE(waitFor([this] { return answers(); }));
 }
 
