@@ -10,9 +10,9 @@ namespace uncertainty_identification {
 struct CurveSearchResult {
   WindowFit base, fit;
   std::vector<FoundCurve> causes;   ///< in the order found; fit.model.curves may have another one
-  std::vector<FoundCurve> refused;  ///< simulate better, which a controller may be the reason of
+  std::vector<FoundCurve> refused;  ///< simulate better, but a controller may be why; not named
   double held_error = 0;            ///< squared, of all held-out windows
-  bool is_unstable = false;         ///< the plant, which is why curves were refused
+  bool is_unstable = false;         ///< curves were refused because the plant is unstable
   bool ended_early = false;
 };
 

@@ -126,11 +126,12 @@ bool showsNoiseAtRest(const std::vector<Experiment>& experiments, double low, do
   double still = 0, repeats = 0, turns = 0;
   for (const Experiment& experiment : experiments) {
     const Eigen::VectorXd &y = experiment.y, &u = experiment.u;
-    const auto between = [&](int t) {
-      return experiment.isValid(t) && y[t] > low && y[t] < high && u[t] == u[0 < t ? t - 1 : t];
+    const auto is_between = [&](int t) {
+      return experiment.isValid(t) && y[t] > low && y[t] < high;
     };
     for (int t = 2; t < experiment.samples(); ++t) {
-      if (!between(t) || !between(t - 1) || !between(t - 2)) continue;
+      const bool rests = u[t] == u[t - 1] && u[t - 1] == u[t - 2];
+      if (!rests || !is_between(t) || !is_between(t - 1) || !is_between(t - 2)) continue;
       ++still;
       repeats += y[t] == y[t - 1] ? 1 : 0;
       turns += (y[t] - y[t - 1]) * (y[t - 1] - y[t - 2]) < 0 ? 1 : 0;
