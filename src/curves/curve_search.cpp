@@ -58,14 +58,6 @@ CurveSearchResult refitted(const CurveSearchResult& other, const SimulationData&
   return found;
 }
 
-/// Whether a parameter of the curve that was found last differs from zero by three standard errors.
-bool isSignificant(const WindowFit& fit) {
-  constexpr double kErrors = 3;
-  const int count = fit.model.curves.back().parameters();
-  const Eigen::ArrayXd errors = fit.covariance.diagonal().tail(count).array().sqrt();
-  return (fit.model.theta.tail(count).array().abs() > kErrors * errors).any();
-}
-
 /// Whether a cause that was found in other windows explains unseen windows so much better than what
 /// these show by themselves, and significantly.
 bool isConfirmed(const CurveSearchResult& found, const CurveSearchResult& best,

@@ -45,4 +45,21 @@ double pairedT(const Eigen::VectorXd& before, const Eigen::VectorXd& after) {
   return std::max(t(worse - better), t(((worse + 1e-12) / (better + 1e-12)).log()));
 }
 
+bool convinces(const Eigen::VectorXd& before, const Eigen::VectorXd& after, std::size_t windows,
+               const LeastGain& least) {
+  constexpr std::size_t kFew = 4;
+  constexpr double kHalf = 0.5;
+  if (before.size() == 0) return true;
+  const double left = after.sum() / before.sum();
+  return (left <= kHalf && windows <= kFew) ||
+         (left <= 1 - least.share && pairedT(before, after) >= least.t);
+}
+
+bool isSignificant(const WindowFit& fit) {
+  constexpr double kErrors = 3;
+  const int count = fit.model.curves.back().parameters();
+  const Eigen::ArrayXd errors = fit.covariance.diagonal().tail(count).array().sqrt();
+  return (fit.model.theta.tail(count).array().abs() > kErrors * errors).any();
+}
+
 }  // namespace uncertainty_identification

@@ -16,4 +16,18 @@ double criterion(const WindowFit& fit, double effective_samples);
 /// larger.
 double pairedT(const Eigen::VectorXd& before, const Eigen::VectorXd& after);
 
+struct LeastGain {
+  double share = 0.08;  ///< of the squared error
+  double t = 1.7;       ///< paired: 95 %, one-sided
+};
+
+/// Whether windows that were not fitted to gain: significantly, or, where there are at most four
+/// and these may be too few to show it, by half of their squared error. True where nothing is
+/// given.
+bool convinces(const Eigen::VectorXd& before, const Eigen::VectorXd& after, std::size_t windows,
+               const LeastGain& least);
+
+/// Whether a parameter of the curve that was found last differs from zero by three standard errors.
+bool isSignificant(const WindowFit& fit);
+
 }  // namespace uncertainty_identification

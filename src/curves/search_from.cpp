@@ -25,7 +25,10 @@ class CurveSearch {
   Round round();
   bool isWorth(const CurveCandidate& candidate, const Eigen::VectorXd& now, double base) const;
   bool takePlant(const CurveCandidate& candidate);
-  bool convinces(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const;
+  bool isConvincing(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const {
+    return convinces(before, after, held_.windows.size(),
+                     {limits_.least_gain, limits_.least_held_t});
+  }
   bool convincesHeld(const WindowFit& fit, const Eigen::VectorXd& errors, bool beyond) const;
   bool takeCause(std::vector<CurveCandidate>* all, const Eigen::VectorXd& now, bool beyond);
   std::vector<CurveCandidate> beyondDifferences(std::vector<CurveCandidate> all,
@@ -78,15 +81,6 @@ bool CurveSearch::takePlant(const CurveCandidate& candidate) {
   return true;
 }
 
-bool CurveSearch::convinces(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const {
-  if (before.size() == 0) return true;
-  constexpr std::size_t kFew = 4;  // windows, which may be too few to be significant
-  constexpr double kHalf = 0.5;
-  const double left = after.sum() / before.sum();
-  return (left <= kHalf && held_.windows.size() <= kFew) ||
-         (left <= 1 - limits_.least_gain && pairedT(before, after) >= limits_.least_held_t);
-}
-
 /// Whether held-out windows gain, also where each record has a linear plant of its own. Whether the
 /// latter is significant, all unseen windows tell for the first cause, because two or three
 /// held-out experiments or windows cannot; a further cause may only mend the first. `beyond`: the
@@ -95,12 +89,12 @@ bool CurveSearch::convincesHeld(const WindowFit& fit, const Eigen::VectorXd& err
                                 bool beyond) const {
   const double share = errors.sum() / held_errors_.sum();
   const bool is_material = !result_.causes.empty() || share <= 1 - limits_.least_first_gain;
-  const bool as_it_is = beyond ? share < 1 : is_material && convinces(held_errors_, errors);
+  const bool as_it_is = beyond ? share < 1 : is_material && isConvincing(held_errors_, errors);
   const Eigen::VectorXd before = errorsBeyondDifferences(held_, result_.fit.model),
                         after = errorsBeyondDifferences(held_, fit.model);
   const Eigen::VectorXd all = unseenBeyond(result_.fit);
   if (!as_it_is || all.size() == 0 || !result_.causes.empty())
-    return as_it_is && convinces(before, after);
+    return as_it_is && isConvincing(before, after);
   const double least_t =
       studentQuantile(0.95, static_cast<double>(std::max<Eigen::Index>(all.size() - 1, 1)));
   return after.sum() <= (1 - limits_.least_first_gain) * before.sum() &&

@@ -109,8 +109,7 @@ MadeEffects actuatorQuantisation(const DataSummary& data) {
   std::vector<VectorXd> seen;
   if (data.input_step > 0 && isMultiple(data.input_level, data.input_step))
     starts.push_back(VectorXd::Constant(1, data.input_step));
-  else if (data.input_step > 0)
-    seen.push_back(Eigen::Vector2d(data.input_step, data.input_level));
+  if (data.input_step > 0) seen.push_back(Eigen::Vector2d(data.input_step, data.input_level));
   return {
       quantisation("", {step(data.input_deviation, 10)}, starts),
       quantisation("shifted",

@@ -4,12 +4,10 @@
 #include <optional>
 
 #include "configuration/thread_count.h"
-#include "curves/explain_simulation.h"
 #include "data/text.h"
 #include "explanation/base_model.h"
 #include "explanation/cause_free_model.h"
 #include "explanation/columns_beside.h"
-#include "explanation/doubtful_curves.h"
 #include "explanation/estimate_fit.h"
 #include "explanation/gains.h"
 #include "explanation/last_thirds.h"
@@ -22,6 +20,7 @@
 #include "explanation/residual_picture.h"
 #include "explanation/search_outcome.h"
 #include "explanation/search_progress.h"
+#include "explanation/search_simulation.h"
 #include "explanation/simulation_answer.h"
 #include "explanation/verdict.h"
 #include "explanation/warnings.h"
@@ -48,7 +47,6 @@ class Explaining {
 
  private:
   bool ordersAreChosen() const { return asked_.nominal_model.orders_auto; }  ///< and not stated
-  void searchSimulation(const Split& data);
   Estimate identify(const std::vector<Experiment>& experiments);
   bool lowersOrder();
   std::vector<SearchOutcome> outcomesWith(Offsets offsets, const Split& data,
@@ -56,6 +54,7 @@ class Explaining {
   void addWithCommonOffset(const Split& data, const std::vector<SpoiltSamples>& spoilt,
                            std::vector<SearchOutcome>* outcomes);
   SearchOutcome bestOutcome(const Split& data, const std::vector<SpoiltSamples>& spoilt);
+  SearchOutcome searchLikelihood(const std::optional<SpoiltSamples>& stray, Split* data);
   FitContext context(const Estimate& estimate);
   std::string describeModels(const SearchState& base, const SearchState& found);
   void describe(const SearchState& base, const SearchState& found);
@@ -69,20 +68,6 @@ class Explaining {
   WorkerPool pool_;
   Explanation explanation_;
 };
-
-/// Gives the free simulation a third of the time.
-void Explaining::searchSimulation(const Split& data) {
-  const ExplanationOptions& asked = configuration_.explanation;
-  const Offsets offsets = configuration_.estimation.offsets;
-  const bool own_levels = offsets == Offsets::automatic || offsets == Offsets::per_experiment;
-  const SimulationSearchOptions options{
-      asked.max_causes, own_levels, asked.time_limit / 3, asked.exclude,
-      [this](const std::string& doing) { return progress_.report(doing, 0, std::nullopt); }};
-  const std::vector<Experiment> held = data.fitted_to ? std::vector<Experiment>() : data.held;
-  explanation_.simulation = explainSimulation(data.train, held, options, &pool_);
-  dropDoubtfulCurves(data.train, &explanation_.simulation);
-  if (explanation_.simulation.ended_early && !progress_.cancelled()) progress_.endSearch();
-}
 
 /// Where curves explain most of the error, a choice of orders would only take part of it up.
 Estimate Explaining::identify(const std::vector<Experiment>& experiments) {
@@ -126,13 +111,7 @@ bool Explaining::lowersOrder() {
 FitContext Explaining::context(const Estimate& estimate) {
   FitContext context = contextOf(estimate, configuration_.estimation.seed);
   context.pool = &pool_;
-  context.going_on = [this, reached = estimate.log_likelihood] {
-    return progress_.reportSearch(reached);
-  };
-  context.options.on_iterate = [ask = context.going_on](const TracePoint&) { return ask(); };
-  context.report_searched = [this](double share) { progress_.tellShare(share); };
-  context.report_fitted = [this](const std::string& what) { progress_.tellFitting(what); };
-  return context;
+  return reportingTo(&progress_, estimate.log_likelihood, std::move(context));
 }
 
 /// Looks for causes on top of the model. If the orders were not given, it does so on top of several
@@ -186,16 +165,31 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
   addWithCommonOffset(data, spoilt, &outcomes);
   SearchOutcome* const best = bestOf(&outcomes, configuration_.explanation.acceptance);
   explanation_.warnings = best->estimate.warnings;
-  std::vector<std::string> remarks{left_out_, thinning_, best->simplification, best->base.remark};
-  remarks.push_back(otherOrdersWarning(best->chosen_orders, best->estimate));
-  if (progress_.outOfTime()) remarks.emplace_back(kOutOfTime);
-  for (const SearchOutcome& other : outcomes) remarks.push_back(tieWarning(other, *best));
-  for (const std::string& warning : refusalWarnings(*best)) remarks.push_back(warning);
+  std::vector<std::string> remarks = warningsOf(*best, outcomes);
+  remarks.insert(remarks.begin(), {left_out_, thinning_, progress_.outOfTime() ? kOutOfTime : ""});
   for (std::string& text : remarks)
     if (!text.empty()) explanation_.warnings.push_back(std::move(text));
   if (!ordersAreChosen())
     for (FoundCause& cause : best->found.causes) cause.may_be_order = false;
   return std::move(*best);
+}
+
+/// What the likelihood finds in records that are thinned where they are long; in all samples where
+/// it sees that the actuator moves in steps, which are none once they are averaged.
+SearchOutcome Explaining::searchLikelihood(const std::optional<SpoiltSamples>& stray, Split* data) {
+  const Split whole = *data;
+  const Configuration given = configuration_;
+  if (configuration_.explanation.time_limit > 0) thinning_ = thinLongRecords(data);
+  for (;;) {
+    if (!thinning_.empty()) configuration_.sample_time = 0;
+    const std::vector<SpoiltSamples> spoilt = maskSpoilt(stray, &configuration_, data);
+    SearchOutcome best = bestOutcome(*data, spoilt);
+    if (thinning_.empty() || !best.moves_in_steps || !progress_.inTime() || areMany(whole.train))
+      return best;
+    configuration_ = given;
+    thinning_.clear();
+    *data = whole;
+  }
 }
 
 /// The steps of docs/explanation.md.
@@ -208,13 +202,11 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   left_out_ = leaveOutReadingsOfTheOutput(asked_, &data);
   following_ = followingOf(data.train);
   configuration_.estimation.offsets = offsetsOfBaseModel(asked_, data.train);
-  searchSimulation(withoutSpoiltSamples(configuration_, data));
+  explanation_.simulation = searchSimulation(
+      configuration_, withoutSpoiltSamples(configuration_, data), &progress_, &pool_);
   leading_curves_ = leadingCurves(explanation_.simulation);
   const Split whole = data;
-  if (configuration_.explanation.time_limit > 0) thinning_ = thinLongRecords(&data);
-  if (!thinning_.empty()) configuration_.sample_time = 0;
-  const std::vector<SpoiltSamples> spoilt = maskSpoilt(stray, &configuration_, &data);
-  const SearchOutcome best = bestOutcome(data, spoilt);
+  const SearchOutcome best = searchLikelihood(stray, &data);
   explanation_.before = best.estimate;
   describeHeldOut(best.base, &explanation_);
   explanation_.before.rejected = rejected;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "math/constants.h"
@@ -30,7 +31,8 @@ CommandRange rangeOf(const std::vector<Experiment>& experiments) {
   constexpr std::size_t kFewest = 30, kMany = 4000, kMost = 200000;  // values; samples
   std::vector<double> values;
   std::size_t samples = 0;
-  for (const Experiment& experiment : experiments) samples += experiment.u.size();
+  for (const Experiment& experiment : experiments)
+    samples += static_cast<std::size_t>(experiment.u.size());
   const auto every = static_cast<Index>(samples / kMost + 1);
   for (const Experiment& experiment : experiments)
     for (Index t = 0; t < experiment.u.size(); t += every) values.push_back(experiment.u[t]);
@@ -96,11 +98,11 @@ double product(const std::vector<Signals>& left, const std::vector<Signals>& rig
 }
 
 /// Least squares of the residuals on the answers to smooth functions of the command, a line and
-/// curves that steps must not be taken for, and to a sine of it.
-class SineSearch {
+/// curves that steps must not be taken for, and to others.
+class ResponseSearch {
  public:
-  SineSearch(const Residuals& residuals, const Fit& base, const FitData& data,
-             const CommandRange& range)
+  ResponseSearch(const Residuals& residuals, const Fit& base, const FitData& data,
+                 const CommandRange& range)
       : residuals_(residuals.standardised), responses_(base, data), range_(range) {
     constexpr int kPowers = 4;
     for (int power = 0; power < kPowers; ++power)
@@ -109,43 +111,38 @@ class SineSearch {
       }));
     gram_.resize(kPowers, kPowers);
     cross_.resize(kPowers);
-    for (int i = 0; i < kPowers; ++i) {
-      for (int j = 0; j < kPowers; ++j) gram_(i, j) = product(smooth_[i], smooth_[j]);
-      cross_[i] = product(smooth_[i], residuals_);
+    for (std::size_t i = 0; i < kPowers; ++i) {
+      const auto row = static_cast<Index>(i);
+      for (std::size_t j = 0; j < kPowers; ++j)
+        gram_(row, static_cast<Index>(j)) = product(smooth_[i], smooth_[j]);
+      cross_[row] = product(smooth_[i], residuals_);
     }
   }
 
   struct Found {
-    double gain = 0;  ///< [nats]
-    double sine = 0, cosine = 0;
+    double gain = 0;        ///< [nats]
+    VectorXd coefficients;  ///< one of each function
   };
 
-  /// The sine and cosine of so many turns per unit of the command.
-  Found at(double turns) const {
-    const Index smooth = cross_.size();
-    std::vector<std::vector<Signals>> waves;
-    waves.push_back(responses_.to(
-        [&](const Signals& u) -> Signals { return (2 * kPi * turns * (u - range_.mean)).sin(); }));
-    waves.push_back(responses_.to(
-        [&](const Signals& u) -> Signals { return (2 * kPi * turns * (u - range_.mean)).cos(); }));
-    MatrixXd gram(smooth + 2, smooth + 2);
-    VectorXd cross(smooth + 2);
+  Found with(const std::vector<Function>& functions) const {
+    const Index smooth = cross_.size(), all = smooth + static_cast<Index>(functions.size());
+    std::vector<std::vector<Signals>> answers = smooth_;
+    MatrixXd gram(all, all);
+    VectorXd cross(all);
     gram.topLeftCorner(smooth, smooth) = gram_;
     cross.head(smooth) = cross_;
-    for (Index k = 0; k < 2; ++k) {
-      const auto& wave = waves[static_cast<std::size_t>(k)];
-      for (Index i = 0; i < smooth; ++i)
-        gram(i, smooth + k) = gram(smooth + k, i) =
-            product(smooth_[static_cast<std::size_t>(i)], wave);
-      for (Index i = 0; i < 2; ++i)
-        gram(smooth + i, smooth + k) = product(waves[static_cast<std::size_t>(i)], wave);
-      cross[smooth + k] = product(wave, residuals_);
+    for (const Function& function : functions) {
+      const auto row = static_cast<Index>(answers.size());
+      answers.push_back(responses_.to(function));
+      for (Index i = 0; i <= row; ++i)
+        gram(i, row) = gram(row, i) = product(answers[static_cast<std::size_t>(i)], answers.back());
+      cross[row] = product(answers.back(), residuals_);
     }
     gram.diagonal() *= 1 + 1e-9;
-    const VectorXd all = gram.ldlt().solve(cross);
+    const VectorXd solution = gram.ldlt().solve(cross);
     const double without =
         cross_.dot(MatrixXd(gram.topLeftCorner(smooth, smooth)).ldlt().solve(cross_));
-    return {0.5 * (cross.dot(all) - without), all[smooth], all[smooth + 1]};
+    return {0.5 * (cross.dot(solution) - without), solution.tail(all - smooth)};
   }
 
  private:
@@ -157,6 +154,49 @@ class SineSearch {
   VectorXd cross_;
 };
 
+/// A sine and a cosine of so many turns per unit of the command.
+std::vector<Function> waves(double turns, const CommandRange& range) {
+  const auto angle = [=](const Signals& u) -> Signals {
+    return 2 * kPi * turns * (u - range.mean);
+  };
+  return {[=](const Signals& u) -> Signals { return angle(u).sin(); },
+          [=](const Signals& u) -> Signals { return angle(u).cos(); }};
+}
+
+struct Steps {
+  double step = 0, level = 0;
+};
+
+/// What rounding adds to the command.
+Function rounding(const Steps& steps) {
+  return [=](const Signals& u) -> Signals {
+    const Signals turns = (u - steps.level) / steps.step;
+    return steps.step * (turns.round() - turns);
+  };
+}
+
+/// The steps about those that the sine shows with which the residuals gain most. A sample that is
+/// rounded the wrong way costs much where the command rests there, and the likelihood, which jumps
+/// at each, has an optimum beside every one of them.
+Steps refined(Steps steps, const ResponseSearch& search, const CommandRange& range) {
+  constexpr int kReach = 3, kRounds = 4;
+  double turn = 0.1;  // between neighbours: of the level, and of the phase at the range's ends
+  for (int round = 0; round < kRounds; ++round, turn /= kReach) {
+    const Steps centre = steps;
+    const double apart = centre.step * std::min(0.1, turn * centre.step / range.half);
+    double best = -1;
+    for (int i = -kReach; i <= kReach; ++i)
+      for (int j = -kReach; j <= kReach; ++j) {
+        const Steps each{centre.step + i * apart, centre.level + j * turn * centre.step};
+        const double gain = search.with({rounding(each)}).gain;
+        if (!(gain > best)) continue;
+        best = gain;
+        steps = each;
+      }
+  }
+  return steps;
+}
+
 }  // namespace
 
 void findInputSteps(const Residuals& residuals, const Fit& base, const FitData& data,
@@ -166,25 +206,29 @@ void findInputSteps(const Residuals& residuals, const Fit& base, const FitData& 
   constexpr double kLeast = 10, kAbout = 2;  // [nats]; ratio of amplitudes
   const CommandRange range = rangeOf(data.experiments());
   if (!range.is_fine) return;
-  const SineSearch search(residuals, base, data, range);
+  const ResponseSearch search(residuals, base, data, range);
   const double between = kOfATurn / range.half;
   const double most = std::min(0.5 * kMost / range.half, 0.4 / std::max(range.grid, 1e-300));
   double turns = 0;
-  SineSearch::Found best;
+  ResponseSearch::Found best;
   const auto ask = [&](double candidate) {
-    const SineSearch::Found found = search.at(candidate);
+    ResponseSearch::Found found = search.with(waves(candidate, range));
     if (!(found.gain > best.gain)) return;
-    best = found;
+    best = std::move(found);
     turns = candidate;
   };
   for (double at = 0.5 * kFewest / range.half; at < most; at += between) ask(at);
   for (double step = between / 2; step > 1e-3 * between; step /= 2)
     for (const double candidate : {turns - step, turns + step}) ask(candidate);
+  if (best.gain < kLeast) return;
   // round((u - s)/q) q + s - u is nearly -q/pi sin(2 pi (u - s)/q).
-  const double amplitude = std::hypot(best.sine, best.cosine) * kPi * turns;
-  if (best.gain < kLeast || amplitude > kAbout || amplitude < 1 / kAbout) return;
-  summary->input_step = 1 / turns;
-  summary->input_level = range.mean + std::atan2(best.cosine, -best.sine) / (2 * kPi * turns);
+  const double sine = best.coefficients[0], cosine = best.coefficients[1];
+  const double amplitude = std::hypot(sine, cosine) * kPi * turns;
+  if (amplitude > kAbout || amplitude < 1 / kAbout) return;
+  const Steps steps = refined(
+      {1 / turns, range.mean + std::atan2(cosine, -sine) / (2 * kPi * turns)}, search, range);
+  summary->input_step = steps.step;
+  summary->input_level = steps.level;
 }
 
 }  // namespace uncertainty_identification

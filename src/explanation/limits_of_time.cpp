@@ -8,10 +8,24 @@
 
 namespace uncertainty_identification {
 
+namespace {
+
+int samplesOf(const std::vector<Experiment>& experiments) {
+  int samples = 0;
+  for (const Experiment& experiment : experiments) samples += experiment.samples();
+  return samples;
+}
+
+}  // namespace
+
+bool areMany(const std::vector<Experiment>& experiments) {
+  constexpr int kMany = 20000;
+  return samplesOf(experiments) > kMany;
+}
+
 std::string thinLongRecords(Split* data) {
   constexpr int kMany = 5000;  // samples
-  int samples = 0;
-  for (const Experiment& experiment : data->train) samples += experiment.samples();
+  const int samples = samplesOf(data->train);
   const int thinning = std::min(planWindows(data->train).thinning, (samples + kMany - 1) / kMany);
   if (thinning <= 1) return "";
   for (auto* part : {&data->train, &data->held})

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "explanation/split.h"
 #include "uncertainty_identification/configuration.h"
@@ -12,6 +13,9 @@ namespace uncertainty_identification {
 /// that the likelihood would take minutes. Returns what was done, as a warning tells it; empty:
 /// nothing. The model then has the longer sample time.
 std::string thinLongRecords(Split* data);
+
+/// Whether there are more samples than the likelihood can take within the default limit.
+bool areMany(const std::vector<Experiment>& experiments);
 
 /// A plant of this order with a noise pole and no other choice.
 NominalModelOptions ofOrder(int order);

@@ -214,8 +214,10 @@ SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& contex
   if (!base.quantised && !only.empty() && !found.causes.empty())
     found = withAnother(std::move(found), whole, context, effects);
   if (tests_feedback) addFeedback(effects, &base, &found);
-  return {std::move(estimate), std::move(base), std::move(found), search.tried(),
-          search.refusals()};
+  SearchOutcome outcome{std::move(estimate), std::move(base), std::move(found), search.tried(),
+                        search.refusals()};
+  outcome.moves_in_steps = summary.input_step > 0;
+  return outcome;
 }
 
 SearchOutcome* bestOf(std::vector<SearchOutcome>* outcomes, double acceptance) {

@@ -21,6 +21,7 @@ struct SearchOutcome {
   Refusals refusals;
   std::string chosen_orders = "";   ///< orderText() of the model that others were tried beside
   std::string simplification = "";  ///< of the orders, as a warning tells it
+  bool moves_in_steps = false;      ///< the actuator, as the residuals show (findInputSteps())
 
   /// Whether a cause isInEveryExperiment() and all tests pass with the causes.
   bool explainsAll() const;

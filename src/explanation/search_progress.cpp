@@ -40,4 +40,12 @@ bool SearchProgress::inTime() {
   return !out_of_time_;
 }
 
+FitContext reportingTo(SearchProgress* progress, double reached, FitContext context) {
+  context.going_on = [=] { return progress->reportSearch(reached); };
+  context.options.on_iterate = [ask = context.going_on](const TracePoint&) { return ask(); };
+  context.report_searched = [=](double share) { progress->tellShare(share); };
+  context.report_fitted = [=](const std::string& what) { progress->tellFitting(what); };
+  return context;
+}
+
 }  // namespace uncertainty_identification

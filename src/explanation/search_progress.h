@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "estimation/stopwatch.h"
+#include "explanation/fit.h"
 #include "uncertainty_identification/identifier.h"
 
 namespace uncertainty_identification {
@@ -55,5 +56,8 @@ class SearchProgress {
   std::string fitting_;        ///< what it fits
   std::atomic<bool> cancelled_{false}, out_of_time_{false};
 };
+
+/// The context of fits that go on while the search may, from a likelihood that is reached.
+FitContext reportingTo(SearchProgress* progress, double reached, FitContext context);
 
 }  // namespace uncertainty_identification

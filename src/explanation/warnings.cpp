@@ -26,13 +26,16 @@ const char* const kFeedback =
     "the input depends on the output (closed loop): the estimates are consistent only if the noise "
     "model is right";
 
-std::vector<std::string> refusalWarnings(const SearchOutcome& best) {
+namespace {
+
+std::vector<std::string> ofRefusals(const SearchOutcome& best) {
   std::vector<std::string> causes;
   for (const FoundCause& cause : best.found.causes) causes.push_back(cause.effect->label());
   return best.refusals.warnings(causes);
 }
 
-std::string otherOrdersWarning(const std::string& chosen, const Estimate& explained) {
+/// Empty where the likelihood asks for the orders that the simulation chose, an orderText().
+std::string ofOrders(const std::string& chosen, const Estimate& explained) {
   const std::string after = orderText(explained);
   if (chosen == after) return "";
   return "nominal_model.orders: auto chose " + chosen +
@@ -41,7 +44,8 @@ std::string otherOrdersWarning(const std::string& chosen, const Estimate& explai
          after + ", and that model is explained";
 }
 
-std::string tieWarning(const SearchOutcome& other, const SearchOutcome& best) {
+/// Empty where on top of the other orders no other causes explain the data as well.
+std::string ofTie(const SearchOutcome& other, const SearchOutcome& best) {
   if (other.penalisedLikelihood() <= best.penalisedLikelihood() ||
       other.found.causes.size() <= best.found.causes.size())
     return "";
@@ -51,6 +55,17 @@ std::string tieWarning(const SearchOutcome& other, const SearchOutcome& best) {
   return "with " + orderText(other.estimate) + ", " + names +
          " would explain the data as well as the orders above; if you know "
          "the orders, give them: nominal_model.na, nb, nc, nd, delay";
+}
+
+}  // namespace
+
+std::vector<std::string> warningsOf(const SearchOutcome& best,
+                                    const std::vector<SearchOutcome>& outcomes) {
+  std::vector<std::string> all{best.simplification, best.base.remark,
+                               ofOrders(best.chosen_orders, best.estimate)};
+  for (const SearchOutcome& other : outcomes) all.push_back(ofTie(other, best));
+  for (const std::string& warning : ofRefusals(best)) all.push_back(warning);
+  return all;
 }
 
 }  // namespace uncertainty_identification

@@ -8,18 +8,14 @@
 /// Warnings about the model that is explained.
 namespace uncertainty_identification {
 
-/// The likelihood asks for other orders than those that the simulation chose, an orderText().
-/// Empty: it does not.
-std::string otherOrdersWarning(const std::string& chosen, const Estimate& explained);
-
 /// The sensor's steps are a noticeable share of the noise variance, and not most of it.
 std::string quantisationRemark(double step, double share);
 
-/// On top of other orders, other causes explain the data as well. Empty: they do not.
-std::string tieWarning(const SearchOutcome& other, const SearchOutcome& best);
-
-/// What the simulation of held-out experiments refused.
-std::vector<std::string> refusalWarnings(const SearchOutcome& best);
+/// What is to be said of the outcome that was chosen, beside others: that its model was simplified
+/// or has other orders than the likelihood asks for, that other causes explain the data as well on
+/// top of other orders, and what the simulation of held-out experiments refused.
+std::vector<std::string> warningsOf(const SearchOutcome& best,
+                                    const std::vector<SearchOutcome>& outcomes);
 
 extern const char* const kNothingHeldOut;
 extern const char* const kOutOfTime;

@@ -230,6 +230,8 @@ TEST(SimulationAnswer, WithoutHeldOutDataTheSimulationOfLeftOutWindowsMustShowTh
   EXPECT_EQ(answered("noise_step", "noise").causes.size(), 1u) << "changes no simulation";
   EXPECT_EQ(answered("sens_hum", "sensor").causes.at(0).name, "sens_hum")
       << "no curve, and takes most of the error away";
+  EXPECT_EQ(answered("act_offset", "actuator").causes.at(0).name, "plant_coulomb")
+      << "a constant only guesses the states better that records begin from";
 }
 
 /// A model that the likelihood has driven far from the data is mended by any offset.
