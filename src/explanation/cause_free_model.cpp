@@ -55,7 +55,7 @@ bool mayBeDifference(const Cause& cause) {
 /// alone, which identify does not test, may be the reason.
 bool isOpen(const Explanation& explanation) {
   const std::vector<Cause>& causes = explanation.causes;
-  if (explanation.verdict == Verdict::none) return false;
+  if (explanation.verdict == Verdict::none) return leavesDifferencesUntold(explanation);
   if (explanation.verdict == Verdict::explained)
     return std::any_of(causes.begin(), causes.end(), mayBeDifference) &&
            std::all_of(causes.begin(), causes.end(), [](const Cause& cause) {
@@ -216,7 +216,7 @@ std::string messageOf(const std::vector<Cause>& causes, const Estimate& estimate
   const bool was_held_out = !estimate.validation.experiments.empty();
   if (const std::optional<double> fit = simulationFitOf(estimate))
     text += std::string(" Its simulation fits ") + (was_held_out ? "held-out data" : "the data") +
-            " by " + rounded(*fit) + " %" + restInWords(*fit, !estimate.variation.empty());
+            " by " + rounded(*fit) + " %" + restInWords(*fit, plantsDiffer(estimate));
   return text;
 }
 
@@ -253,7 +253,7 @@ void forgetSearch(Explanation* explanation) {
 void take(Estimate estimate, const Split& data, Explanation* explanation) {
   const std::string few = tooFewToTell(data.train.size(), simulationFitOf(estimate).value_or(0));
   if (!few.empty()) {
-    explanation->warnings.push_back(few);
+    if (explanation->verdict != Verdict::none) explanation->warnings.push_back(few);
     return withdrawCauses(explanation);
   }
   forgetSearch(explanation);

@@ -9,6 +9,7 @@
 #include "data/text.h"
 #include "explanation/named_causes.h"
 #include "explanation/verdict.h"
+#include "identification/steps.h"
 #include "uncertainty_identification/effects/catalogue.h"
 
 namespace uncertainty_identification {
@@ -167,7 +168,7 @@ void tellFit(Explanation* explanation) {
   const bool showed_nothing =
       simulation.skipped.empty() && simulation.causes.empty() && simulation.refused.empty();
   if (showed_nothing && explanation->verdict == Verdict::none)
-    explanation->message += restInWords(*fit, !explanation->before.variation.empty());
+    explanation->message += restInWords(*fit, plantsDiffer(explanation->before));
   if (!simulation.skipped.empty())
     explanation->message += "; what it lacks was not looked for (" + simulation.skipped + ")";
 }
@@ -181,6 +182,13 @@ std::string restInWords(double fit, bool plants_differ) {
          (plants_differ ? "the differences between experiments and " : "") +
          "what the input does not cause: noise of the sensor, a load, an input that was not "
          "recorded or a drift";
+}
+
+bool leavesDifferencesUntold(const Explanation& explanation) {
+  const Estimate& before = explanation.before;
+  const std::optional<double> fit =
+      explanation.held_out_fit ? explanation.held_out_fit : before.simulation_fit_percent;
+  return before.experiment_count > 1 && fit && !restInWords(*fit, true).empty();
 }
 
 std::string tooFewToTell(std::size_t experiments, double fit) {

@@ -15,6 +15,10 @@ void warnOfPoorSimulation(Explanation* explanation);
 /// causes; the output may hold other things.
 std::string restInWords(double fit, bool plants_differ);
 
+/// Whether several experiments leave such a rest, which may be that their plants differ: the model
+/// of the search does not say by how much.
+bool leavesDifferencesUntold(const Explanation& explanation);
+
 /// Why a model without causes that passes its tests is not the answer, in a sentence: it simulates
 /// few experiments poorly, which do not show whether they differ by chance. Empty where it is.
 std::string tooFewToTell(std::size_t experiments, double fit);

@@ -175,6 +175,9 @@ FittedModel fitWithOffsets(const Configuration& asked, Problem* problem, Journal
 /// How the plants differ from experiment to experiment, as a sentence; empty for one experiment.
 std::string variationText(const Estimate& estimate, const LinearModel& model);
 
+/// Whether the sentence of the estimate tells a difference.
+bool plantsDiffer(const Estimate& estimate);
+
 /// A test of the residuals that fails, by so much that it matters.
 struct FailedTest {
   std::string name;  ///< "dependence on the input", "whiteness" or "linearity"

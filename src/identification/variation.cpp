@@ -145,14 +145,20 @@ bool isImmaterial(const Estimate& estimate, const ErrorBasis& basis) {
   return std::sqrt(of_eta.diagonal().maxCoeff()) < kMaterial;
 }
 
+const std::string kNoDifference = "The experiments show no difference between their plants.";
+
 }  // namespace
+
+bool plantsDiffer(const Estimate& estimate) {
+  return !estimate.variation.empty() && estimate.variation.rfind(kNoDifference, 0) != 0;
+}
 
 std::string variationText(const Estimate& estimate, const LinearModel& model) {
   if (estimate.experiment_count < 2) return "";
   const bool own = estimate.configuration.estimation.offsets == Offsets::per_experiment;
   const std::string offsets = own ? " Each experiment has an offset of its own." : "";
   if (model.regressors() == 0 || isImmaterial(estimate, model.basis()))
-    return "The experiments show no difference between their plants." + offsets;
+    return kNoDifference + offsets;
   const bool varies = variesParameters(estimate.error_model.options.basis);
   return "From experiment to experiment " +
          (variesAlongDirections(estimate.configuration) ? ofModes(estimate, model)

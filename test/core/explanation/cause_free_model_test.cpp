@@ -102,6 +102,20 @@ TEST(CauseFreeModel, NeedsNoCauseWhereLinearPlantsDiffer) {
       << "as does this warning";
 }
 
+/// Nothing is wrong, and a tenth of the output and more is left, which gains that differ explain.
+TEST(CauseFreeModel, SaysByWhatPlantsDifferWhereNothingIsWrong) {
+  Explanation nothing;
+  nothing.verdict = Verdict::none;
+  nothing.before.experiment_count = 5;
+  nothing.held_out_fit = 86;
+  const Explanation told = compared(nothing, byDefault(), firstFive(linearPlants()));
+  EXPECT_EQ(told.verdict, Verdict::none);
+  EXPECT_TRUE(test::mentions(told.message, "From experiment to experiment the gain differs by"))
+      << told.message;
+  nothing.held_out_fit = 95;
+  EXPECT_EQ(compared(nothing, byDefault(), firstFive(linearPlants())).message, "") << "as it was";
+}
+
 TEST(CauseFreeModel, LeavesWhatItDoesNotContradict) {
   const Split data = firstFive(linearPlants());
   EXPECT_EQ(compared(partly(named("sens_quant")), byDefault(), data).causes.size(), 1u)

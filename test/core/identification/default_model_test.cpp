@@ -6,6 +6,7 @@
 #include <complex>
 #include <random>
 
+#include "identification/steps.h"
 #include "support/mentions.h"
 #include "uncertainty_identification/bounds/bounds.h"
 #include "uncertainty_identification/identifier.h"
@@ -114,6 +115,7 @@ TEST_F(Families, AGainThatVariesTakesOneParameterAndTheBandHolds) {
   const Family family{0.08, 0, 0};
   const Estimate estimate = identified(measured(family, 30, 150));
   EXPECT_EQ(estimate.error_model.mixture.dimension(), 1) << chosen(estimate);
+  EXPECT_TRUE(plantsDiffer(estimate)) << estimate.variation;
   EXPECT_TRUE(estimate.trust.trusted) << estimate.trust.reasons.front();
   const double share = held(family, computeBounds(estimate));
   EXPECT_GT(share, 0.86);
@@ -125,6 +127,7 @@ TEST_F(Families, NoErrorModelWherePlantsDoNotDiffer) {
   EXPECT_EQ(chosen(estimate), "none");
   EXPECT_EQ(estimate.error_model.mixture.dimension(), 0);
   EXPECT_TRUE(test::mentions(estimate.variation, "no difference")) << estimate.variation;
+  EXPECT_FALSE(plantsDiffer(estimate));
 }
 
 // Equal plants leave the covariance at its lower limit, which is no difference to speak of.
