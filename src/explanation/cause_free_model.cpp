@@ -187,8 +187,8 @@ bool isAnswer(const Estimate& estimate, const Split& data) {
       trustOfDirection({}, followingOf(data.train), nominal.delay, true).trusted &&
       trustOfOrders({}, estimate.candidates, nominal.a.size(), estimate.simulation_fit_percent)
           .trusted;
-  return is_plant && !neverDecays(nominal, longestOf(data.train)) && agrees(estimate, kAnyLevel) &&
-         estimate.simulation_fit_percent.value_or(0) >= kUseful &&
+  return is_plant && undampedFrequency(nominal, longestOf(data.train)) == 0 &&
+         agrees(estimate, kAnyLevel) && estimate.simulation_fit_percent.value_or(0) >= kUseful &&
          simulationFitOf(estimate).value_or(0) >= kUseful;
 }
 

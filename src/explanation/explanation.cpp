@@ -247,11 +247,12 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
   explanation_.checks_after = checkResiduals(found.fit, found.train, found.heavy_tails);
   addFailedPredictions(&explanation_);
   addUnclearDirection(following_, ordersAreChosen(), &explanation_);
-  const bool passed_before = allPassed(explanation_.checks_before),
-             passed = allPassed(explanation_.checks_after);
+  const TestsAround tests{allPassed(explanation_.checks_before),
+                          allPassed(explanation_.checks_after),
+                          isOfNoiseAlone(explanation_.checks_after)};
   for (const FoundCause& cause : found.causes) {
     if (cause.effect->has(Trait::feedback)) explanation_.warnings.push_back(kFeedback);
-    const std::string reason = reasonNotToName(cause, found, passed_before, passed);
+    const std::string reason = reasonNotToName(cause, found, tests);
     if (reason.empty())
       explanation_.causes.push_back(described(cause, found, !progress_.outOfTime()));
     else

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "estimation/excerpt.h"
 #include "estimation/simulation_fit.h"
 #include "explanation/estimate_fit.h"
 #include "identification/mean_plant.h"
@@ -102,6 +103,12 @@ class OrderSearch {
     return orders;
   }
 
+  static NominalModelOptions lessPlant(NominalModelOptions orders) {
+    orders.na -= 2;
+    orders.nb = std::max(1, orders.nb - 2);
+    return orders;
+  }
+
  private:
   std::optional<Model> identified(const NominalModelOptions& orders) const {
     Configuration other = chosen_.configuration;
@@ -179,6 +186,14 @@ int persistentPoles(const Estimate& estimate) {
   return static_cast<int>((roots(estimate.nominal_model.d).array().abs() > kPersistent).count());
 }
 
+/// Whether the plant has a pair of poles that nothing damps beside others: a line of the spectrum,
+/// which the states that experiments begin from let it hold.
+bool holdsLine(const Estimate& estimate, const std::vector<Experiment>& experiments) {
+  constexpr double kPeriods = 3;
+  const NominalModelEstimate& model = estimate.nominal_model;
+  return model.a.size() > 2 && lastingFrequency(model.a, longestOf(experiments), kPeriods) > 0;
+}
+
 /// [%] fit of the free simulation of the mean plant of an estimate.
 double simulatedFit(const Estimate& estimate, const std::vector<Experiment>& experiments) {
   const FitData data(usedBy(estimate, experiments));
@@ -220,6 +235,7 @@ std::vector<Estimate> orderCandidates(const Configuration& asked, const Estimate
   if (smaller.nb < largest.orders().nb) add(smaller);
   if (const int persistent = persistentPoles(largest.estimate); persistent > 0)
     add(OrderSearch::lessNoise(largest.orders(), persistent));
+  if (holdsLine(largest.estimate, experiments)) add(OrderSearch::lessPlant(largest.orders()));
   return all;
 }
 

@@ -18,7 +18,9 @@ namespace uncertainty_identification {
 ///  - if that raised the plant's orders, the plant's orders of the estimate with the noise model's
 ///    orders of the first model;
 ///  - if noise poles of the first model lie near the unit circle, where they describe a bias, a
-///    drift or a hum, the first model without them.
+///    drift or a hum, the first model without them;
+///  - if two plant poles of the first model oscillate and nothing damps them, the first model
+///    without these.
 /// Where the optimum of the likelihood simulates the data far worse than the estimate, the noise
 /// model describes there what Go lacks: the estimate is then returned alone, with Go held at its
 /// simulation (nominal_model.fit: simulation).

@@ -5,11 +5,13 @@
 #include <utility>
 
 #include "data/unmeasured_start.h"
+#include "estimation/excerpt.h"
 #include "explanation/estimate_fit.h"
 #include "explanation/feedback_check.h"
 #include "explanation/input_steps.h"
 #include "explanation/residual_checks.h"
 #include "explanation/spectral_peaks.h"
+#include "explanation/undamped_poles.h"
 #include "explanation/verdict.h"
 #include "explanation/warnings.h"
 #include "explanation/wording.h"
@@ -135,6 +137,26 @@ SearchState withAnother(SearchState found, const ExplanationOptions& options,
   return describesAll(more) ? more : found;
 }
 
+/// Whether causes hold a line of the spectrum which the model of `other` has as poles that hardly
+/// decay within an experiment: it comes from outside.
+bool hasLineAsPolesOf(const SearchOutcome& outcome, const SearchOutcome& other) {
+  const ExtendedModel& model = *outcome.found.fit.model;
+  const double longest = longestOf(other.base.train.experiments());
+  for (std::size_t k = 0; k < model.effects().size(); ++k) {
+    const Effect& effect = *model.effects()[k];
+    const std::vector<EffectParameter>& parameters = effect.description().parameters;
+    const auto frequency =
+        std::find_if(parameters.begin(), parameters.end(),
+                     [](const EffectParameter& each) { return each.name == "frequency"; });
+    if (!effect.has(Trait::spectral_line) || frequency == parameters.end()) continue;
+    const double value =
+        model.psi(outcome.found.fit.at.parameters, k)[frequency - parameters.begin()];
+    const NominalModelEstimate& poles = other.estimate.nominal_model;
+    if (hasUndampedPoles(poles, value * poles.sample_time, longest)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 double SearchOutcome::penalisedLikelihood() const {
@@ -161,7 +183,10 @@ std::vector<SearchOutcome> outcomesOf(const std::vector<Estimate>& candidates,
       continue;
     }
     const SearchState& first = outcomes.front().found;
-    if (!in_time() || (!first.causes.empty() && describesAll(first))) break;
+    const bool is_answer = !first.causes.empty() && describesAll(first) &&
+                           undampedFrequency(outcomes.front().estimate.nominal_model,
+                                             longestOf(first.train.experiments())) == 0;
+    if (!in_time() || is_answer) break;
   }
   return outcomes;
 }
@@ -224,10 +249,15 @@ SearchOutcome* bestOf(std::vector<SearchOutcome>* outcomes, double acceptance) {
   const auto worth = [acceptance](const SearchOutcome& of) {
     return of.penalisedLikelihood() - acceptance * static_cast<double>(of.found.causes.size());
   };
-  return &*std::max_element(outcomes->begin(), outcomes->end(),
-                            [&](const SearchOutcome& left, const SearchOutcome& right) {
-                              return worth(left) < worth(right);
-                            });
+  SearchOutcome* const best =
+      &*std::max_element(outcomes->begin(), outcomes->end(),
+                         [&](const SearchOutcome& left, const SearchOutcome& right) {
+                           return worth(left) < worth(right);
+                         });
+  const auto with_line =
+      std::find_if(outcomes->begin(), outcomes->end(),
+                   [best](const SearchOutcome& other) { return hasLineAsPolesOf(other, *best); });
+  return with_line == outcomes->end() ? best : &*with_line;
 }
 
 }  // namespace uncertainty_identification

@@ -64,7 +64,8 @@ SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& contex
                             const std::vector<std::string>& only);
 
 /// The outcome of the highest penalised likelihood, less `acceptance` [nats] for each cause: a tie
-/// between models is no reason to name one.
+/// between models is no reason to name one. But where the model of that outcome has a line of the
+/// spectrum as poles that nothing damps, one that names the line is taken.
 SearchOutcome* bestOf(std::vector<SearchOutcome>* outcomes, double acceptance);
 
 }  // namespace uncertainty_identification

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "explanation/verdict.h"
 #include "math/constants.h"
 #include "math/polynomial.h"
 #include "uncertainty_identification/effects/catalogue.h"
@@ -26,6 +27,17 @@ bool hasUndampedRoot(const Eigen::VectorXd& monic, double frequency, double samp
 
 }  // namespace
 
+bool hasUndampedPoles(const NominalModelEstimate& model, double frequency, double samples) {
+  return hasUndampedRoot(model.a, frequency, samples) ||
+         hasUndampedRoot(model.d, frequency, samples);
+}
+
+double undampedFrequency(const NominalModelEstimate& model, double samples) {
+  constexpr double kPeriods = 3;
+  return std::max(lastingFrequency(model.a, samples, kPeriods),
+                  lastingFrequency(model.d, samples, kPeriods));
+}
+
 bool neverDecays(const NominalModelEstimate& plant, double samples) {
   return lastingFrequency(plant.a, samples) > 0;
 }
@@ -37,17 +49,15 @@ bool hasLineAsPoles(const std::vector<Cause>& causes, const NominalModelEstimate
     const auto frequency =
         std::find_if(cause.parameters.begin(), cause.parameters.end(),
                      [](const CauseParameter& each) { return each.name == "frequency"; });
-    if (frequency == cause.parameters.end()) return false;
-    const double of_sample = frequency->value * without.sample_time;
-    return hasUndampedRoot(without.a, of_sample, samples) ||
-           hasUndampedRoot(without.d, of_sample, samples);
+    return frequency != cause.parameters.end() &&
+           hasUndampedPoles(without, frequency->value * without.sample_time, samples);
   });
 }
 
 bool standsForALine(const Explanation& explanation, const NominalModelEstimate& without,
                     double samples) {
   if (explanation.causes.empty()) return false;
-  const bool is_named = explanation.verdict == Verdict::explained &&
+  const bool is_named = isOfNoiseAlone(explanation.checks_after) &&
                         hasLineAsPoles(explanation.causes, without, samples);
   return is_named || neverDecays(without, samples);
 }

@@ -14,6 +14,13 @@ namespace uncertainty_identification {
 bool hasLineAsPoles(const std::vector<Cause>& causes, const NominalModelEstimate& without,
                     double samples);
 
+/// Whether poles of plant or noise have this frequency [rad/sample], and hardly decay.
+bool hasUndampedPoles(const NominalModelEstimate& model, double frequency, double samples);
+
+/// Frequency [rad/sample] of an oscillation of plant or noise by more than three periods in an
+/// experiment of so many samples, which loses less than a tenth there; 0: there is none.
+double undampedFrequency(const NominalModelEstimate& model, double samples);
+
 /// Whether the plant oscillates, by more than ten periods in an experiment of so many samples, and
 /// loses less than a tenth of it there. No machine does: it is hum, or another line of the noise,
 /// whatever its tests say.

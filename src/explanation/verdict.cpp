@@ -124,10 +124,11 @@ bool isOfNoiseAlone(const std::vector<Check>& checks) {
   });
 }
 
-bool isSymptom(const FoundCause& found, const SearchState& state) {
+bool isSymptom(const FoundCause& found, const SearchState& state, bool fail_of_noise_only) {
   constexpr double kFarMore = 4.0 / 3;
   if (found.score == 0) return false;  // seen in the samples themselves
-  if (isOfNoise(*found.effect) || found.effect->has(Trait::spectral_line)) return true;
+  if (isOfNoise(*found.effect)) return true;
+  if (found.effect->has(Trait::spectral_line)) return !fail_of_noise_only;
   return std::any_of(state.causes.begin(), state.causes.end(), [&](const FoundCause& other) {
     return other.score > found.score * (isOfNoise(*other.effect) ? kFarMore : 1);
   });
@@ -144,18 +145,18 @@ bool isBesideSimulation(const FoundCause& found) {
          errorRatio(*found.gain) > kSame;
 }
 
-std::string reasonNotToName(const FoundCause& found, const SearchState& state, bool passed_before,
-                            bool passed) {
+std::string reasonNotToName(const FoundCause& found, const SearchState& state,
+                            const TestsAround& tests) {
   if (found.effect->has(Trait::constant))
     for (const FoundCause& other : state.causes)
-      if (mayNeedConstant(other) && !reasonNotToName(other, state, passed_before, passed).empty())
+      if (mayNeedConstant(other) && !reasonNotToName(other, state, tests).empty())
         return named(*found.effect) + ": beside " + named(*other.effect) +
                ", which is not named, it says nothing by itself; not named";
   if (found.may_be_order)
     return named(*found.effect) +
            ": the orders of the model were chosen, not stated, and one order more may be all that "
            "this describes; it is not named as a cause";
-  if (passed_before && isBesideSimulation(found))
+  if (tests.passed_before && isBesideSimulation(found))
     return named(*found.effect) + " makes the data more likely by " + rounded(found.score) +
            " nats, but all tests pass without it, and the simulation is the same with it: it may "
            "only be a better guess of the states that the records begin from; it is not named as a "
@@ -165,12 +166,12 @@ std::string reasonNotToName(const FoundCause& found, const SearchState& state, b
            ": the input has a line in its spectrum there, or at a fraction of that frequency, so "
            "that it may be the response to the input that the model lacks; it is not named as a "
            "cause";
-  if (passed && isUnconfirmedNoise(found, state))
+  if (tests.passed && isUnconfirmedNoise(found, state))
     return named(*found.effect) +
            " would describe the residuals, but a single record does not tell noise from what the "
            "model lacks; it is not named as a cause: record again, or give another record by "
            "--validation";
-  if (passed || !isSymptom(found, state)) return "";
+  if (tests.passed || !isSymptom(found, state, tests.fail_of_noise_only)) return "";
   return named(*found.effect) +
          " describes part of what is wrong, but may be only a symptom: not all of it is explained";
 }

@@ -5,11 +5,17 @@
 
 namespace uncertainty_identification {
 
+/// How the tests of the residuals end.
+struct TestsAround {
+  bool passed_before = false;       ///< all of them, without the causes
+  bool passed = false;              ///< all of them, with the causes
+  bool fail_of_noise_only = false;  ///< with the causes, those of the plant and of the colour pass
+};
+
 /// Why an accepted cause is described by the model and not named, as a sentence; empty where it is
-/// named. `passed_before` and `passed`: all tests of the residuals pass without the causes, and
-/// with them.
-std::string reasonNotToName(const FoundCause& found, const SearchState& state, bool passed_before,
-                            bool passed);
+/// named.
+std::string reasonNotToName(const FoundCause& found, const SearchState& state,
+                            const TestsAround& tests);
 
 /// Whether a cause that acts on the simulation raises the likelihood by less than 100 nats and
 /// leaves the simulation of held-out data as it is. Where all tests pass without it, it may be no
@@ -17,11 +23,11 @@ std::string reasonNotToName(const FoundCause& found, const SearchState& state, b
 bool isBesideSimulation(const FoundCause& found);
 
 /// Whether a cause, while some check still fails, may be only a symptom of something that the
-/// catalogue lacks. That is so for every cause of the noise and for hum, which resonances that the
-/// model lacks look like, and for a cause whose score is exceeded by that of another cause outside
-/// the noise, or by a third by that of a cause of the noise. Causes that the samples show by
-/// themselves are no symptoms.
-bool isSymptom(const FoundCause& found, const SearchState& state);
+/// catalogue lacks. That is so for every cause of the noise and, unless only tests of the noise's
+/// distribution fail, for hum, which resonances that the model lacks look like, and for a cause
+/// whose score is exceeded by that of another cause outside the noise, or by a third by that of a
+/// cause of the noise. Causes that the samples show by themselves are no symptoms.
+bool isSymptom(const FoundCause& found, const SearchState& state, bool fail_of_noise_only);
 
 /// Whether a cause changes every experiment, in a way that is neither of the noise nor of single
 /// samples nor a higher order.

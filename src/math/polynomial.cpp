@@ -81,13 +81,13 @@ bool oscillationsDecay(const Eigen::VectorXd& monic, int samples) {
                      [samples](auto root) { return oscillationDecays(root, samples); });
 }
 
-double lastingFrequency(const Eigen::VectorXd& monic, double samples) {
-  constexpr double kChange = 0.1, kPeriods = 10;
+double lastingFrequency(const Eigen::VectorXd& monic, double samples, double periods) {
+  constexpr double kChange = 0.1;
   if (monic.size() < 2) return 0;
   const Eigen::VectorXcd all = roots(monic);
   for (Eigen::Index k = 0; k < all.size(); ++k) {
     const double frequency = std::arg(all[k]);
-    const bool oscillates = all[k].imag() > 1e-9 && frequency * samples > 2 * kPi * kPeriods;
+    const bool oscillates = all[k].imag() > 1e-9 && frequency * samples > 2 * kPi * periods;
     const double kept = std::pow(std::abs(all[k]), samples);
     if (oscillates && kept > 1 - kChange && kept < 1 / (1 - kChange)) return frequency;
   }

@@ -28,9 +28,9 @@ bool oscillationDecays(std::complex<double> root, int samples);
 /// Whether every oscillation of 1/p decays to 5 % within `samples`.
 bool oscillationsDecay(const Eigen::VectorXd& monic, int samples);
 
-/// Frequency [rad/sample] of an oscillation of 1/p of more than ten periods within `samples` that
-/// loses or gains less than a tenth of its amplitude there; 0 if there is none.
-double lastingFrequency(const Eigen::VectorXd& monic, double samples);
+/// Frequency [rad/sample] of an oscillation of 1/p of more than so many periods within `samples`
+/// that loses or gains less than a tenth of its amplitude there; 0 if there is none.
+double lastingFrequency(const Eigen::VectorXd& monic, double samples, double periods = 10);
 
 /// Mirrors roots outside `radius` at the circle, so that 1/p is stable.
 Eigen::VectorXd stabilised(const Eigen::VectorXd& monic, double radius = 0.999);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "explanation/estimate_fit.h"
 #include "explanation/split.h"
@@ -79,6 +80,39 @@ TEST(SearchOutcome, TwoExperimentsDoNotShowThatSomethingDiffersBetweenExperiment
   EXPECT_FALSE(triesDifferences(1, 2));
   EXPECT_FALSE(triesDifferences(2, 1));
   EXPECT_TRUE(triesDifferences(8, 2));
+}
+
+/// Runs of a motor whose sensor also reads a vibration of 1.7 Hz, of which each has another phase.
+std::vector<Experiment> vibratingMotors() {
+  std::mt19937_64 engine(6);
+  std::normal_distribution<double> normal;
+  std::vector<Experiment> all(10);
+  for (Experiment& each : all) {
+    each.id = "run_" + std::to_string(&each - all.data());
+    each.sample_time = 0.01;
+    each.u.resize(600);
+    each.y.resize(600);
+    const double phase = 10 * normal(engine);
+    double x = 0, noise = 0;
+    for (int t = 0; t < 600; ++t) {
+      each.u[t] = t % 3 == 0 ? normal(engine) : each.u[t - 1];
+      noise = 0.9 * noise + 0.006 * normal(engine);
+      each.y[t] = x + 0.15 * std::sin(2 * M_PI * 1.7 * 0.01 * t + phase) + noise;
+      x = 0.9 * x + 0.1 * each.u[t];
+    }
+  }
+  return all;
+}
+
+/// A plant of higher order holds it as well, as poles that nothing damps.
+TEST(SearchOutcome, AnOscillationThatNothingDampsIsNoNoise) {
+  Configuration configuration;
+  configuration.nominal_model.orders_auto = true;
+  const Explanation found = explain(configuration, vibratingMotors());
+  ASSERT_EQ(found.causes.size(), 1u) << found.message;
+  EXPECT_EQ(found.causes[0].name, "sens_hum");
+  EXPECT_FALSE(test::anyMentions(found.warnings, "a linear model fitted to its simulation reaches"))
+      << "one that oscillates for ever";
 }
 
 }  // namespace

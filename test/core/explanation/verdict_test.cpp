@@ -38,26 +38,26 @@ SearchState with(const std::vector<FoundCause>& causes) {
 
 TEST(ReasonNotToName, IsThatTheOrdersWereChosen) {
   FoundCause lag = found("plant_pole", 100);
-  EXPECT_EQ(reasonNotToName(lag, with({lag}), false, true), "");
+  EXPECT_EQ(reasonNotToName(lag, with({lag}), {false, true}), "");
   lag.may_be_order = true;
   EXPECT_TRUE(
-      test::mentions(reasonNotToName(lag, with({lag}), false, true), "orders of the model"));
+      test::mentions(reasonNotToName(lag, with({lag}), {false, true}), "orders of the model"));
 }
 
 /// 1 % of the squared error at a fit of 80 % is a fit of 80.1 %.
 TEST(ReasonNotToName, IsThatAConstantCompletesWhatIsNotNamed) {
   FoundCause offset = found("act_offset", 60), curve = found("act_hammerstein", 60);
   offset.effect = std::make_shared<Idle>("act_offset", std::vector<Trait>{Trait::constant});
-  EXPECT_EQ(reasonNotToName(offset, with({curve, offset}), false, true), "");
+  EXPECT_EQ(reasonNotToName(offset, with({curve, offset}), {false, true}), "");
   curve.may_be_order = true;
   EXPECT_TRUE(
-      test::mentions(reasonNotToName(offset, with({curve, offset}), false, true), "beside"));
+      test::mentions(reasonNotToName(offset, with({curve, offset}), {false, true}), "beside"));
 }
 
 TEST(ReasonNotToName, IsThatTestsPassWithoutItAndTheSimulationIsTheSame) {
   FoundCause zone = found("act_deadzone", 60);
   const auto reason = [&](bool passed_before) {
-    return reasonNotToName(zone, with({zone}), passed_before, true);
+    return reasonNotToName(zone, with({zone}), {passed_before, true});
   };
   EXPECT_EQ(reason(true), "") << "nothing was measured";
   zone.gain = Gain();
@@ -74,7 +74,7 @@ TEST(ReasonNotToName, IsThatTestsPassWithoutItAndTheSimulationIsTheSame) {
     FoundCause spread = zone;
     spread.score = 60;
     spread.effect = std::make_shared<Idle>("spread", std::vector<Trait>{trait});
-    EXPECT_EQ(reasonNotToName(spread, with({spread}), true, true), "") << "changes no mean";
+    EXPECT_EQ(reasonNotToName(spread, with({spread}), {true, true}), "") << "changes no mean";
   }
 }
 
@@ -123,19 +123,21 @@ TEST(DoubtAgreement, IsOfCausesThatChangeEveryExperimentAndAreNotNamed) {
 
 TEST(ReasonNotToName, IsThatTestsFailAndItMayBeASymptom) {
   const FoundCause first = found("act_deadzone", 100), second = found("sens_hum", 50);
-  EXPECT_EQ(reasonNotToName(first, with({first, second}), false, false), "");
-  EXPECT_EQ(reasonNotToName(second, with({first, second}), false, true), "");
+  EXPECT_EQ(reasonNotToName(first, with({first, second}), {false, false}), "");
+  EXPECT_EQ(reasonNotToName(second, with({first, second}), {false, true}), "");
   EXPECT_TRUE(
-      test::mentions(reasonNotToName(second, with({first, second}), false, false), "symptom"));
+      test::mentions(reasonNotToName(second, with({first, second}), {false, false}), "symptom"));
 }
 
 /// A resonance that the model lacks leaves nearly a line in the spectrum of the residuals.
 TEST(ReasonNotToName, IsThatTestsFailAndALineMayBeAResonance) {
   FoundCause line = found("some_line", 100);
-  EXPECT_EQ(reasonNotToName(line, with({line}), false, false), "");
+  EXPECT_EQ(reasonNotToName(line, with({line}), {false, false}), "");
   line.effect = std::make_shared<Idle>("some_line", std::vector<Trait>{Trait::spectral_line});
-  EXPECT_TRUE(test::mentions(reasonNotToName(line, with({line}), false, false), "symptom"));
-  EXPECT_EQ(reasonNotToName(line, with({line}), false, true), "");
+  EXPECT_TRUE(test::mentions(reasonNotToName(line, with({line}), {false, false}), "symptom"));
+  EXPECT_EQ(reasonNotToName(line, with({line}), {false, false, true}), "")
+      << "which leaves residuals that are not white";
+  EXPECT_EQ(reasonNotToName(line, with({line}), {false, true}), "");
 }
 
 TEST(ReasonNotToName, IsThatASingleRecordDoesNotTellNoiseFromMisfit) {
@@ -147,14 +149,14 @@ TEST(ReasonNotToName, IsThatASingleRecordDoesNotTellNoiseFromMisfit) {
   noise.gain->log_density = 20;
   SearchState state{{}, FitData({record}), FitData({record}), {noise}, {}};
   state.fitted_to = true;
-  EXPECT_TRUE(test::mentions(reasonNotToName(noise, state, false, true), "single record"));
-  EXPECT_EQ(reasonNotToName(found("act_deadzone", 100), state, false, true), "");
+  EXPECT_TRUE(test::mentions(reasonNotToName(noise, state, {false, true}), "single record"));
+  EXPECT_EQ(reasonNotToName(found("act_deadzone", 100), state, {false, true}), "");
   state.fitted_to = false;
-  EXPECT_EQ(reasonNotToName(noise, state, false, true), "") << "another record confirms it";
+  EXPECT_EQ(reasonNotToName(noise, state, {false, true}), "") << "another record confirms it";
   noise.gain->log_density = 2;
-  EXPECT_TRUE(test::mentions(reasonNotToName(noise, state, false, true), "single record"));
+  EXPECT_TRUE(test::mentions(reasonNotToName(noise, state, {false, true}), "single record"));
   state.train = FitData({record, record});
-  EXPECT_EQ(reasonNotToName(noise, state, false, true), "");
+  EXPECT_EQ(reasonNotToName(noise, state, {false, true}), "");
 }
 
 TEST(Conclude, SaysThatWhatIsWrongIsNotNamed) {
