@@ -29,10 +29,6 @@ namespace {
 
 constexpr double kShare = 1;  ///< of explanation.time_limit, in addition to it
 
-const char* const kNotCompared =
-    "there was no time to compare with the model that identify chooses, which may need no cause; a "
-    "longer explanation.time_limit allows it";
-
 bool leavesModelOpen(const Configuration& asked) {
   return asked.nominal_model.orders_auto && asked.effects.empty() &&
          asked.error_model.basis == BasisKind::automatic;
@@ -208,15 +204,17 @@ std::vector<Check> checksOf(const ResidualTests& tests) {
 }
 
 std::string messageOf(const std::vector<Cause>& causes, const Estimate& estimate) {
+  const bool differ = plantsDiffer(estimate),
+             was_held_out = !estimate.validation.experiments.empty();
   std::string text = causes.empty() ? "" : describedNames(causes) + ". Apart from this, ";
+  if (differ) text += "only the plants differ. " + estimate.variation + " With that, ";
   text +=
       "the model that identify chooses by default agrees with the data: its tests of the plant and "
       "of the noise's colour find nothing wrong.";
-  if (!estimate.variation.empty()) text += " " + estimate.variation;
-  const bool was_held_out = !estimate.validation.experiments.empty();
+  if (!differ && !estimate.variation.empty()) text += " " + estimate.variation;
   if (const std::optional<double> fit = simulationFitOf(estimate))
     text += std::string(" Its simulation fits ") + (was_held_out ? "held-out data" : "the data") +
-            " by " + rounded(*fit) + " %" + restInWords(*fit, plantsDiffer(estimate));
+            " by " + rounded(*fit) + " %" + restInWords(*fit, differ);
   return text;
 }
 
@@ -283,7 +281,9 @@ void compareWithCauseFreeModel(const Configuration& asked, const Split& data,
   try {
     Estimate estimate = Identifier(asked).identify(data.train, heldOutOf(data), go);
     if (estimate.termination == Termination::cancelled)
-      explanation->warnings.push_back(kNotCompared);
+      explanation->warnings.push_back(
+          "there was no time to compare with the model that identify chooses, which may need no "
+          "cause; a longer explanation.time_limit allows it");
     else if (stands(*explanation, with_causes, estimate, data))
       return;
     else if (isAnswer(estimate, data) && !saysLittle(estimate.trust, explanation->simulation))

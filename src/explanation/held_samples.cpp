@@ -28,14 +28,15 @@ long repeats(const std::vector<double>& sorted) {
 
 /// Whether readings after a value that was repeated make up for what was not read meanwhile, as
 /// those of a sensor do that holds its last value. A machine that stands still, as friction or a
-/// dead zone makes it, goes on from where it stood. Where a reading says little about the next one,
-/// most of it is noise; that would be seen of a machine that stands still, too, so that readings
-/// that repeat exactly are the sensor's. Where no reading follows, nothing was made up for: the
-/// record was filled up.
+/// dead zone makes it, goes on from where it stood, with a first step about as large as the next;
+/// one that reversed while nothing was read makes up for less than a steady motion would. Where a
+/// reading says little about the next one, most of it is noise; that would be seen of a machine
+/// that stands still, too, so that readings that repeat exactly are the sensor's. Where no reading
+/// follows, nothing was made up for: the record was filled up.
 bool catchesUp(const std::vector<Experiment>& experiments, double low, double high) {
   constexpr double kSmooth = 0.3;  // correlation of two steps of a reading that has little noise
   constexpr double kShare = 0.5;   // of what a steady motion would have made meanwhile
-  double products = 0, squares = 0, made = 0, expected = 0;
+  double products = 0, squares = 0, made = 0, expected = 0, from_rest = 0;
   bool goes_on = false;
   for (const Experiment& experiment : experiments) {
     const Eigen::VectorXd& y = experiment.y;
@@ -54,9 +55,11 @@ bool catchesUp(const std::vector<Experiment>& experiments, double low, double hi
       const double before = first > 0 ? std::abs(y[first] - y[first - 1]) : 0;
       made += std::abs(y[t] - y[t - 1]);
       expected += (t - first) * 0.5 * (before + std::abs(y[t + 1] - y[t]));
+      from_rest += std::abs(y[t + 1] - y[t]);
     }
   }
-  return goes_on && (products < kSmooth * squares || made >= kShare * expected);
+  const double least = std::min(kShare * expected, std::sqrt(expected * from_rest));
+  return goes_on && (products < kSmooth * squares || made >= least);
 }
 
 /// Whether the values that are repeated go up and down by few steps of one size, as those of a slow

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -72,6 +73,27 @@ TEST(HeldSamples, AreNoneOfAPlantThatSettlesBetweenSteps) {
         }
         expectNoneHeld(stairs, "it rests");
       }
+}
+
+/// A motor that runs to and fro, and reverses in many of the gaps.
+TEST(HeldSamples, AreSeenOfAMachineThatReversesInTheGaps) {
+  std::mt19937_64 engine(2);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform;
+  std::vector<Experiment> motor{drivenByNoise()};
+  double x = 0, sign = 1;
+  int lost = 0;
+  for (int t = 0; t < 500; ++t) {
+    if (uniform(engine) < 0.2) sign = -sign;
+    motor[0].u[t] = sign;
+    if (lost == 0 && uniform(engine) < 0.04) lost = 12;
+    motor[0].y[t] = lost > 0 && t > 0 ? motor[0].y[t - 1] : x + 0.002 * normal(engine);
+    lost = std::max(0, lost - 1);
+    x = 0.84 * x + 0.16 * sign;
+  }
+  const auto found = checkSamples(motor);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].trait, Trait::held_samples);
 }
 
 }  // namespace
