@@ -11,6 +11,7 @@
 #include "math/constants.h"
 #include "math/information_criterion.h"
 #include "math/polynomial.h"
+#include "residual_tests/residual_tests.h"
 #include "uncertainty_identification/errors.h"
 
 /// Offsets of the experiments' own in place of noise that lasts as long as they do.
@@ -73,6 +74,23 @@ SimulationFit simulated(const Problem& problem, const FittedModel& fitted) {
   return fitOf(problem, meanPlant(*fitted.model, point), offsetOf(problem, *fitted.model, point));
 }
 
+/// The least p-value of the tests of the residuals.
+double leastPValue(const FittedModel& fitted, const CheckedData& data) {
+  const NominalModel& nominal = fitted.model->nominal();
+  const Eigen::VectorXd& parameters = fitted.optimum.point.parameters;
+  const Polynomials polynomials = nominal.polynomials(parameters.head(nominal.parameterCount()));
+  const ResidualTests tests = residualTests(*fitted.model, data.blocks, parameters, &polynomials);
+  return std::min({tests.whiteness_p_value, tests.independence_p_value, tests.linearity_p_value});
+}
+
+/// Whether the tests find nothing wrong with offsets of the experiments' own, and very much with
+/// one in common. Where gains differ about an operating point, no mean plant simulates levels of
+/// their own as well as one level that all pass through, and the noise stands for the rest.
+bool onlyOwnAgree(const FittedModel& own, const FittedModel& common, const CheckedData& data) {
+  constexpr double kAgrees = 1e-3, kContradicts = 1e-6;
+  return leastPValue(common, data) < kContradicts && leastPValue(own, data) > kAgrees;
+}
+
 /// The plant's orders and the model around it, chosen one after the other.
 FittedModel chosenModel(const Configuration& asked, Problem* problem, Journal* journal) {
   choosePlant(problem, journal);
@@ -99,8 +117,9 @@ FittedModel fitWithOffsets(const Configuration& asked, Problem* problem, Journal
   try {
     FittedModel other = chosenModel(asked, &own, journal);
     Candidate each = candidateOf(own, other);
-    each.chosen = *each.bic < *common.bic &&
-                  !simulatesWorse(simulated(own, other), simulated(*problem, fitted));
+    each.chosen = onlyOwnAgree(other, fitted, own.data) ||
+                  (*each.bic < *common.bic &&
+                   !simulatesWorse(simulated(own, other), simulated(*problem, fitted)));
     common.chosen = !each.chosen;
     std::vector<Candidate>* of_chosen = each.chosen ? &journal->candidates : &candidates;
     of_chosen->insert(of_chosen->end(), {common, each});

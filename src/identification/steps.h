@@ -169,7 +169,7 @@ FittedModel fitChosen(const Configuration& asked, Problem* problem, Journal* jou
 /// chosen, and the time constant of the noise is longer than a third of the longest experiment, all
 /// is chosen once more with offsets of the experiments' own, which such noise may stand for. These
 /// are taken where the likelihood of all samples less the penalty of BIC is higher, and the
-/// simulation no worse.
+/// simulation no worse, or where the tests of the residuals find nothing wrong with these alone.
 FittedModel fitWithOffsets(const Configuration& asked, Problem* problem, Journal* journal);
 
 /// How the plants differ from experiment to experiment, as a sentence; empty for one experiment.

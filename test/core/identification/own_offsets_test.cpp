@@ -105,5 +105,46 @@ TEST(OwnOffsets, LeaveTheOrderOfThePlantToBeFound) {
   }
 }
 
+/// Six blocks heated about 50 %, where all are at 136 degC, whose gains differ by 20 %; the noise
+/// is coloured.
+std::vector<Experiment> blocksAboutAPoint(unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  std::uniform_int_distribution<int> hold(5, 60);
+  std::vector<Experiment> all(6);
+  for (Experiment& experiment : all) {
+    experiment.id = "block_" + std::to_string(&experiment - all.data());
+    experiment.sample_time = 25;
+    experiment.u.resize(720);
+    experiment.y.resize(720);
+    const double gain = 2.6 * (1 + 0.2 * normal(random));
+    double x = 0, noise = 0, heater = 23;
+    for (int t = 0, next = 0; t < 720; ++t) {
+      if (t == next) {
+        heater = normal(random) < 0.5 ? -heater : heater;
+        next += hold(random);
+      }
+      noise = 0.7 * noise + 0.7 * normal(random);
+      experiment.u[t] = 50 + heater;
+      experiment.y[t] = 136 + gain * x + noise;
+      x += 0.05 * (heater - x);
+    }
+  }
+  return all;
+}
+
+// No mean plant simulates levels of their own as well as the one that all pass through. A common
+// level leaves the rest to the noise, whose tests then fail.
+TEST(OwnOffsets, AreTakenWhereGainsDifferAboutAPoint) {
+  for (const unsigned seed : {1U, 15U}) {
+    const Estimate found = Identifier(Configuration()).identify(blocksAboutAPoint(seed));
+    EXPECT_EQ(found.configuration.estimation.offsets, Offsets::per_experiment) << seed;
+    EXPECT_GT(found.residual_tests.whiteness_p_value, 1e-3) << seed;
+    EXPECT_GT(found.residual_tests.linearity_p_value, 1e-3) << seed;
+    // Six gains determine their standard deviation by a third.
+    EXPECT_NEAR(std::sqrt(found.error_model.mixture.covariance()(0, 0)), 0.2, 0.15) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace uncertainty_identification
