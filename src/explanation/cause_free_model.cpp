@@ -11,6 +11,7 @@
 #include "explanation/confirmation.h"
 #include "explanation/measure.h"
 #include "explanation/named_causes.h"
+#include "explanation/open_answers.h"
 #include "explanation/poor_simulation.h"
 #include "explanation/prediction_checks.h"
 #include "explanation/residual_checks.h"
@@ -27,44 +28,8 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kShare = 1;  ///< of explanation.time_limit, in addition to it
-
-bool leavesModelOpen(const Configuration& asked) {
-  return asked.nominal_model.orders_auto && asked.effects.empty() &&
-         asked.error_model.basis == BasisKind::automatic;
-}
-
-/// Whether parameters of the plant differ, as in the model that identify chooses.
-bool isOfSpread(const Cause& cause) {
-  return hasTrait(cause.name, Trait::by_experiment) && hasTrait(cause.name, Trait::in_mixture);
-}
-
-/// Whether a cause describes what else differs between experiments, or a line in the spectrum of
-/// the residuals: plants that differ leave both.
-bool mayBeDifference(const Cause& cause) {
-  return !isOfSpread(cause) &&
-         (hasTrait(cause.name, Trait::by_experiment) || hasTrait(cause.name, Trait::spectral_line));
-}
-
-/// Whether there is no answer, one of nothing but differences between experiments, or one that
-/// explains only a part, where neither what the samples show alone nor a controller nor the noise
-/// alone, which identify does not test, may be the reason.
-bool isOpen(const Explanation& explanation) {
-  const std::vector<Cause>& causes = explanation.causes;
-  if (explanation.verdict == Verdict::none) return leavesDifferencesUntold(explanation);
-  if (explanation.verdict == Verdict::explained)
-    return std::any_of(causes.begin(), causes.end(), mayBeDifference) &&
-           std::all_of(causes.begin(), causes.end(), [](const Cause& cause) {
-             return isOfSamples(cause) || isOfSpread(cause) || mayBeDifference(cause);
-           });
-  const std::vector<Check>& checks = explanation.checks_after;
-  const auto fails = [](const Check& check) { return !check.passed && check.name == kDirection; };
-  const auto is_loop = [](const Cause& cause) { return hasTrait(cause.name, Trait::feedback); };
-  const bool is_controlled = std::any_of(checks.begin(), checks.end(), fails) ||
-                             std::any_of(causes.begin(), causes.end(), is_loop);
-  const bool has_other = causes.empty() || !std::all_of(causes.begin(), causes.end(), isOfSamples);
-  return has_other && !is_controlled && (allPassed(checks) || !isOfNoiseAlone(checks));
-}
+/// Of explanation.time_limit, in addition to it; where nothing is wrong, only a figure is lacking.
+constexpr double kShare = 1, kShareOfNone = 0.3;
 
 std::vector<Experiment> heldOutOf(const Split& data) {
   return data.fitted_to ? std::vector<Experiment>() : data.held;
@@ -250,8 +215,12 @@ void forgetSearch(Explanation* explanation) {
 
 void take(Estimate estimate, const Split& data, Explanation* explanation) {
   const std::string few = tooFewToTell(data.train.size(), simulationFitOf(estimate).value_or(0));
+  if (explanation->verdict == Verdict::none) {
+    if (plantsDiffer(estimate)) explanation->message = messageOf({}, estimate);
+    return;
+  }
   if (!few.empty()) {
-    if (explanation->verdict != Verdict::none) explanation->warnings.push_back(few);
+    explanation->warnings.push_back(few);
     return withdrawCauses(explanation);
   }
   forgetSearch(explanation);
@@ -273,13 +242,16 @@ void compareWithCauseFreeModel(const Configuration& asked, const Split& data,
                                const AnswerLikelihood& with_causes, SearchProgress& progress,
                                Explanation* explanation) {
   if (!leavesModelOpen(asked) || !isOpen(*explanation)) return;
-  const double until = progress.seconds() + kShare * asked.explanation.time_limit;
+  const bool is_none = explanation->verdict == Verdict::none;
+  const double until =
+      progress.seconds() + (is_none ? kShareOfNone : kShare) * asked.explanation.time_limit;
   const auto go = [&](const Progress& at) {
     return progress.report("identifying with another error model", 0.95, at.log_likelihood) &&
            (asked.explanation.time_limit <= 0 || progress.seconds() < until);
   };
   try {
     Estimate estimate = Identifier(asked).identify(data.train, heldOutOf(data), go);
+    if (estimate.termination == Termination::cancelled && is_none) return;
     if (estimate.termination == Termination::cancelled)
       explanation->warnings.push_back(
           "there was no time to compare with the model that identify chooses, which may need no "

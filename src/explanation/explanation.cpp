@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 
 #include "configuration/thread_count.h"
 #include "data/text.h"
@@ -175,21 +176,27 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
 }
 
 /// What the likelihood finds in records that are thinned where they are long; in all samples where
-/// it sees that the actuator moves in steps, which are none once they are averaged.
+/// it sees within a third of the time that the actuator moves in steps: averaged, these are none.
 SearchOutcome Explaining::searchLikelihood(const std::optional<SpoiltSamples>& stray, Split* data) {
-  const Split whole = *data;
+  Split whole = *data;
   const Configuration given = configuration_;
-  if (configuration_.explanation.time_limit > 0) thinning_ = thinLongRecords(data);
-  for (;;) {
-    if (!thinning_.empty()) configuration_.sample_time = 0;
-    const std::vector<SpoiltSamples> spoilt = maskSpoilt(stray, &configuration_, data);
-    SearchOutcome best = bestOutcome(*data, spoilt);
-    if (thinning_.empty() || !best.moves_in_steps || !progress_.inTime() || areMany(whole.train))
-      return best;
-    configuration_ = given;
-    thinning_.clear();
-    *data = whole;
+  const double limit = configuration_.explanation.time_limit;
+  if (limit > 0) thinning_ = thinLongRecords(data);
+  if (!thinning_.empty()) configuration_.sample_time = 0;
+  SearchOutcome best = bestOutcome(*data, maskSpoilt(stray, &configuration_, data));
+  if (thinning_.empty() || !best.moves_in_steps || areMany(whole.train) ||
+      progress_.seconds() > limit / 3)
+    return best;
+  const auto thinned = std::make_tuple(configuration_, thinning_, explanation_.warnings);
+  configuration_ = given;
+  thinning_ = simplification_ = "";
+  SearchOutcome of_all = bestOutcome(whole, maskSpoilt(stray, &configuration_, &whole));
+  if (progress_.outOfTime()) {
+    std::tie(configuration_, thinning_, explanation_.warnings) = thinned;
+    return best;
   }
+  *data = std::move(whole);
+  return of_all;
 }
 
 /// The steps of docs/explanation.md.

@@ -199,13 +199,13 @@ Steps refined(Steps steps, const ResponseSearch& search, const CommandRange& ran
 
 }  // namespace
 
-void findInputSteps(const Residuals& residuals, const Fit& base, const FitData& data,
+bool findInputSteps(const Residuals& residuals, const Fit& base, const FitData& data,
                     DataSummary* summary) {
   constexpr double kFewest = 3, kMost = 60;  // steps over the range of the command
   constexpr double kOfATurn = 0.2;           // by which neighbours differ at the ends of the range
   constexpr double kLeast = 10, kAbout = 2;  // [nats]; ratio of amplitudes
   const CommandRange range = rangeOf(data.experiments());
-  if (!range.is_fine) return;
+  if (!range.is_fine) return false;
   const ResponseSearch search(residuals, base, data, range);
   const double between = kOfATurn / range.half;
   const double most = std::min(0.5 * kMost / range.half, 0.4 / std::max(range.grid, 1e-300));
@@ -220,15 +220,21 @@ void findInputSteps(const Residuals& residuals, const Fit& base, const FitData& 
   for (double at = 0.5 * kFewest / range.half; at < most; at += between) ask(at);
   for (double step = between / 2; step > 1e-3 * between; step /= 2)
     for (const double candidate : {turns - step, turns + step}) ask(candidate);
-  if (best.gain < kLeast) return;
+  if (best.gain < kLeast) return false;
   // round((u - s)/q) q + s - u is nearly -q/pi sin(2 pi (u - s)/q).
   const double sine = best.coefficients[0], cosine = best.coefficients[1];
   const double amplitude = std::hypot(sine, cosine) * kPi * turns;
-  if (amplitude > kAbout || amplitude < 1 / kAbout) return;
+  if (amplitude > kAbout || amplitude < 1 / kAbout) return false;
   const Steps steps = refined(
       {1 / turns, range.mean + std::atan2(cosine, -sine) / (2 * kPi * turns)}, search, range);
+  // A ripple of the command, as of a worn gear, is a sine itself.
+  const ResponseSearch::Found rounded = search.with({rounding(steps)});
+  if (rounded.gain < best.gain || rounded.coefficients[0] > kAbout ||
+      rounded.coefficients[0] < 1 / kAbout)
+    return true;
   summary->input_step = steps.step;
   summary->input_level = steps.level;
+  return true;
 }
 
 }  // namespace uncertainty_identification

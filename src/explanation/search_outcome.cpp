@@ -47,7 +47,8 @@ SearchState baseOf(const Estimate& estimate, const Split& data, const FitContext
 }
 
 /// What the catalogue of effects is made for: the data, and the residuals of the base.
-DataSummary summaryOf(const SearchState& base) {
+/// `moves_in_steps`: whether these show that the actuator does.
+DataSummary summaryOf(const SearchState& base, bool* moves_in_steps) {
   const NominalModel& nominal = base.fit.model->nominal();
   DataSummary summary = summarise(base.train.experiments());
   summary.regressors = base.fit.model->regressors();
@@ -55,7 +56,7 @@ DataSummary summaryOf(const SearchState& base) {
       plantParameters(nominal, base.fit.at.parameters.head(nominal.parameterCount()));
   const Residuals residuals = residualsOf(base.fit, base.train);
   findSpectralPeaks(residuals, base.train, &summary);
-  findInputSteps(residuals, base.fit, base.train, &summary);
+  *moves_in_steps = findInputSteps(residuals, base.fit, base.train, &summary);
   return summary;
 }
 
@@ -137,9 +138,12 @@ SearchState withAnother(SearchState found, const ExplanationOptions& options,
   return describesAll(more) ? more : found;
 }
 
-/// Whether causes hold a line of the spectrum which the model of `other` has as poles that hardly
-/// decay within an experiment: it comes from outside.
+/// Whether causes hold a line of the spectrum which the model of `other` has as poles that nothing
+/// damps within an experiment, and make the data about as likely: it comes from outside. Damping
+/// that the data show, however little, is that of a resonance.
 bool hasLineAsPolesOf(const SearchOutcome& outcome, const SearchOutcome& other) {
+  constexpr double kShare = 0.03, kAsLikely = 3;  // of the oscillation; [nats]
+  if (outcome.penalisedLikelihood() < other.penalisedLikelihood() - kAsLikely) return false;
   const ExtendedModel& model = *outcome.found.fit.model;
   const double longest = longestOf(other.base.train.experiments());
   for (std::size_t k = 0; k < model.effects().size(); ++k) {
@@ -152,7 +156,7 @@ bool hasLineAsPolesOf(const SearchOutcome& outcome, const SearchOutcome& other) 
     const double value =
         model.psi(outcome.found.fit.at.parameters, k)[frequency - parameters.begin()];
     const NominalModelEstimate& poles = other.estimate.nominal_model;
-    if (hasUndampedPoles(poles, value * poles.sample_time, longest)) return true;
+    if (hasUndampedPoles(poles, value * poles.sample_time, longest, kShare)) return true;
   }
   return false;
 }
@@ -226,7 +230,8 @@ SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& contex
                             const std::vector<SpoiltSamples>& spoilt,
                             const std::vector<std::string>& only) {
   SearchState base = baseOf(estimate, data, context);
-  const DataSummary summary = summaryOf(base);
+  bool moves_in_steps = false;
+  const DataSummary summary = summaryOf(base, &moves_in_steps);
   const Effects effects = catalogue(summary);
   addCausesThatSamplesShow(spoilt, effects, &base);
   const bool tests_feedback =
@@ -241,7 +246,7 @@ SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& contex
   if (tests_feedback) addFeedback(effects, &base, &found);
   SearchOutcome outcome{std::move(estimate), std::move(base), std::move(found), search.tried(),
                         search.refusals()};
-  outcome.moves_in_steps = summary.input_step > 0;
+  outcome.moves_in_steps = moves_in_steps;
   return outcome;
 }
 
@@ -257,7 +262,10 @@ SearchOutcome* bestOf(std::vector<SearchOutcome>* outcomes, double acceptance) {
   const auto with_line =
       std::find_if(outcomes->begin(), outcomes->end(),
                    [best](const SearchOutcome& other) { return hasLineAsPolesOf(other, *best); });
-  return with_line == outcomes->end() ? best : &*with_line;
+  if (with_line == outcomes->end() || &*with_line == best) return best;
+  with_line->chosen_orders = orderText(with_line->estimate);
+  with_line->simplification = kLineAsPoles;
+  return &*with_line;
 }
 
 }  // namespace uncertainty_identification

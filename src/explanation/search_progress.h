@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "estimation/stopwatch.h"
-#include "explanation/fit.h"
+#include "explanation/refine.h"
 #include "uncertainty_identification/identifier.h"
 
 namespace uncertainty_identification {

@@ -13,12 +13,11 @@ namespace uncertainty_identification {
 namespace {
 
 /// Whether the polynomial has such a root at `frequency` [rad/sample].
-bool hasUndampedRoot(const Eigen::VectorXd& monic, double frequency, double samples) {
-  constexpr double kDecay = 0.5;  // time constants in an experiment, at most
+bool hasUndampedRoot(const Eigen::VectorXd& monic, double frequency, double samples, double share) {
   if (monic.size() < 2) return false;
   const Eigen::VectorXcd all = roots(monic);
   for (Eigen::Index k = 0; k < all.size(); ++k) {
-    const bool is_undamped = std::abs(all[k]) > std::exp(-kDecay / samples);
+    const bool is_undamped = std::pow(std::abs(all[k]), samples) > 1 - share;
     const double resolution = 2 * kPi / samples;
     if (is_undamped && std::abs(std::abs(std::arg(all[k])) - frequency) < resolution) return true;
   }
@@ -27,9 +26,10 @@ bool hasUndampedRoot(const Eigen::VectorXd& monic, double frequency, double samp
 
 }  // namespace
 
-bool hasUndampedPoles(const NominalModelEstimate& model, double frequency, double samples) {
-  return hasUndampedRoot(model.a, frequency, samples) ||
-         hasUndampedRoot(model.d, frequency, samples);
+bool hasUndampedPoles(const NominalModelEstimate& model, double frequency, double samples,
+                      double share) {
+  return hasUndampedRoot(model.a, frequency, samples, share) ||
+         hasUndampedRoot(model.d, frequency, samples, share);
 }
 
 double undampedFrequency(const NominalModelEstimate& model, double samples) {
@@ -44,20 +44,21 @@ bool neverDecays(const NominalModelEstimate& plant, double samples) {
 
 bool hasLineAsPoles(const std::vector<Cause>& causes, const NominalModelEstimate& without,
                     double samples) {
+  constexpr double kShare = 0.4;
   return std::any_of(causes.begin(), causes.end(), [&](const Cause& cause) {
     if (!hasTrait(cause.name, Trait::spectral_line)) return false;
     const auto frequency =
         std::find_if(cause.parameters.begin(), cause.parameters.end(),
                      [](const CauseParameter& each) { return each.name == "frequency"; });
     return frequency != cause.parameters.end() &&
-           hasUndampedPoles(without, frequency->value * without.sample_time, samples);
+           hasUndampedPoles(without, frequency->value * without.sample_time, samples, kShare);
   });
 }
 
 bool standsForALine(const Explanation& explanation, const NominalModelEstimate& without,
                     double samples) {
   if (explanation.causes.empty()) return false;
-  const bool is_named = isOfNoiseAlone(explanation.checks_after) &&
+  const bool is_named = explanation.verdict == Verdict::explained &&
                         hasLineAsPoles(explanation.causes, without, samples);
   return is_named || neverDecays(without, samples);
 }

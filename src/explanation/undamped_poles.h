@@ -14,8 +14,10 @@ namespace uncertainty_identification {
 bool hasLineAsPoles(const std::vector<Cause>& causes, const NominalModelEstimate& without,
                     double samples);
 
-/// Whether poles of plant or noise have this frequency [rad/sample], and hardly decay.
-bool hasUndampedPoles(const NominalModelEstimate& model, double frequency, double samples);
+/// Whether poles of plant or noise have this frequency [rad/sample], and lose less than a share of
+/// their oscillation within `samples`.
+bool hasUndampedPoles(const NominalModelEstimate& model, double frequency, double samples,
+                      double share);
 
 /// Frequency [rad/sample] of an oscillation of plant or noise by more than three periods in an
 /// experiment of so many samples, which loses less than a tenth there; 0: there is none.

@@ -126,9 +126,11 @@ bool isOfNoiseAlone(const std::vector<Check>& checks) {
 
 bool isSymptom(const FoundCause& found, const SearchState& state, bool fail_of_noise_only) {
   constexpr double kFarMore = 4.0 / 3;
-  if (found.score == 0) return false;  // seen in the samples themselves
+  if (found.score == 0) return false;    // seen in the samples themselves
+  constexpr double kOverwhelming = 100;  // [nats]
   if (isOfNoise(*found.effect)) return true;
-  if (found.effect->has(Trait::spectral_line)) return !fail_of_noise_only;
+  if (found.effect->has(Trait::spectral_line))
+    return !fail_of_noise_only || found.score < kOverwhelming;
   return std::any_of(state.causes.begin(), state.causes.end(), [&](const FoundCause& other) {
     return other.score > found.score * (isOfNoise(*other.effect) ? kFarMore : 1);
   });
@@ -161,6 +163,13 @@ std::string reasonNotToName(const FoundCause& found, const SearchState& state,
            " nats, but all tests pass without it, and the simulation is the same with it: it may "
            "only be a better guess of the states that the records begin from; it is not named as a "
            "cause";
+  if (found.effect->has(Trait::spectral_line) &&
+      std::any_of(state.causes.begin(), state.causes.end(),
+                  [](const FoundCause& other) { return other.may_be_order; }))
+    return named(*found.effect) +
+           ": an order that the model lacks was found beside it, and a resonance that swings on "
+           "leaves "
+           "nearly a line as well; it is not named as a cause";
   if (isLineOfInput(found, state))
     return named(*found.effect) +
            ": the input has a line in its spectrum there, or at a fraction of that frequency, so "

@@ -24,9 +24,10 @@ bool isBesideSimulation(const FoundCause& found);
 
 /// Whether a cause, while some check still fails, may be only a symptom of something that the
 /// catalogue lacks. That is so for every cause of the noise and, unless only tests of the noise's
-/// distribution fail, for hum, which resonances that the model lacks look like, and for a cause
-/// whose score is exceeded by that of another cause outside the noise, or by a third by that of a
-/// cause of the noise. Causes that the samples show by themselves are no symptoms.
+/// distribution fail and it is worth 100 nats, for hum, which resonances that the model lacks look
+/// like, and for a cause whose score is exceeded by that of another cause outside the noise, or by
+/// a third by that of a cause of the noise. Causes that the samples show by themselves are no
+/// symptoms.
 bool isSymptom(const FoundCause& found, const SearchState& state, bool fail_of_noise_only);
 
 /// Whether a cause changes every experiment, in a way that is neither of the noise nor of single

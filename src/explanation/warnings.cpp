@@ -17,6 +17,11 @@ const char* const kOutOfTime =
     "the search ended at explanation.time_limit, before all causes were tried; give it more time, "
     "or fewer or shorter experiments";
 
+const char* const kLineAsPoles =
+    "a model of higher orders is as likely, by two poles that nothing damps; these are left out of "
+    "the "
+    "model, because an oscillation that nothing damps comes from outside";
+
 std::string quantisationRemark(double step, double share) {
   return "the sensor reads in steps of " + rounded(step) + " (unit of y), which make up " +
          rounded(100 * share) + " % of the noise variance";

@@ -19,6 +19,7 @@ std::vector<std::string> warningsOf(const SearchOutcome& best,
 
 extern const char* const kNothingHeldOut;
 extern const char* const kOutOfTime;
+extern const char* const kLineAsPoles;
 extern const char* const kFeedback;
 extern const char* const kMayBeFeedback;
 

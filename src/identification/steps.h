@@ -175,7 +175,7 @@ FittedModel fitWithOffsets(const Configuration& asked, Problem* problem, Journal
 /// How the plants differ from experiment to experiment, as a sentence; empty for one experiment.
 std::string variationText(const Estimate& estimate, const LinearModel& model);
 
-/// Whether the sentence of the estimate tells a difference.
+/// Whether the sentence of the estimate tells a difference that the likelihood clearly asks for.
 bool plantsDiffer(const Estimate& estimate);
 
 /// A test of the residuals that fails, by so much that it matters.

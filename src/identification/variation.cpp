@@ -150,7 +150,13 @@ const std::string kNoDifference = "The experiments show no difference between th
 }  // namespace
 
 bool plantsDiffer(const Estimate& estimate) {
-  return !estimate.variation.empty() && estimate.variation.rfind(kNoDifference, 0) != 0;
+  constexpr double kClearly = 20;  // of BIC
+  if (estimate.variation.empty() || estimate.variation.rfind(kNoDifference, 0) == 0) return false;
+  const auto equal = std::find_if(
+      estimate.candidates.begin(), estimate.candidates.end(), [](const Candidate& each) {
+        return each.choice == "error model" && each.description == "none" && each.bic;
+      });
+  return equal == estimate.candidates.end() || *equal->bic > estimate.bic + kClearly;
 }
 
 std::string variationText(const Estimate& estimate, const LinearModel& model) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "support/fit_setup.h"
@@ -25,25 +26,27 @@ Eigen::VectorXd answer(const dense::Model& plant, const Eigen::VectorXd& u) {
   return x;
 }
 
-/// The paper's Example 1 with an actuator that moves in steps.
-test::RandomSystem movedInSteps(double step, double level) {
+/// The paper's Example 1 with an actuator that does this with its command.
+test::RandomSystem movedBy(const std::function<double(double)>& actuator) {
   test::RandomSystem system = test::example1(2, 30);
-  for (Experiment& experiment : system.experiments) {
-    const Eigen::VectorXd rounded = experiment.u.unaryExpr(
-        [&](double u) { return level + step * std::round((u - level) / step); });
-    experiment.y += answer(system.truth, rounded - experiment.u);
-  }
+  for (Experiment& experiment : system.experiments)
+    experiment.y += answer(system.truth, experiment.u.unaryExpr(actuator) - experiment.u);
   return system;
 }
 
-DataSummary foundOf(double step, double level) {
-  const test::RandomSystem system = movedInSteps(step, level);
+test::RandomSystem movedInSteps(double step, double level) {
+  return movedBy([=](double u) { return level + step * std::round((u - level) / step); });
+}
+
+DataSummary foundIn(const test::RandomSystem& system) {
   const FitData data = test::example1Data(system.experiments);
   const Fit fit = test::fitOfTruth(system.truth, test::example1Configuration(), data);
   DataSummary summary = summarise(data.experiments());
   findInputSteps(residualsOf(fit, data), fit, data, &summary);
   return summary;
 }
+
+DataSummary foundOf(double step, double level) { return foundIn(movedInSteps(step, level)); }
 
 TEST(InputSteps, AreFoundWhereverTheyBegin) {
   const double deviation = foundOf(1e-6, 0).input_deviation;
@@ -56,6 +59,14 @@ TEST(InputSteps, AreFoundWhereverTheyBegin) {
 }
 
 TEST(InputSteps, AreNotFoundWhereThereAreNone) { EXPECT_EQ(foundOf(1e-6, 0).input_step, 0); }
+
+/// As of a gear that runs out of round, of the size that rounding leaves.
+TEST(InputSteps, AreNoRipple) {
+  const double turn = foundOf(1e-6, 0).input_deviation;
+  const DataSummary found =
+      foundIn(movedBy([=](double u) { return u - turn / M_PI * std::sin(2 * M_PI * u / turn); }));
+  EXPECT_EQ(found.input_step, 0);
+}
 
 /// Of a command of few levels, any function is a line or a curve.
 TEST(InputSteps, AreNotLookedForInFewLevels) {

@@ -35,6 +35,25 @@ TEST(HasLineAsPoles, OfPlantOrNoiseThatHardlyDecayWithinAnExperiment) {
   EXPECT_FALSE(isHeld(hum, 0.999, 0.999)) << "1,000 samples to decay, of 1,000";
 }
 
+TEST(UndampedFrequency, IsOfPlantOrNoiseByThreePeriods) {
+  NominalModelEstimate model;
+  model.sample_time = kSampleTime;
+  EXPECT_EQ(undampedFrequency(model, kLength), 0);
+  model.d = pairOf(0.99995);
+  EXPECT_NEAR(undampedFrequency(model, kLength), kFrequency * kSampleTime, 1e-9);
+  EXPECT_EQ(undampedFrequency(model, 30), 0) << "2.9 periods";
+  model.d = pairOf(0.9998);
+  EXPECT_EQ(undampedFrequency(model, kLength), 0) << "loses 18 %";
+}
+
+TEST(HasUndampedPoles, LosesLessThanTheShare) {
+  NominalModelEstimate model;
+  model.a = pairOf(0.99995);  // loses 5 %
+  const double frequency = kFrequency * kSampleTime;
+  EXPECT_TRUE(hasUndampedPoles(model, frequency, kLength, 0.1));
+  EXPECT_FALSE(hasUndampedPoles(model, frequency, kLength, 0.03));
+}
+
 TEST(NeverDecays, IsOfAnOscillationThatLosesLessThanATenthInAnExperiment) {
   const auto decays = [](const Eigen::VectorXd& a) {
     NominalModelEstimate plant;

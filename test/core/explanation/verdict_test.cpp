@@ -137,6 +137,13 @@ TEST(ReasonNotToName, IsThatTestsFailAndALineMayBeAResonance) {
   EXPECT_TRUE(test::mentions(reasonNotToName(line, with({line}), {false, false}), "symptom"));
   EXPECT_EQ(reasonNotToName(line, with({line}), {false, false, true}), "")
       << "which leaves residuals that are not white";
+  line.score = 54;
+  EXPECT_TRUE(test::mentions(reasonNotToName(line, with({line}), {false, false, true}), "symptom"))
+      << "and for a while looks like one";
+  FoundCause resonance = found("plant_resonance", 90);
+  resonance.may_be_order = true;
+  EXPECT_TRUE(test::mentions(reasonNotToName(line, with({line, resonance}), {false, true}),
+                             "a resonance that swings on"));
   EXPECT_EQ(reasonNotToName(line, with({line}), {false, true}), "");
 }
 
