@@ -11,10 +11,10 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Whether a value is, but for a tenth of it, a multiple of the step.
+/// Whether a value is, but for a small part, a multiple of the step.
 bool isMultiple(double value, double step) {
-  constexpr double kTenth = 0.1;
-  return std::abs(std::remainder(value, step)) < kTenth * step;
+  constexpr double kClose = 0.03;  // of a step, to which levels are found
+  return std::abs(std::remainder(value, step)) < kClose * step;
 }
 
 std::vector<VectorXd> joined(std::vector<VectorXd> first, const std::vector<VectorXd>& second) {
@@ -109,7 +109,8 @@ MadeEffects actuatorQuantisation(const DataSummary& data) {
   std::vector<VectorXd> seen;
   if (data.input_step > 0 && isMultiple(data.input_level, data.input_step))
     starts.push_back(VectorXd::Constant(1, data.input_step));
-  if (data.input_step > 0) seen.push_back(Eigen::Vector2d(data.input_step, data.input_level));
+  else if (data.input_step > 0)
+    seen.push_back(Eigen::Vector2d(data.input_step, data.input_level));
   return {
       quantisation("", {step(data.input_deviation, 10)}, starts),
       quantisation("shifted",

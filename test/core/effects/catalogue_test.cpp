@@ -120,8 +120,8 @@ TEST(Catalogue, StepsOfTheActuatorStartFromWhatTheResidualsShow) {
   };
   ASSERT_EQ(startsWith(20.2, "shifted").size(), 1u);
   EXPECT_EQ(startsWith(20.2, "shifted")[0], Eigen::VectorXd(Eigen::Vector2d(0.5, 20.2)));
-  EXPECT_TRUE(startsWith(20.04, "shifted").empty());
-  EXPECT_EQ(startsWith(20.04, "").size(), startsWith(20.2, "").size() + 1);
+  EXPECT_TRUE(startsWith(20.01, "shifted").empty());
+  EXPECT_EQ(startsWith(20.01, "").size(), startsWith(20.2, "").size() + 1);
 }
 
 TEST(Catalogue, PositionsRiseWithinAStage) {
