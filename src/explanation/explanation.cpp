@@ -176,16 +176,15 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
 }
 
 /// What the likelihood finds in records that are thinned where they are long; in all samples where
-/// it sees within a third of the time that the actuator moves in steps: averaged, these are none.
+/// it sees that the actuator moves in steps, which are none once they are averaged, and the time
+/// suffices.
 SearchOutcome Explaining::searchLikelihood(const std::optional<SpoiltSamples>& stray, Split* data) {
   Split whole = *data;
   const Configuration given = configuration_;
-  const double limit = configuration_.explanation.time_limit;
-  if (limit > 0) thinning_ = thinLongRecords(data);
+  if (configuration_.explanation.time_limit > 0) thinning_ = thinLongRecords(data);
   if (!thinning_.empty()) configuration_.sample_time = 0;
   SearchOutcome best = bestOutcome(*data, maskSpoilt(stray, &configuration_, data));
-  if (thinning_.empty() || !best.moves_in_steps || areMany(whole.train) ||
-      progress_.seconds() > limit / 3)
+  if (thinning_.empty() || !best.moves_in_steps || areMany(whole.train) || !progress_.inTime())
     return best;
   const auto thinned = std::make_tuple(configuration_, thinning_, explanation_.warnings);
   configuration_ = given;
