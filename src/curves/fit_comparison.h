@@ -17,8 +17,8 @@ double criterion(const WindowFit& fit, double effective_samples);
 double pairedT(const Eigen::VectorXd& before, const Eigen::VectorXd& after);
 
 struct LeastGain {
-  double share = 0.08;  ///< of the squared error
-  double t = 1.7;       ///< paired: 95 %, one-sided
+  double share = 0;  ///< of the squared error
+  double t = 0;      ///< of pairedT()
 };
 
 /// Whether windows that were not fitted to gain: significantly, or, where there are at most four

@@ -184,7 +184,7 @@ SearchOutcome Explaining::searchLikelihood(const std::optional<SpoiltSamples>& s
   if (configuration_.explanation.time_limit > 0) thinning_ = thinLongRecords(data);
   if (!thinning_.empty()) configuration_.sample_time = 0;
   SearchOutcome best = bestOutcome(*data, maskSpoilt(stray, &configuration_, data));
-  if (thinning_.empty() || !best.moves_in_steps || areMany(whole.train) || !progress_.inTime())
+  if (thinning_.empty() || !best.may_move_in_steps || areMany(whole.train) || !progress_.inTime())
     return best;
   const auto thinned = std::make_tuple(configuration_, thinning_, explanation_.warnings);
   configuration_ = given;

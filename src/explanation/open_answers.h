@@ -9,7 +9,8 @@ namespace uncertainty_identification {
 /// Whether orders and error model are left to be chosen.
 bool leavesModelOpen(const Configuration& asked);
 
-/// Whether there is no answer, one of nothing but differences between experiments, or one that
+/// Whether nothing is wrong, but several experiments leave a rest that their differences may be; or
+/// there is no answer, one of nothing but differences between experiments, or one that
 /// explains only a part, where neither what the samples show alone nor a controller nor the noise
 /// alone, which identify does not test, may be the reason.
 bool isOpen(const Explanation& explanation);

@@ -47,8 +47,9 @@ SearchState baseOf(const Estimate& estimate, const Split& data, const FitContext
 }
 
 /// What the catalogue of effects is made for: the data, and the residuals of the base.
-/// `moves_in_steps`: whether these show that the actuator does.
-DataSummary summaryOf(const SearchState& base, bool* moves_in_steps) {
+/// `may_move_in_steps`: whether these may come from an actuator that does, as findInputSteps()
+/// says.
+DataSummary summaryOf(const SearchState& base, bool* may_move_in_steps) {
   const NominalModel& nominal = base.fit.model->nominal();
   DataSummary summary = summarise(base.train.experiments());
   summary.regressors = base.fit.model->regressors();
@@ -56,7 +57,7 @@ DataSummary summaryOf(const SearchState& base, bool* moves_in_steps) {
       plantParameters(nominal, base.fit.at.parameters.head(nominal.parameterCount()));
   const Residuals residuals = residualsOf(base.fit, base.train);
   findSpectralPeaks(residuals, base.train, &summary);
-  *moves_in_steps = findInputSteps(residuals, base.fit, base.train, &summary);
+  *may_move_in_steps = findInputSteps(residuals, base.fit, base.train, &summary);
   return summary;
 }
 
@@ -230,8 +231,8 @@ SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& contex
                             const std::vector<SpoiltSamples>& spoilt,
                             const std::vector<std::string>& only) {
   SearchState base = baseOf(estimate, data, context);
-  bool moves_in_steps = false;
-  const DataSummary summary = summaryOf(base, &moves_in_steps);
+  bool may_move_in_steps = false;
+  const DataSummary summary = summaryOf(base, &may_move_in_steps);
   const Effects effects = catalogue(summary);
   addCausesThatSamplesShow(spoilt, effects, &base);
   const bool tests_feedback =
@@ -246,7 +247,7 @@ SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& contex
   if (tests_feedback) addFeedback(effects, &base, &found);
   SearchOutcome outcome{std::move(estimate), std::move(base), std::move(found), search.tried(),
                         search.refusals()};
-  outcome.moves_in_steps = moves_in_steps;
+  outcome.may_move_in_steps = may_move_in_steps;
   return outcome;
 }
 

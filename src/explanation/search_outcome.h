@@ -21,7 +21,7 @@ struct SearchOutcome {
   Refusals refusals;
   std::string chosen_orders = "";   ///< orderText() of the model that others were tried beside
   std::string simplification = "";  ///< of the orders, as a warning tells it
-  bool moves_in_steps = false;      ///< the actuator, as the residuals show (findInputSteps())
+  bool may_move_in_steps = false;   ///< the actuator, as findInputSteps() says
 
   /// Whether a cause isInEveryExperiment() and all tests pass with the causes.
   bool explainsAll() const;
@@ -65,7 +65,8 @@ SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& contex
 
 /// The outcome of the highest penalised likelihood, less `acceptance` [nats] for each cause: a tie
 /// between models is no reason to name one. But where the model of that outcome has a line of the
-/// spectrum as poles that nothing damps, one that names the line is taken.
+/// spectrum as poles that nothing damps, one that names the line and is as likely within 3 nats is
+/// taken.
 SearchOutcome* bestOf(std::vector<SearchOutcome>* outcomes, double acceptance);
 
 }  // namespace uncertainty_identification

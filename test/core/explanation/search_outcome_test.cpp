@@ -105,7 +105,7 @@ std::vector<Experiment> vibratingMotors() {
 }
 
 /// A plant of higher order holds it as well, as poles that nothing damps.
-TEST(SearchOutcome, AnOscillationThatNothingDampsIsNoNoise) {
+TEST(SearchOutcome, AnOscillationThatNothingDampsIsNoPlant) {
   Configuration configuration;
   configuration.nominal_model.orders_auto = true;
   const Explanation found = explain(configuration, vibratingMotors());
