@@ -164,6 +164,34 @@ std::vector<CurveCandidate> candidatesFor(const SimulationData& data, const Simu
   return all;
 }
 
+std::vector<CurveCandidate> curvesByErrors(
+    std::vector<CurveCandidate> all, const Eigen::VectorXd& now,
+    const std::function<Eigen::VectorXd(const WindowFit&)>& unseen) {
+  std::vector<CurveCandidate> curves;
+  for (CurveCandidate& each : all) {
+    if (each.kind != CandidateKind::curve || each.unseen.sum() >= now.sum()) continue;
+    each.unseen = unseen(each.fit);
+    each.named_unseen = unseen(each.naming.fit);
+    if (each.unseen.size() > 0) curves.push_back(std::move(each));
+  }
+  std::stable_sort(curves.begin(), curves.end(), hasSmallerError);
+  return curves;
+}
+
+std::vector<CurveCandidate> ofOtherPlaces(const std::vector<CurveCandidate>& all,
+                                          const std::vector<CurveCandidate>& tied) {
+  std::vector<CurveCandidate> others;
+  const auto isAt = [](const std::vector<CurveCandidate>& curves, Place place) {
+    return std::any_of(curves.begin(), curves.end(),
+                       [&](const CurveCandidate& each) { return each.place.place == place; });
+  };
+  for (const CurveCandidate& each : all)
+    if (each.kind == CandidateKind::curve && !isAt(tied, each.place.place) &&
+        !isAt(others, each.place.place))
+      others.push_back(each);
+  return others;
+}
+
 std::vector<CurveCandidate> tiedWithFirst(const std::vector<CurveCandidate>& all,
                                           const Eigen::VectorXd& now) {
   constexpr std::size_t kMost = 8;

@@ -37,6 +37,16 @@ std::vector<CurveCandidate> candidatesFor(const SimulationData& data, const Simu
                                           const CandidateLimits& limits,
                                           const CurveSearchContext& context);
 
+/// The curves with errors of unseen windows of another kind, the best first. Only those with which
+/// unseen windows are simulated better also as they are; nothing where there are no such errors.
+std::vector<CurveCandidate> curvesByErrors(
+    std::vector<CurveCandidate> all, const Eigen::VectorXd& now,
+    const std::function<Eigen::VectorXd(const WindowFit&)>& unseen);
+
+/// The first curve of each place that none of those `tied` is at.
+std::vector<CurveCandidate> ofOtherPlaces(const std::vector<CurveCandidate>& all,
+                                          const std::vector<CurveCandidate>& tied);
+
 /// The curves that unseen windows cannot tell from the first candidate, which is a curve. The first
 /// of them is the one to be named. `now` are the unseen errors without any of them.
 std::vector<CurveCandidate> tiedWithFirst(const std::vector<CurveCandidate>& all,

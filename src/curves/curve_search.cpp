@@ -7,6 +7,7 @@
 #include "curves/fit_comparison.h"
 #include "curves/held_out.h"
 #include "curves/prediction_check.h"
+#include "curves/rival_places.h"
 #include "curves/search_from.h"
 
 /// From which linear plants curves are looked for, and which of the searches is believed.
@@ -51,6 +52,7 @@ bool isControllersAnswer(const SimulationData& data, const SimulationData& held,
 CurveSearchResult refitted(const CurveSearchResult& other, const SimulationData& data,
                            const SimulationData& held, const CurveSearchContext& context) {
   CurveSearchResult found = other;
+  found.first = {};
   found.fit.model.initial.clear();
   found.fit = fitFreely(data, found.fit.model, context.limits(15));
   found.held_error = heldOutErrors(held, found.fit.model).sum();
@@ -58,7 +60,7 @@ CurveSearchResult refitted(const CurveSearchResult& other, const SimulationData&
   return found;
 }
 
-/// Whether a cause that was found in other windows explains unseen windows so much better than what
+/// Whether causes that were found in other windows explain unseen windows so much better than what
 /// these show by themselves, and significantly.
 bool isConfirmed(const CurveSearchResult& found, const CurveSearchResult& best,
                  const SimulationData& held, const CurveSearchLimits& limits) {
@@ -122,9 +124,12 @@ CurveSearchResult bestOfSearches(const SimulationData& data, const SimulationDat
   }
   if (limits.suggested && context.going_on()) {
     CurveSearchResult found = refitted(*limits.suggested, data, held, context);
-    if (isConfirmed(found, best, held, limits)) take(std::move(found));
+    if (isConfirmed(found, best, held, limits)) {
+      take(std::move(found));
+      return best;
+    }
   }
-  return best;
+  return comparedWithRivals(std::move(best), data, held, linear, limits, context);
 }
 
 /// Drops causes that do not simulate held-out windows better than the linear plant, or of which a

@@ -7,8 +7,17 @@
 
 namespace uncertainty_identification {
 
+/// The choice of the first cause, where windows as they are showed it.
+struct FirstChoice {
+  WindowFit before;                    ///< the fit without it
+  Eigen::VectorXd unseen;              ///< unseenErrors() of before
+  double chosen_unseen = 0;            ///< sum of those with the cause
+  std::vector<CurveCandidate> others;  ///< the best curve of each other place, the best first
+};
+
 struct CurveSearchResult {
   WindowFit base, fit;
+  FirstChoice first;
   std::vector<FoundCurve> causes;   ///< in the order found; fit.model.curves may have another one
   std::vector<FoundCurve> refused;  ///< simulate better, but a controller may be why; not named
   double held_error = 0;            ///< squared, of all held-out windows
@@ -29,7 +38,7 @@ struct CurveSearchLimits {
   double least_prediction_t = 2;        ///< paired, over held-out windows
   double good_fit = 98.5;               ///< [%] below it, a plant of first order is tried as well
   double least_fit = 30;  ///< [%] held out, with the causes: a poor simulation names nothing
-  /// A cause of another search, which is taken where it simulates far better than those found.
+  /// Causes of another search, which are taken where they simulate far better than those found.
   const CurveSearchResult* suggested = nullptr;
 };
 

@@ -32,11 +32,12 @@ bool areAlike(const FoundCurve& cause, const FoundCurve& other) {
   return false;
 }
 
+constexpr std::size_t kMostTies = 4;
+
 }  // namespace
 
 void addTie(const TiedCurve& tie, FoundCurve* cause) {
-  constexpr std::size_t kMost = 4;
-  if (isSame(tie, {cause->place, cause->shape}) || cause->ties.size() == kMost) return;
+  if (isSame(tie, {cause->place, cause->shape}) || cause->ties.size() == kMostTies) return;
   for (const TiedCurve& other : cause->ties)
     if (isSame(tie, other)) return;
   cause->ties.push_back(tie);
@@ -46,6 +47,13 @@ void addTies(const Naming& naming, FoundCurve* cause) {
   for (const OtherShape& other : naming.others)
     if ((other.behind < 2 || other.is_as_good) && other.shape != "curve")
       addTie({cause->place, other.shape}, cause);
+}
+
+void addPlaceTie(const TiedCurve& tie, FoundCurve* cause) {
+  for (const PlaceOf& place : placesOf(*cause))
+    if (place.place == tie.place.place) return;
+  cause->ties.insert(cause->ties.begin(), tie);
+  if (cause->ties.size() > kMostTies) cause->ties.pop_back();
 }
 
 FoundCurve foundCurve(const std::vector<CurveCandidate>& tied, const WindowFit& now) {

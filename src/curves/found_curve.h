@@ -31,6 +31,9 @@ void addTie(const TiedCurve& tie, FoundCurve* cause);
 /// Adds the shapes of the cause's curve that are as good as the chosen one.
 void addTies(const Naming& naming, FoundCurve* cause);
 
+/// Adds another place in front of other ties, unless the cause or one of them is there.
+void addPlaceTie(const TiedCurve& tie, FoundCurve* cause);
+
 /// The cause to be named, which is the first of those tied, with the others as its ties. `now` is
 /// the fit without it.
 FoundCurve foundCurve(const std::vector<CurveCandidate>& tied, const WindowFit& now);

@@ -19,9 +19,12 @@ class CurveSearch {
       : data_(data), held_(held), linear_(linear), limits_(limits), context_(context) {}
 
   CurveSearchResult run(const WindowFit& base);
+  CurveSearchResult runBehind(const CurveCandidate& first, const FirstChoice& choice);
 
  private:
   enum class Round { nothing, plant, cause };
+  void begin(const WindowFit& base);
+  CurveSearchResult goOn();
   Round round();
   bool isWorth(const CurveCandidate& candidate, const Eigen::VectorXd& now, double base) const;
   bool takePlant(const CurveCandidate& candidate);
@@ -31,8 +34,6 @@ class CurveSearch {
   }
   bool convincesHeld(const WindowFit& fit, const Eigen::VectorXd& errors, bool beyond) const;
   bool takeCause(std::vector<CurveCandidate>* all, const Eigen::VectorXd& now, bool beyond);
-  std::vector<CurveCandidate> beyondDifferences(std::vector<CurveCandidate> all,
-                                                const Eigen::VectorXd& now) const;
   Round takeBest(std::vector<CurveCandidate> all, const Eigen::VectorXd& now, bool beyond);
   void dropNeedless();
   void nameAgain();
@@ -115,31 +116,14 @@ bool CurveSearch::takeCause(std::vector<CurveCandidate>* all, const Eigen::Vecto
     all->erase(std::remove_if(all->begin(), all->end(), same), all->end());
     return false;
   }
+  if (result_.causes.empty() && !beyond)
+    result_.first = {result_.fit, now, tied.front().unseen.sum(), ofOtherPlaces(*all, tied)};
   result_.causes.push_back(foundCurve(tied, result_.fit));
   result_.causes.back().held_before = held_errors_.sum();
   result_.causes.back().held_after = errors.sum();
   result_.fit = fit;
   held_errors_ = std::move(errors);
   return true;
-}
-
-/// The curves with their errors beyond what differs between experiments, the best first. Only those
-/// with which unseen windows are simulated better also as they are; nothing where the windows do
-/// not show what experiments differ by.
-std::vector<CurveCandidate> CurveSearch::beyondDifferences(std::vector<CurveCandidate> all,
-                                                           const Eigen::VectorXd& now) const {
-  std::vector<CurveCandidate> curves;
-  for (CurveCandidate& each : all) {
-    if (each.kind != CandidateKind::curve || each.unseen.sum() >= now.sum()) continue;
-    each.unseen = unseenBeyond(each.fit);
-    each.named_unseen = unseenBeyond(each.naming.fit);
-    if (each.unseen.size() > 0) curves.push_back(std::move(each));
-  }
-  std::stable_sort(curves.begin(), curves.end(),
-                   [](const CurveCandidate& left, const CurveCandidate& right) {
-                     return left.unseen.sum() < right.unseen.sum();
-                   });
-  return curves;
 }
 
 CurveSearch::Round CurveSearch::takeBest(std::vector<CurveCandidate> all,
@@ -172,7 +156,8 @@ CurveSearch::Round CurveSearch::round() {
   const Eigen::VectorXd now = unseenErrors(result_.fit, held_);
   const Round did = takeBest(all, now, false);
   if (did != Round::nothing || !result_.causes.empty()) return did;
-  std::vector<CurveCandidate> curves = beyondDifferences(std::move(all), now);
+  std::vector<CurveCandidate> curves = curvesByErrors(
+      std::move(all), now, [this](const WindowFit& fit) { return unseenBeyond(fit); });
   if (curves.empty()) return Round::nothing;
   return takeBest(std::move(curves), unseenBeyond(result_.fit), true);
 }
@@ -252,13 +237,29 @@ void CurveSearch::keepIfAsGood(WindowFit changed) {
   held_errors_ = std::move(errors);
 }
 
-CurveSearchResult CurveSearch::run(const WindowFit& base) {
-  constexpr double kPerfect = 1e-5;
+void CurveSearch::begin(const WindowFit& base) {
   result_ = {};
   result_.base = result_.fit = base;
   base_unseen_ = unseenErrors(base, held_).sum();
   base_beyond_ = unseenBeyond(base).sum();
   held_errors_ = heldErrors(base);
+}
+
+CurveSearchResult CurveSearch::run(const WindowFit& base) {
+  begin(base);
+  return goOn();
+}
+
+CurveSearchResult CurveSearch::runBehind(const CurveCandidate& first, const FirstChoice& choice) {
+  begin(choice.before);
+  std::vector<CurveCandidate> only{first};
+  if (!takeCause(&only, choice.unseen, false)) return std::move(result_);
+  keepIfAsGood(smallerPlant(data_, result_.fit, context_));
+  return goOn();
+}
+
+CurveSearchResult CurveSearch::goOn() {
+  constexpr double kPerfect = 1e-5;
   for (int k = 0; k < limits_.max_causes + 3; ++k) {
     if (static_cast<int>(result_.causes.size()) >= limits_.max_causes) break;
     if (result_.fit.squared_error < kPerfect * data_.samples || !context_.going_on()) break;
@@ -280,6 +281,13 @@ CurveSearchResult searchFrom(const WindowFit& base, const SimulationData& data,
                              const SimulationData& held, const LinearPlants& linear,
                              const CurveSearchLimits& limits, const CurveSearchContext& context) {
   return CurveSearch(data, held, linear, limits, context).run(base);
+}
+
+CurveSearchResult searchBehind(const CurveCandidate& first, const FirstChoice& choice,
+                               const SimulationData& data, const SimulationData& held,
+                               const LinearPlants& linear, const CurveSearchLimits& limits,
+                               const CurveSearchContext& context) {
+  return CurveSearch(data, held, linear, limits, context).runBehind(first, choice);
 }
 
 }  // namespace uncertainty_identification

@@ -45,7 +45,7 @@ void confirm(const WindowPlan& other, CurveSearchLimits limits, const WindowSear
   const WindowPlan& plan = searched->plan;
   const std::vector<FoundCurve> causes = searched->found.result.causes;
   CurveSearchLimits with_these = limits;  // a search may miss what it would accept
-  if (causes.size() == 1) with_these.suggested = &searched->found.result;
+  with_these.suggested = &searched->found.result;
   const CurveSearchResult again = search(other, with_these, Purpose::confirming).result;
   std::size_t confirmed = countConfirmed(causes, again.causes);
   if (confirmed == causes.size()) return;

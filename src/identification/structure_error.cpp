@@ -26,15 +26,42 @@ VectorXd octaveGrid(int samples) {
   });
 }
 
+/// Whether few samples change the input, as steps do.
+bool jumps(const Eigen::ArrayXd& changes) {
+  constexpr double kSmall = 0.1, kFew = 0.25;
+  const Eigen::ArrayXd size = changes.abs();
+  const auto large = static_cast<double>((size > kSmall * size.maxCoeff()).count());
+  return large < kFew * static_cast<double>(size.size());
+}
+
+/// The changes of the input. A smooth input that is cut off at an end would seem to have power at
+/// high frequencies, so that a quarter of the record is faded out there; steps have this power
+/// wherever they are. Scaled to the same power of an input that is random.
+Eigen::ArrayXd changesOf(const VectorXd& u) {
+  constexpr double kOfFading = 0.375;  // its mean power
+  const Index count = u.size() - 1, end = count / 4;
+  Eigen::ArrayXd changes = u.tail(count) - u.head(count);
+  if (end == 0) return changes;
+  const Eigen::ArrayXd fading = Eigen::ArrayXd::NullaryExpr(end, [&](Index k) {
+    return (1 - std::cos(kPi * (static_cast<double>(k) + 0.5) / static_cast<double>(end))) / 2;
+  });
+  const bool at_begin = !jumps(changes.head(end)), at_end = !jumps(changes.tail(end));
+  if (at_begin) changes.head(end) *= fading;
+  if (at_end) changes.tail(end) *= fading.reverse();
+  const double faded = static_cast<double>(end) / static_cast<double>(count) *
+                       static_cast<double>(at_begin + at_end);
+  return changes / std::sqrt(1 - faded * (1 - kOfFading));
+}
+
 /// Power of the differenced input at the angles.
 Eigen::ArrayXd powers(const VectorXd& u, const VectorXd& angles) {
   const Eigen::ArrayXcd turn = angles.unaryExpr([](double x) { return std::polar(1.0, -x); });
   Eigen::ArrayXcd phase = Eigen::ArrayXcd::Ones(angles.size()),
                   sum = Eigen::ArrayXcd::Zero(angles.size());
-  for (Index k = 1; k < u.size(); ++k) {
-    if (k % 1000 == 0) checkpoint();
-    const double change = u[k] - u[k - 1];
-    if (change != 0) sum += change * phase;
+  const Eigen::ArrayXd changes = changesOf(u);
+  for (Index k = 0; k < changes.size(); ++k) {
+    if (k % 1000 == 999) checkpoint();
+    if (changes[k] != 0) sum += changes[k] * phase;
     phase *= turn;
   }
   return sum.abs2();
@@ -65,7 +92,7 @@ StructureError structureErrorOf(const std::vector<Experiment>& experiments,
   Eigen::ArrayXd information = Eigen::ArrayXd::Zero(angles.size());
   for (const Experiment& experiment : experiments) {
     const double samples = experiment.samples(), measured = experiment.validSamples();
-    if (measured < 2) continue;
+    if (measured < 2 || samples < 2) continue;
     information +=
         octaveSums(powers(experiment.u, angles), angles, samples) * measured / (samples * samples);
   }

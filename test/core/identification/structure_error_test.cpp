@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <random>
 
 #include "math/constants.h"
@@ -102,6 +103,47 @@ TEST(StructureErrorTest, IsTheErrorOfAResponseInOneOctave) {
         (std::sqrt(2.0) - std::sqrt(0.5)) * error.omega[k] * 0.5 * kReadings / (2 * kPi);
     const double expected = std::sqrt(0.09 / (4 * kCount * bins));
     EXPECT_NEAR(error.relative[k] / expected, 1, 0.1) << "at " << error.omega[k] << " rad/s";
+  }
+}
+
+// A gain of one and noise of 1 %, with 400 samples of the input.
+StructureError errorWith(const std::function<double(int)>& input) {
+  Estimate estimate;
+  estimate.nominal_model.sample_time = 1;
+  estimate.nominal_model.b = VectorXd::Ones(1);
+  estimate.noise_variance.value = 1e-4;
+  Experiment experiment;
+  experiment.sample_time = 1;
+  experiment.u =
+      VectorXd::NullaryExpr(kReadings, [&](Eigen::Index k) { return input(static_cast<int>(k)); });
+  experiment.y = VectorXd::Zero(kReadings);
+  return structureErrorOf({experiment}, estimate);
+}
+
+// The sine begins and ends in mid-swing. Beyond an octave and a half its power is none.
+TEST(StructureErrorTest, ASmoothInputThatIsCutOffTellsNothingOfHighFrequencies) {
+  const StructureError error =
+      errorWith([](int k) { return std::sin(0.3 * k + 2e-4 * k * k / 2); });
+  for (Eigen::Index k = 0; k < error.omega.size(); ++k) {
+    if (error.omega[k] > 0.25 && error.omega[k] < 0.35) {
+      EXPECT_LT(error.relative[k], 0.01);
+    }
+    if (error.omega[k] > 1) {
+      EXPECT_GT(error.relative[k], 1) << "at " << error.omega[k] << " rad/s";
+    }
+  }
+}
+
+// |U| of a step of height 1, differenced, is 1 at all frequencies.
+TEST(StructureErrorTest, AStepTellsWhereverItIs) {
+  for (const int at : {1, 3, 200, 397, 399}) {
+    const StructureError error = errorWith([&](int k) { return k < at ? 0 : 1; });
+    const Eigen::Index last = error.omega.size() - 5;  // in the middle of a whole octave
+    const double frequencies =
+        (std::sqrt(2.0) - std::sqrt(0.5)) * error.omega[last] * kReadings / (2 * kPi);
+    const double expected = std::sqrt(1e-4 * std::norm(1.0 - std::polar(1.0, error.omega[last])) *
+                                      kReadings / frequencies);
+    EXPECT_NEAR(error.relative[last] / expected, 1, 0.05) << "at " << at;
   }
 }
 
