@@ -8,6 +8,7 @@
 
 #include "curves/fit_comparison.h"
 #include "curves/held_out.h"
+#include "curves/refuted_places.h"
 #include "math/polynomial.h"
 
 namespace uncertainty_identification {
@@ -136,8 +137,7 @@ bool isSameForce(const CurveCandidate& position, const CurveCandidate& best,
 
 /// The unseen errors, with a penalty for each parameter.
 double penalised(const CurveCandidate& candidate) {
-  const WindowFit& fit = candidate.naming.fit;
-  return candidate.named_unseen.sum() * (1 + 2 * fit.parameters() / effectiveSamples(fit));
+  return candidate.named_unseen.sum() * penaltyOf(candidate.naming.fit);
 }
 
 bool hasSmallerError(const CurveCandidate& left, const CurveCandidate& right) {
@@ -153,7 +153,7 @@ std::vector<CurveCandidate> candidatesFor(const SimulationData& data, const Simu
   std::vector<CurveCandidate> all;
   const int most = now.model.curves.empty() ? limits.max_order : std::min(limits.max_order, 3);
   for (PlantChange& change : largerPlants(data, now, linear, most, context))
-    all.push_back({kindOf(change.kind), {}, std::move(change.fit), {}, {}, {}});
+    all.push_back({kindOf(change.kind), {}, std::move(change.fit), {}, {}, {}, {}});
   addCurves(data, now, limits, context, &all);
   dropDominated(now, &all);
   for (CurveCandidate& each : all) {
@@ -164,7 +164,7 @@ std::vector<CurveCandidate> candidatesFor(const SimulationData& data, const Simu
   return all;
 }
 
-std::vector<CurveCandidate> curvesByErrors(
+std::vector<CurveCandidate> curvesBeyondDifferences(
     std::vector<CurveCandidate> all, const Eigen::VectorXd& now,
     const std::function<Eigen::VectorXd(const WindowFit&)>& unseen) {
   std::vector<CurveCandidate> curves;
@@ -211,6 +211,7 @@ std::vector<CurveCandidate> tiedWithFirst(const std::vector<CurveCandidate>& all
       });
   const double least = penalised(first);
   const auto is_apart = [&](const CurveCandidate& each) {
+    if (isRefuted(each, first)) return true;
     return penalised(each) >= kNear * least && !isSameForce(each, first, now) &&
            (penalised(each) >= kFar * least ||
             pairedT(each.named_unseen, first.named_unseen) >= kSignificant);

@@ -19,6 +19,7 @@ struct CurveCandidate {
   Naming naming;                 ///< of curves
   Eigen::VectorXd unseen;        ///< unseenErrors() of fit
   Eigen::VectorXd named_unseen;  ///< unseenErrors() of naming.fit
+  Eigen::VectorXd beyond;        ///< its unseenBeyondDifferences(); may be empty
 
   /// The larger plant, or the named curve.
   const WindowFit& accepted() const { return kind == CandidateKind::curve ? naming.fit : fit; }
@@ -37,9 +38,10 @@ std::vector<CurveCandidate> candidatesFor(const SimulationData& data, const Simu
                                           const CandidateLimits& limits,
                                           const CurveSearchContext& context);
 
-/// The curves with errors of unseen windows of another kind, the best first. Only those with which
-/// unseen windows are simulated better also as they are; nothing where there are no such errors.
-std::vector<CurveCandidate> curvesByErrors(
+/// The curves in the order of their errors beyond what differs between experiments, which `unseen`
+/// gives of a fit. Only those with which unseen windows are simulated better also as they are;
+/// nothing where the windows do not show what experiments differ by.
+std::vector<CurveCandidate> curvesBeyondDifferences(
     std::vector<CurveCandidate> all, const Eigen::VectorXd& now,
     const std::function<Eigen::VectorXd(const WindowFit&)>& unseen);
 

@@ -129,6 +129,7 @@ CurveSearchResult bestOfSearches(const SimulationData& data, const SimulationDat
       return best;
     }
   }
+  if (!limits.compares_places) return best;
   return comparedWithRivals(std::move(best), data, held, linear, limits, context);
 }
 

@@ -12,7 +12,7 @@ struct FirstChoice {
   WindowFit before;                    ///< the fit without it
   Eigen::VectorXd unseen;              ///< unseenErrors() of before
   double chosen_unseen = 0;            ///< sum of those with the cause
-  std::vector<CurveCandidate> others;  ///< the best curve of each other place, the best first
+  std::vector<CurveCandidate> others;  ///< the best of each place that was not tied, best first
 };
 
 struct CurveSearchResult {
@@ -37,7 +37,8 @@ struct CurveSearchLimits {
   double least_prediction_gain = 0.02;  ///< of the squared error
   double least_prediction_t = 2;        ///< paired, over held-out windows
   double good_fit = 98.5;               ///< [%] below it, a plant of first order is tried as well
-  double least_fit = 30;  ///< [%] held out, with the causes: a poor simulation names nothing
+  double least_fit = 30;        ///< [%] held out, with the causes: a poor simulation names nothing
+  bool compares_places = true;  ///< also searches with other places first
   /// Causes of another search, which are taken where they simulate far better than those found.
   const CurveSearchResult* suggested = nullptr;
 };

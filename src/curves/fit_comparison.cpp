@@ -26,6 +26,8 @@ double effectiveSamples(const WindowFit& fit) {
   return samples / time;
 }
 
+double penaltyOf(const WindowFit& fit) { return 1 + 2 * fit.parameters() / effectiveSamples(fit); }
+
 double criterion(const WindowFit& fit, double effective_samples) {
   double samples = 0;
   for (const Eigen::VectorXd& residual : fit.residuals)
@@ -57,9 +59,15 @@ bool convinces(const Eigen::VectorXd& before, const Eigen::VectorXd& after, std:
 
 bool isSignificant(const WindowFit& fit) {
   constexpr double kErrors = 3;
-  const int count = fit.model.curves.back().parameters();
-  const Eigen::ArrayXd errors = fit.covariance.diagonal().tail(count).array().sqrt();
-  return (fit.model.theta.tail(count).array().abs() > kErrors * errors).any();
+  const std::vector<Curve>& curves = fit.model.curves;
+  const Eigen::ArrayXd errors = fit.covariance.diagonal().array().sqrt();
+  Eigen::Index first = fit.model.theta.size();  // the parameters of the curves are the last ones
+  return std::all_of(curves.rbegin(), curves.rend(), [&](const Curve& curve) {
+    const Eigen::Index count = curve.parameters();
+    first -= count;
+    const Eigen::ArrayXd values = fit.model.theta.segment(first, count).array();
+    return (values.abs() > kErrors * errors.segment(first, count)).any();
+  });
 }
 
 }  // namespace uncertainty_identification

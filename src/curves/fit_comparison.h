@@ -8,6 +8,9 @@ namespace uncertainty_identification {
 /// Number of independent samples among the residuals, by their autocorrelation.
 double effectiveSamples(const WindowFit& fit);
 
+/// By which the squared error of unseen windows is multiplied for the parameters of the fit.
+double penaltyOf(const WindowFit& fit);
+
 /// BIC with the effective number of samples, which is that of the model that others are compared
 /// to.
 double criterion(const WindowFit& fit, double effective_samples);
@@ -27,7 +30,7 @@ struct LeastGain {
 bool convinces(const Eigen::VectorXd& before, const Eigen::VectorXd& after, std::size_t windows,
                const LeastGain& least);
 
-/// Whether a parameter of the curve that was found last differs from zero by three standard errors.
+/// Whether each curve has a parameter that differs from zero by three standard errors.
 bool isSignificant(const WindowFit& fit);
 
 }  // namespace uncertainty_identification

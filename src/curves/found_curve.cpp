@@ -27,7 +27,8 @@ std::vector<PlaceOf> placesOf(const FoundCurve& cause) {
 bool areAlike(const FoundCurve& cause, const FoundCurve& other) {
   for (const PlaceOf& one : placesOf(cause))
     for (const PlaceOf& another : placesOf(other))
-      if (one.place == another.place && withoutLag(one.covariate) == withoutLag(another.covariate))
+      if (isSamePlace(one.place, another.place) &&
+          withoutLag(one.covariate) == withoutLag(another.covariate))
         return true;
   return false;
 }
@@ -49,9 +50,14 @@ void addTies(const Naming& naming, FoundCurve* cause) {
       addTie({cause->place, other.shape}, cause);
 }
 
+bool mayBeAt(const FoundCurve& cause, Place place) {
+  const std::vector<PlaceOf> places = placesOf(cause);
+  return std::any_of(places.begin(), places.end(),
+                     [&](const PlaceOf& each) { return isSamePlace(each.place, place); });
+}
+
 void addPlaceTie(const TiedCurve& tie, FoundCurve* cause) {
-  for (const PlaceOf& place : placesOf(*cause))
-    if (place.place == tie.place.place) return;
+  if (mayBeAt(*cause, tie.place.place)) return;
   cause->ties.insert(cause->ties.begin(), tie);
   if (cause->ties.size() > kMostTies) cause->ties.pop_back();
 }

@@ -31,6 +31,9 @@ void addTie(const TiedCurve& tie, FoundCurve* cause);
 /// Adds the shapes of the cause's curve that are as good as the chosen one.
 void addTies(const Naming& naming, FoundCurve* cause);
 
+/// Whether the cause, or one of its ties, is at the place.
+bool mayBeAt(const FoundCurve& cause, Place place);
+
 /// Adds another place in front of other ties, unless the cause or one of them is there.
 void addPlaceTie(const TiedCurve& tie, FoundCurve* cause);
 

@@ -13,6 +13,13 @@ std::string nameOf(Place place) {
   return kNames.at(static_cast<std::size_t>(place));
 }
 
+bool isSamePlace(Place left, Place right) {
+  const auto without_state = [](Place place) {
+    return place == Place::output_state ? Place::position : place;
+  };
+  return without_state(left) == without_state(right);
+}
+
 bool isScalar(Place place) {
   return place == Place::play || place == Place::rate_limit || place == Place::output_play;
 }

@@ -38,6 +38,9 @@ enum class Place {
 /// What the place is called in results, such as "input" or "position".
 std::string nameOf(Place place);
 
+/// Whether the places are one: a force acts on the output's own state as it does on the position.
+bool isSamePlace(Place left, Place right);
+
 /// Whether the place holds one width or limit instead of a curve.
 bool isScalar(Place place);
 

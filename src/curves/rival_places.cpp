@@ -4,18 +4,14 @@
 #include <utility>
 #include <vector>
 
+#include "curves/beyond_differences.h"
 #include "curves/fit_comparison.h"
 #include "curves/held_out.h"
+#include "curves/refuted_places.h"
 #include "curves/search_from.h"
 
 namespace uncertainty_identification {
 namespace {
-
-bool isPlaceOf(const FoundCurve& cause, Place place) {
-  return cause.place.place == place ||
-         std::any_of(cause.ties.begin(), cause.ties.end(),
-                     [&](const TiedCurve& tie) { return tie.place.place == place; });
-}
 
 /// Places with which unseen windows gain at least half of what they gain with the first cause.
 std::vector<CurveCandidate> rivalsOf(const FirstChoice& choice) {
@@ -28,14 +24,40 @@ std::vector<CurveCandidate> rivalsOf(const FirstChoice& choice) {
   return rivals;
 }
 
-/// Whether unseen windows cannot tell that `best` is better, even if the rival has a cause more.
+/// Errors of unseen windows, with a penalty for each parameter.
+Eigen::VectorXd penalisedErrors(const WindowFit& fit, const SimulationData& held) {
+  return unseenErrors(fit, held) * penaltyOf(fit);
+}
+
+/// Whether unseen windows cannot tell that `best` is better, even if the rival has a cause more, or
+/// tell so only of what may differ between experiments.
 bool isTied(const CurveSearchResult& rival, const CurveSearchResult& best,
-            const SimulationData& held) {
-  constexpr double kSignificant = 2, kFar = 1.5;
-  const Eigen::VectorXd unseen = unseenErrors(rival.fit, held);
-  const Eigen::VectorXd of_best = unseenErrors(best.fit, held);
-  return !rival.causes.empty() && rival.causes.size() <= best.causes.size() + 1 &&
-         unseen.sum() < kFar * of_best.sum() && pairedT(unseen, of_best) < kSignificant;
+            const SimulationData& data, const SimulationData& held) {
+  constexpr double kSignificant = 2, kMuch = 1.5;
+  const Eigen::VectorXd unseen = penalisedErrors(rival.fit, held),
+                        unseen_of_best = penalisedErrors(best.fit, held);
+  const bool is_near =
+      unseen.sum() < kMuch * unseen_of_best.sum() && pairedT(unseen, unseen_of_best) < kSignificant;
+  if (!showDifferences(data, held)) return is_near;
+  const Eigen::VectorXd beyond = unseenBeyondDifferences(data, rival.fit, held),
+                        beyond_of_best = unseenBeyondDifferences(data, best.fit, held);
+  return beyond.sum() < beyond_of_best.sum() || (is_near && !isRefuted(beyond, beyond_of_best));
+}
+
+/// Whether the rival's first place is none of those that the answer has.
+bool isElsewhere(const CurveSearchResult& rival, const CurveSearchResult& best) {
+  return std::none_of(best.causes.begin(), best.causes.end(), [&](const FoundCurve& cause) {
+    return mayBeAt(cause, rival.causes.front().place.place);
+  });
+}
+
+/// The limits of a search that does without the first place of the answer and its ties.
+CurveSearchLimits without(const FoundCurve& first, CurveSearchLimits limits) {
+  const auto excluded = limits.candidates.excluded;
+  limits.candidates.excluded = [first, excluded](Place place) {
+    return mayBeAt(first, place) || (excluded && excluded(place));
+  };
+  return limits;
 }
 
 }  // namespace
@@ -44,26 +66,25 @@ CurveSearchResult comparedWithRivals(CurveSearchResult best, const SimulationDat
                                      const SimulationData& held, const LinearPlants& linear,
                                      const CurveSearchLimits& limits,
                                      const CurveSearchContext& context) {
-  const FirstChoice choice = std::move(best.first);
-  if (best.causes.empty()) return best;
-  CurveSearchLimits within = limits;
-  const FoundCurve first = best.causes.front();
-  within.candidates.excluded = [&](Place place) {
-    return isPlaceOf(first, place) ||
-           (limits.candidates.excluded && limits.candidates.excluded(place));
-  };
+  const FirstChoice choice = std::exchange(best.first, {});
+  // Covariates are not told apart by their places.
+  if (best.causes.empty() || !best.causes.front().place.covariate.empty()) return best;
   std::vector<CurveSearchResult> others;
   for (const CurveCandidate& rival : rivalsOf(choice)) {
-    if (!context.going_on()) break;
-    CurveSearchResult found = searchBehind(rival, choice, data, held, linear, within, context);
+    const FoundCurve& first = best.causes.front();
+    if (mayBeAt(first, rival.place.place)) continue;  // since another rival is the answer
+    CurveSearchResult found =
+        searchBehind(rival, choice, best.base, data, held, linear, without(first, limits), context);
+    if (found.causes.empty() || found.causes.size() > best.causes.size() + 1) continue;
+    if (found.ended_early) break;
     found.base = best.base;
-    const bool is_better = found.causes.size() <= best.causes.size() && !found.causes.empty() &&
-                           isBetter(found, best, limits.least_share);
-    if (is_better) std::swap(found, best);
+    found.first = {};
+    if (found.causes.size() <= best.causes.size() && isBetter(found, best, limits.least_share))
+      std::swap(found, best);
     others.push_back(std::move(found));
   }
   for (const CurveSearchResult& other : others)
-    if (isTied(other, best, held))
+    if (isElsewhere(other, best) && isTied(other, best, data, held))
       addPlaceTie({other.causes.front().place, other.causes.front().shape}, &best.causes.front());
   return best;
 }

@@ -6,6 +6,7 @@
 #include "curves/beyond_differences.h"
 #include "curves/fit_comparison.h"
 #include "curves/held_out.h"
+#include "curves/refuted_places.h"
 #include "curves/split_model.h"
 #include "math/distributions.h"
 
@@ -19,7 +20,8 @@ class CurveSearch {
       : data_(data), held_(held), linear_(linear), limits_(limits), context_(context) {}
 
   CurveSearchResult run(const WindowFit& base);
-  CurveSearchResult runBehind(const CurveCandidate& first, const FirstChoice& choice);
+  CurveSearchResult runBehind(const CurveCandidate& first, const FirstChoice& choice,
+                              const WindowFit& base);
 
  private:
   enum class Round { nothing, plant, cause };
@@ -132,6 +134,7 @@ CurveSearch::Round CurveSearch::takeBest(std::vector<CurveCandidate> all,
   all.erase(std::remove_if(all.begin(), all.end(),
                            [&](const CurveCandidate& each) { return !isWorth(each, now, base); }),
             all.end());
+  if (result_.causes.empty() && !beyond) dropImitations(data_, held_, &all);
   for (int tried = 0; tried < 3 && !all.empty(); ++tried) {
     if (all.front().kind == CandidateKind::curve) {
       if (takeCause(&all, now, beyond)) return Round::cause;
@@ -156,7 +159,7 @@ CurveSearch::Round CurveSearch::round() {
   const Eigen::VectorXd now = unseenErrors(result_.fit, held_);
   const Round did = takeBest(all, now, false);
   if (did != Round::nothing || !result_.causes.empty()) return did;
-  std::vector<CurveCandidate> curves = curvesByErrors(
+  std::vector<CurveCandidate> curves = curvesBeyondDifferences(
       std::move(all), now, [this](const WindowFit& fit) { return unseenBeyond(fit); });
   if (curves.empty()) return Round::nothing;
   return takeBest(std::move(curves), unseenBeyond(result_.fit), true);
@@ -250,8 +253,12 @@ CurveSearchResult CurveSearch::run(const WindowFit& base) {
   return goOn();
 }
 
-CurveSearchResult CurveSearch::runBehind(const CurveCandidate& first, const FirstChoice& choice) {
-  begin(choice.before);
+CurveSearchResult CurveSearch::runBehind(const CurveCandidate& first, const FirstChoice& choice,
+                                         const WindowFit& base) {
+  begin(base);
+  result_.fit = choice.before;
+  held_errors_ = heldErrors(choice.before);
+  result_.held_error = held_errors_.sum();
   std::vector<CurveCandidate> only{first};
   if (!takeCause(&only, choice.unseen, false)) return std::move(result_);
   keepIfAsGood(smallerPlant(data_, result_.fit, context_));
@@ -284,10 +291,10 @@ CurveSearchResult searchFrom(const WindowFit& base, const SimulationData& data,
 }
 
 CurveSearchResult searchBehind(const CurveCandidate& first, const FirstChoice& choice,
-                               const SimulationData& data, const SimulationData& held,
-                               const LinearPlants& linear, const CurveSearchLimits& limits,
-                               const CurveSearchContext& context) {
-  return CurveSearch(data, held, linear, limits, context).runBehind(first, choice);
+                               const WindowFit& base, const SimulationData& data,
+                               const SimulationData& held, const LinearPlants& linear,
+                               const CurveSearchLimits& limits, const CurveSearchContext& context) {
+  return CurveSearch(data, held, linear, limits, context).runBehind(first, choice, base);
 }
 
 }  // namespace uncertainty_identification

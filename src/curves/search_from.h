@@ -11,11 +11,11 @@ CurveSearchResult searchFrom(const WindowFit& base, const SimulationData& data,
                              const SimulationData& held, const LinearPlants& linear,
                              const CurveSearchLimits& limits, const CurveSearchContext& context);
 
-/// The same with another first cause, one of the choice's others. Places of `limits` that are
-/// excluded are not tried beside it.
+/// The same with another first cause, one of the choice's others; without causes where this one
+/// does not convince. Places of `limits` that are excluded are not tried beside it.
 CurveSearchResult searchBehind(const CurveCandidate& first, const FirstChoice& choice,
-                               const SimulationData& data, const SimulationData& held,
-                               const LinearPlants& linear, const CurveSearchLimits& limits,
-                               const CurveSearchContext& context);
+                               const WindowFit& base, const SimulationData& data,
+                               const SimulationData& held, const LinearPlants& linear,
+                               const CurveSearchLimits& limits, const CurveSearchContext& context);
 
 }  // namespace uncertainty_identification

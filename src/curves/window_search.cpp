@@ -38,6 +38,21 @@ std::string unconfirmed(const std::vector<FoundCurve>& causes, int length, int o
          ", so that it may stand for something else. Not named";
 }
 
+/// Takes fewer causes that windows of another length show, where they simulate these ones better
+/// than, or as well as, the causes that were found here. False: not so.
+bool takeSimpler(const CurveSearchResult& of_others, CurveSearchLimits limits,
+                 const WindowSearcher& search, PlannedSearch* searched) {
+  const CurveSearchResult& found = searched->found.result;
+  if (of_others.causes.empty() || of_others.causes.size() >= found.causes.size()) return false;
+  const double least_share = limits.least_share;
+  limits.max_causes = 0;
+  limits.suggested = &of_others;
+  WindowSearch other = search(searched->plan, limits, Purpose::confirming);
+  if (other.result.causes.empty() || !isBetter(other.result, found, least_share)) return false;
+  searched->found = std::move(other);
+  return true;
+}
+
 /// Withholds the causes that are not found again in windows of the length of `other`; all of them
 /// where that search has no time to find them.
 void confirm(const WindowPlan& other, CurveSearchLimits limits, const WindowSearcher& search,
@@ -49,11 +64,13 @@ void confirm(const WindowPlan& other, CurveSearchLimits limits, const WindowSear
   const CurveSearchResult again = search(other, with_these, Purpose::confirming).result;
   std::size_t confirmed = countConfirmed(causes, again.causes);
   if (confirmed == causes.size()) return;
+  if (takeSimpler(again, limits, search, searched)) return;
   if (again.ended_early) {
     confirmed = 0;
     searched->found.dropCauses();
   } else {
     limits.max_causes = static_cast<int>(confirmed);
+    limits.compares_places = false;
     searched->found = search(plan, limits, Purpose::looking);
   }
   searched->withheld = {causes.begin() + static_cast<std::ptrdiff_t>(confirmed), causes.end()};

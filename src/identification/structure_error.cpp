@@ -26,12 +26,16 @@ VectorXd octaveGrid(int samples) {
   });
 }
 
-/// Whether few samples change the input, as steps do.
-bool jumps(const Eigen::ArrayXd& changes) {
+/// Whether a smooth input is cut off where these changes begin: many samples change it, and so do
+/// the first ones.
+bool isCutOff(const Eigen::ArrayXd& changes) {
   constexpr double kSmall = 0.1, kFew = 0.25;
+  const Eigen::Index fewest = 2;
   const Eigen::ArrayXd size = changes.abs();
-  const auto large = static_cast<double>((size > kSmall * size.maxCoeff()).count());
-  return large < kFew * static_cast<double>(size.size());
+  const double small = kSmall * size.maxCoeff();
+  const auto large = static_cast<double>((size > small).count());
+  const bool moves = size.head(std::min(fewest, size.size())).maxCoeff() > small;
+  return moves && large >= std::max<double>(fewest, kFew * static_cast<double>(size.size()));
 }
 
 /// The changes of the input. A smooth input that is cut off at an end would seem to have power at
@@ -45,7 +49,7 @@ Eigen::ArrayXd changesOf(const VectorXd& u) {
   const Eigen::ArrayXd fading = Eigen::ArrayXd::NullaryExpr(end, [&](Index k) {
     return (1 - std::cos(kPi * (static_cast<double>(k) + 0.5) / static_cast<double>(end))) / 2;
   });
-  const bool at_begin = !jumps(changes.head(end)), at_end = !jumps(changes.tail(end));
+  const bool at_begin = isCutOff(changes.head(end)), at_end = isCutOff(changes.tail(end).reverse());
   if (at_begin) changes.head(end) *= fading;
   if (at_end) changes.tail(end) *= fading.reverse();
   const double faded = static_cast<double>(end) / static_cast<double>(count) *

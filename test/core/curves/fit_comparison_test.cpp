@@ -48,9 +48,16 @@ WindowFit endsWith(double errors) {
   return fit;
 }
 
-TEST(IsSignificant, AsksForThreeStandardErrorsOfTheLastCurve) {
+TEST(IsSignificant, AsksForThreeStandardErrorsOfEachCurve) {
   EXPECT_TRUE(isSignificant(endsWith(3.1)));
   EXPECT_FALSE(isSignificant(endsWith(2.9)));
+  WindowFit of_two = endsWith(2.9);
+  of_two.model.curves.push_back(Curve(Place::rate_limit));
+  of_two.model.theta = Eigen::Vector3d(0.9, -0.2 * 2.9, 0.1);
+  of_two.covariance = Eigen::Vector3d(1e-6, 0.04, 1e-6).asDiagonal();
+  EXPECT_FALSE(isSignificant(of_two)) << "the first one is not";
+  of_two.model.theta[1] = -0.2 * 3.1;
+  EXPECT_TRUE(isSignificant(of_two));
 }
 
 }  // namespace

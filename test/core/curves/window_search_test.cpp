@@ -48,7 +48,8 @@ Confirmed confirmed(const std::vector<FoundCurve>& causes, const std::vector<Fou
                     bool ended_early = false) {
   const WindowSearcher search = [&](const WindowPlan& windows, const CurveSearchLimits& limits,
                                     Purpose purpose) {
-    EXPECT_EQ(purpose == Purpose::confirming, windows.length == 90);
+    const bool tries_others = windows.length == 60 && limits.suggested != nullptr;
+    EXPECT_EQ(purpose == Purpose::confirming, windows.length == 90 || tries_others);
     if (windows.length > 90) return WindowSearch();
     const auto most = static_cast<std::size_t>(limits.max_causes);
     WindowSearch searched = with(windows.length == 60 ? causes : others, most);
@@ -89,6 +90,32 @@ TEST(WindowSearch, NamesNothingThatThereWasNoTimeToConfirm) {
   EXPECT_TRUE(test::mentions(left.said, "explanation.time_limit"));
   EXPECT_EQ(confirmed({input}, {input}, true).causes.size(), 1u)
       << "found before the time was over";
+}
+
+/// What is left of two causes that leave 1 out, if windows of 90 samples show another one, which
+/// leaves so much out where it is fitted to those of 60.
+std::vector<FoundCurve> leftBeside(double left_out_of_other) {
+  const FoundCurve input = found(Place::input, "square"), rate = found(Place::rate, "curve"),
+                   drag = found(Place::position, "square");
+  const WindowSearcher search = [&](const WindowPlan& windows, const CurveSearchLimits& limits,
+                                    Purpose) {
+    if (windows.length > 90) return WindowSearch();
+    const bool refits = windows.length == 60 && limits.suggested != nullptr;
+    WindowSearch searched =
+        with(std::vector<FoundCurve>{input, rate}, static_cast<std::size_t>(limits.max_causes));
+    if (refits || windows.length == 90) searched.result.causes = {drag};
+    searched.result.base.left_out = 10;
+    searched.result.fit.left_out = refits ? left_out_of_other : 1;
+    return searched;
+  };
+  return searchInWindows(ofSixty(), records(720), {}, search).found.result.causes;
+}
+
+TEST(WindowSearch, TakesFewerCausesThatOtherWindowsShowAndTheseConfirm) {
+  const std::vector<FoundCurve> taken = leftBeside(1.05);
+  ASSERT_EQ(taken.size(), 1u);
+  EXPECT_EQ(taken[0].place.place, Place::position);
+  EXPECT_TRUE(leftBeside(1.2).empty()) << "they leave a fifth more";
 }
 
 /// A search may miss what it would accept.

@@ -106,8 +106,8 @@ TEST(StructureErrorTest, IsTheErrorOfAResponseInOneOctave) {
   }
 }
 
-// A gain of one and noise of 1 %, with 400 samples of the input.
-StructureError errorWith(const std::function<double(int)>& input) {
+// A gain of one and noise of 1 %.
+StructureError errorWith(const std::function<double(int)>& input, int readings = kReadings) {
   Estimate estimate;
   estimate.nominal_model.sample_time = 1;
   estimate.nominal_model.b = VectorXd::Ones(1);
@@ -115,8 +115,8 @@ StructureError errorWith(const std::function<double(int)>& input) {
   Experiment experiment;
   experiment.sample_time = 1;
   experiment.u =
-      VectorXd::NullaryExpr(kReadings, [&](Eigen::Index k) { return input(static_cast<int>(k)); });
-  experiment.y = VectorXd::Zero(kReadings);
+      VectorXd::NullaryExpr(readings, [&](Eigen::Index k) { return input(static_cast<int>(k)); });
+  experiment.y = VectorXd::Zero(readings);
   return structureErrorOf({experiment}, estimate);
 }
 
@@ -145,6 +145,21 @@ TEST(StructureErrorTest, AStepTellsWhereverItIs) {
                                       kReadings / frequencies);
     EXPECT_NEAR(error.relative[last] / expected, 1, 0.05) << "at " << at;
   }
+}
+
+TEST(StructureErrorTest, InputsThatRestAtTheirEndsTellTheSameWhereverTheyMove) {
+  constexpr int kFew = 20;
+  const auto step = [](int k) { return k < 0 ? 0.0 : 1.0; };
+  const auto burst = [](int k) { return k < 0 || k > 40 ? 0.0 : k * std::sin(0.4 * k); };
+  const auto same = [](const StructureError& one, const StructureError& other) {
+    EXPECT_TRUE(one.relative.isApprox(other.relative, 1e-9));
+  };
+  for (const int at : {1, 2, kFew - 1})
+    same(errorWith([&](int k) { return step(k - at); }, kFew),
+         errorWith([&](int k) { return step(k - kFew / 2); }, kFew));
+  for (const int at : {3, kReadings - 50})
+    same(errorWith([&](int k) { return burst(k - at); }),
+         errorWith([&](int k) { return burst(k - kReadings / 2); }));
 }
 
 TEST(StructureErrorTest, OutputsThatAreMissingTellNothing) {
