@@ -29,7 +29,9 @@ Simulated simulatedBy(const Explanation& explanation) {
                                         ? explanation.before.simulation_fit_percent
                                         : explanation.held_out_fit;
   simulated.fit = explanation.simulation.fit_after;
-  if (!std::isfinite(simulated.fit) && own) simulated.fit = *own;
+  // Where nothing is named, the answer is the model: larger plants may simulate windows well.
+  const bool is_answer = explanation.causes.empty() || !std::isfinite(simulated.fit);
+  if (is_answer && own) simulated.fit = std::fmin(simulated.fit, *own);
   for (const Cause& cause : explanation.causes) {
     if (!cause.gain || !std::isfinite(cause.gain->nrmse_fit_percent.after)) continue;
     simulated.fit = cause.gain->nrmse_fit_percent.after;

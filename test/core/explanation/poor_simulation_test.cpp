@@ -41,6 +41,22 @@ TEST(PoorSimulation, TheModelIsAskedAlsoWhereALinearPlantSimulatesWindowsWell) {
   EXPECT_EQ(explanation.verdict, Verdict::unknown) << explanation.message;
 }
 
+TEST(PoorSimulation, NothingSaysThatTheTestsCannotSeeWhatAModelThatLeavesMostLacks) {
+  const auto said = [](double held_out_fit) {
+    Explanation explanation = answered(95);
+    explanation.message = "the model agrees with the data";
+    explanation.before.simulation_fit_percent = 55;
+    explanation.simulation.skipped.clear();
+    explanation.simulation.preparation = "3 records, simulated in 9 windows";
+    explanation.simulation.fit_before = explanation.simulation.fit_after = 57;
+    explanation.held_out_fit = held_out_fit;
+    warnOfPoorSimulation(&explanation);
+    return explanation.message;
+  };
+  EXPECT_TRUE(test::mentions(said(32), "held-out data by 32 % only")) << said(32);
+  EXPECT_TRUE(test::mentions(said(52), "agrees with the data")) << said(52);
+}
+
 TEST(PoorSimulation, AModelThatAConstantBeatsIsUnknownWithoutASearch) {
   Explanation explanation;
   explanation.verdict = Verdict::none;
