@@ -17,18 +17,21 @@ using Eigen::VectorXd;
 class ClockOffset : public Effect {
  public:
   ClockOffset()
-      : Effect({"exp_clock",
-                "",
-                "offset between the clocks of input and output that differs by experiment",
-                "Stamp command and measurement by one clock, or send a common trigger.",
-                {},
-                Stage::output,
-                ScreeningKind::likelihood,
-                {logVariance("deviation", "samples")},
-                values({0, 3, 6}),
-                /*nonlinear=*/true,
-                /*own_point=*/true,
-                {Trait::own_shifts, Trait::by_experiment}}) {}
+      : Effect(
+            {"exp_clock",
+             "",
+             "dead time that differs by experiment, in the plant or between the clocks of input "
+             "and output",
+             "Stamp command and measurement by one clock, or send a common trigger; if they are, "
+             "look for what delays the plant.",
+             {},
+             Stage::output,
+             ScreeningKind::likelihood,
+             {logVariance("deviation", "samples")},
+             values({0, 3, 6}),
+             /*nonlinear=*/true,
+             /*own_point=*/true,
+             {Trait::own_shifts, Trait::by_experiment}}) {}
 
   void apply(const VectorXd& psi, Chain* chain) const override {
     constexpr double kStep = 0.05;
