@@ -7,7 +7,8 @@
 
 namespace uncertainty_identification {
 
-/// The choice of the first cause, where windows as they are showed it.
+/// What the first cause was chosen from. Empty where it was only found beyond what differs between
+/// experiments.
 struct FirstChoice {
   WindowFit before;                    ///< the fit without it
   Eigen::VectorXd unseen;              ///< unseenErrors() of before

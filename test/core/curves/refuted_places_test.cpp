@@ -4,8 +4,7 @@
 
 #include <random>
 
-#include "curves/curve_search.h"
-#include "curves/preparation.h"
+#include "support/searched_records.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -36,14 +35,7 @@ CurveSearchResult searched() {
   constexpr unsigned kFirst = 101, kCount = 12;
   std::vector<Experiment> all;
   for (unsigned k = 0; k < kCount; ++k) all.push_back(oven(kFirst + k));
-  WorkerPool pool(1);
-  CurveSearchContext context;
-  context.pool = &pool;
-  context.going_on = [] { return true; };
-  const WindowPlan plan = planWindows(all);
-  const SignalScales scales = scalesOf(all);
-  return searchCurves(windowsOf({all.begin(), all.begin() + 8}, plan, scales, 0),
-                      windowsOf({all.begin() + 8, all.end()}, plan, scales, 0), {}, context);
+  return test::searchedIn(all, 8);
 }
 
 // A curve of the sensor, with one of the rate, simulates them better as they are: it imitates the

@@ -6,7 +6,7 @@
 #include <functional>
 #include <random>
 
-#include "curves/preparation.h"
+#include "support/searched_records.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -53,14 +53,7 @@ Plant stickingValve() {
 CurveSearchResult searched(const std::function<Plant()>& plant, int hold) {
   std::vector<Experiment> all;
   for (unsigned seed = 1; seed <= 6; ++seed) all.push_back(recordOf(plant(), 400, hold, seed));
-  WorkerPool pool(1);
-  CurveSearchContext context;
-  context.pool = &pool;
-  context.going_on = [] { return true; };
-  const WindowPlan plan = planWindows(all);
-  const SignalScales scales = scalesOf(all);
-  return searchCurves(windowsOf({all.begin(), all.begin() + 4}, plan, scales, 0),
-                      windowsOf({all.begin() + 4, all.end()}, plan, scales, 0), {}, context);
+  return test::searchedIn(all, 4);
 }
 
 TEST(RivalPlaces, TheFirstPlaceIsChosenTogetherWithTheCausesBesideIt) {
