@@ -177,4 +177,9 @@ std::vector<std::string> curveCauseNames() {
   return {names.begin(), names.end()};
 }
 
+bool isCurveCause(const std::string& name) {
+  static const std::vector<std::string> kNames = curveCauseNames();
+  return std::binary_search(kNames.begin(), kNames.end(), name);
+}
+
 }  // namespace uncertainty_identification

@@ -14,6 +14,9 @@ std::string causeNamed(Place place, const std::string& shape);
 /// All names that causeNamed() gives, and that of dead time.
 std::vector<std::string> curveCauseNames();
 
+/// Whether a name is one of these: of a cause that the free simulation can show.
+bool isCurveCause(const std::string& name);
+
 /// "a dead zone".
 std::string shapeInWords(const std::string& shape);
 

@@ -14,16 +14,11 @@ namespace uncertainty_identification {
 
 namespace {
 
-bool isCurve(const std::string& name) {
-  const std::vector<std::string> all = curveCauseNames();
-  return std::find(all.begin(), all.end(), name) != all.end();
-}
-
 void requireKnown(const std::vector<std::string>& excluded,
                   const std::vector<Experiment>& experiments) {
   for (const std::string& name : excluded) {
     const std::string nearest = nearestEffect(name, summarise(experiments));
-    if (nearest == name || isCurve(name)) continue;
+    if (nearest == name || isCurveCause(name)) continue;
     throw ConfigurationError("explanation.exclude: found " + name +
                              "; the catalogue has no such effect, the nearest is " + nearest);
   }

@@ -253,9 +253,9 @@ void Explaining::describe(const SearchState& base, const SearchState& found) {
   explanation_.checks_after = checkResiduals(found.fit, found.train, found.heavy_tails);
   addFailedPredictions(&explanation_);
   addUnclearDirection(following_, ordersAreChosen(), &explanation_);
-  const TestsAround tests{allPassed(explanation_.checks_before),
-                          allPassed(explanation_.checks_after),
-                          isOfNoiseAlone(explanation_.checks_after)};
+  const TestsAround tests{
+      allPassed(explanation_.checks_before), allPassed(explanation_.checks_after),
+      isOfNoiseAlone(explanation_.checks_after), explanation_.simulation.withheld};
   for (const FoundCause& cause : found.causes) {
     if (cause.effect->has(Trait::feedback)) explanation_.warnings.push_back(kFeedback);
     const std::string reason = reasonNotToName(cause, found, tests);

@@ -15,6 +15,7 @@
 #include "explanation/named_causes.h"
 #include "explanation/poor_simulation.h"
 #include "explanation/residual_checks.h"
+#include "explanation/unconfirmed_causes.h"
 #include "explanation/verdict.h"
 #include "uncertainty_identification/effects/catalogue.h"
 
@@ -99,36 +100,6 @@ void takeCurves(Explanation* explanation) {
   explanation->message = text.str();
 }
 
-/// Whether a cause is of a kind that the free simulation can show.
-bool isCurve(const Cause& cause) {
-  static const std::vector<std::string> kCurves = curveCauseNames();
-  return std::find(kCurves.begin(), kCurves.end(), cause.name) != kCurves.end();
-}
-
-/// Causes with which tests fail, and that gain too little on held-out data. Those that a simulation
-/// must show have to be clear there; of others, and where no simulation is useful, the log density
-/// has to gain with 95 %.
-void dropUnconfirmed(Explanation* explanation) {
-  constexpr double kUseful = 50;  // [%] fit; below it identify does not trust a model
-  const auto is_unconfirmed = [&](const Cause& cause) {
-    if (isOfSamples(cause) || !cause.gain) return false;
-    const bool useful = cause.gain->nrmse_fit_percent.after >= kUseful;
-    const bool simulates = useful && isClear(*cause.gain);
-    return !simulates && ((useful && isCurve(cause)) || !(cause.gain->lower_90 > 0));
-  };
-  const auto first =
-      std::stable_partition(explanation->causes.begin(), explanation->causes.end(),
-                            [&](const Cause& cause) { return !is_unconfirmed(cause); });
-  if (first == explanation->causes.end()) return;
-  const std::vector<Cause> dropped(first, explanation->causes.end());
-  explanation->causes.erase(first, explanation->causes.end());
-  explanation->warnings.push_back(namesOf(dropped) +
-                                  ": raises the likelihood, but neither held-out data nor a useful "
-                                  "simulation confirm it, and tests still fail; not named");
-  if (explanation->causes.empty()) forgetModelWithCauses(explanation);
-  conclude(explanation, true);
-}
-
 /// [%] of fit without causes: of windows of what is held out, by a linear plant that was fitted to
 /// nothing but its simulation, or, where nothing is held out, by the identified model. A
 /// fit of up to 30 % may come from the states alone that windows begin from, and counts as 0.
@@ -157,7 +128,7 @@ void dropCausesThatSimulateWorse(Explanation* explanation) {
   const double with = last->gain->nrmse_fit_percent.after;
   const bool in_sample = explanation->held_out.empty();
   const auto first = std::find_if(causes.begin(), causes.end(), [&](const Cause& cause) {
-    return counts(cause) && (in_sample || isCurve(cause)) && is_worse(cause);
+    return counts(cause) && (in_sample || isCurveCause(cause.name)) && is_worse(cause);
   });
   const auto rest = std::stable_partition(first, causes.end(), isOfSamples);
   if (rest == causes.end()) return;
@@ -191,9 +162,10 @@ void dropUnverified(const std::optional<LastThirds>& last_thirds, Explanation* e
   const bool twice = !few_data && isFoundTwice(*explanation);
   const auto gains_enough = [&](const Cause& cause) {
     if (twice || !confirmation.empty()) return true;
-    if (in_sample && (few_data || isCurve(cause) || hasTrait(cause.name, Trait::constant)))
+    if (in_sample &&
+        (few_data || isCurveCause(cause.name) || hasTrait(cause.name, Trait::constant)))
       return false;
-    return errorRatio(*cause.gain) < (in_sample || isCurve(cause) ? kHalved : kBetter);
+    return errorRatio(*cause.gain) < (in_sample || isCurveCause(cause.name) ? kHalved : kBetter);
   };
   const auto first = std::stable_partition(
       explanation->causes.begin(), explanation->causes.end(), [&](const Cause& cause) {
@@ -233,7 +205,9 @@ void joinCurves(Explanation* explanation) {
   const SimulationCauses& simulation = explanation->simulation;
   const bool passed = allPassed(explanation->checks_after);
   if (simulation.causes.empty()) {
-    if (!passed) dropUnconfirmed(explanation);
+    if (passed) return;
+    dropUnconfirmed(explanation);
+    dropBesideWithheld(explanation);
     return;
   }
   const double by_curves = logRatio(simulation.fit_before, simulation.fit_after);

@@ -180,6 +180,9 @@ std::string reasonNotToName(const FoundCause& found, const SearchState& state,
            " would describe the residuals, but a single record does not tell noise from what the "
            "model lacks; it is not named as a cause: record again, or give another record by "
            "--validation";
+  const std::vector<std::string>& simulated = tests.simulated;
+  if (std::find(simulated.begin(), simulated.end(), found.effect->name()) != simulated.end())
+    return "";
   if (tests.passed || !isSymptom(found, state, tests.fail_of_noise_only)) return "";
   return named(*found.effect) +
          " describes part of what is wrong, but may be only a symptom: not all of it is explained";

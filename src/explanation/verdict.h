@@ -5,11 +5,13 @@
 
 namespace uncertainty_identification {
 
-/// How the tests of the residuals end.
+/// How the tests of the residuals end, and what the free simulation shows.
 struct TestsAround {
   bool passed_before = false;       ///< all of them, without the causes
   bool passed = false;              ///< all of them, with the causes
   bool fail_of_noise_only = false;  ///< with the causes, those of the plant and of the colour pass
+  std::vector<std::string> simulated =
+      {};  ///< a curve found there that is not confirmed: its names
 };
 
 /// Why an accepted cause is described by the model and not named, as a sentence; empty where it is
@@ -27,7 +29,7 @@ bool isBesideSimulation(const FoundCause& found);
 /// distribution fail and it is worth 100 nats, for hum, which resonances that the model lacks look
 /// like, and for a cause whose score is exceeded by that of another cause outside the noise, or by
 /// a third by that of a cause of the noise. Causes that the samples show by themselves are no
-/// symptoms.
+/// symptoms. reasonNotToName() names such a cause all the same where the free simulation found it.
 bool isSymptom(const FoundCause& found, const SearchState& state, bool fail_of_noise_only);
 
 /// Whether a cause changes every experiment, in a way that is neither of the noise nor of single

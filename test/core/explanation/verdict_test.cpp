@@ -127,6 +127,9 @@ TEST(ReasonNotToName, IsThatTestsFailAndItMayBeASymptom) {
   EXPECT_EQ(reasonNotToName(second, with({first, second}), {false, true}), "");
   EXPECT_TRUE(
       test::mentions(reasonNotToName(second, with({first, second}), {false, false}), "symptom"));
+  const TestsAround found_twice{false, false, false, {second.effect->name()}};
+  EXPECT_EQ(reasonNotToName(second, with({first, second}), found_twice), "")
+      << "the free simulation shows it, too";
 }
 
 /// A resonance that the model lacks leaves nearly a line in the spectrum of the residuals.

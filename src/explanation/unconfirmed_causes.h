@@ -1,0 +1,16 @@
+#pragma once
+
+#include "uncertainty_identification/explanation/explanation.h"
+
+namespace uncertainty_identification {
+
+/// Drops causes with which tests fail, and that gain too little on held-out data. Those that a
+/// simulation must show have to be clear there; of others, and where no simulation is useful, the
+/// log density has to gain with 95 %.
+void dropUnconfirmed(Explanation* explanation);
+
+/// Drops curves of the likelihood with which tests fail, where the simulation found another one and
+/// withheld it: neither of the two is confirmed, and the likelihood's may only resemble it.
+void dropBesideWithheld(Explanation* explanation);
+
+}  // namespace uncertainty_identification
