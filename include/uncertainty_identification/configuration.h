@@ -115,7 +115,8 @@ struct EstimationOptions {
   /// there is none yet; 0: no limit. With a limit the result can depend on the machine.
   double time_limit = 0;
   int restarts = 8;          ///< additional starts of the mixture, drawn with the seed
-  int threads = kAutomatic;  ///< kAutomatic: cores - 1, at least 1; never changes a result
+  int threads = kAutomatic;  ///< kAutomatic: cores - 1, at least 1, and on the command line all;
+                             ///< never changes a result
   std::uint64_t seed = 1;
   InitialState initial_state = InitialState::automatic;
   int discard_samples = 50;  ///< initial_state: discard; leading samples kept out of the likelihood

@@ -7,4 +7,8 @@ namespace uncertainty_identification {
 /// threads never changes a result.
 int threadCount(int asked);
 
+/// From now on kAutomatic means all processor cores in this process: for programs that record
+/// nothing meanwhile.
+void useAllCores();
+
 }  // namespace uncertainty_identification

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "configuration/thread_count.h"
 #include "estimation/excerpt.h"
 #include "estimation/selection.h"
 #include "identification/lasting_oscillations.h"
@@ -22,8 +23,8 @@ Configuration chooseOrders(const Problem& problem, Journal* journal) {
   if (problem.data.single_steps)
     chosen.nominal_model.max_order = std::min(chosen.nominal_model.max_order, kMostOfStep);
   chosen.nominal_model = selectOrders(
-      chosen, problem.data.sampleTime(), problem.data.experiments, threadsOf(chosen.estimation),
-      &journal->candidates,
+      chosen, problem.data.sampleTime(), problem.data.experiments,
+      threadCount(chosen.estimation.threads), &journal->candidates,
       [journal](double share) { return journal->progress.report(Phase::orders, share); });
   chosen.nominal_model.orders_auto = false;
   return chosen;

@@ -1,3 +1,4 @@
+#include "configuration/thread_count.h"
 #include "data/experiment_checks.h"
 #include "estimation/linearisation.h"
 #include "estimation/selection.h"
@@ -50,9 +51,9 @@ ResidualTests testsOf(const Problem& problem, const FittedModel& fitted, Journal
   at.parameters.resize(model->parameterCount());
   const Eigen::Index of_plant = at.parameters.size() - point.parameters.size();
   at.parameters << problem.plant->point.parameters.head(of_plant), point.parameters;
-  const auto about =
-      linearisedAtPosteriorMeans(*model, blocks, problem.data.count(),
-                                 threadsOf(problem.configuration.estimation), at, &journal->passes);
+  const auto about = linearisedAtPosteriorMeans(
+      *model, blocks, problem.data.count(), threadCount(problem.configuration.estimation.threads),
+      at, &journal->passes);
   return residualTests(about ? *about->model : *model, blocks, at.parameters, &nominal);
 }
 

@@ -1,8 +1,8 @@
 #include "identification/problem.h"
 
 #include <algorithm>
-#include <thread>
 
+#include "configuration/thread_count.h"
 #include "effects/extended_model.h"
 #include "model/fixed_plant.h"
 #include "model/sensitivity_model.h"
@@ -20,11 +20,6 @@ int CheckedData::movedInputs() const {
       std::count_if(experiments.begin(), experiments.end(), [](const Experiment& experiment) {
         return (experiment.u.array() != experiment.u[0]).any();
       }));
-}
-
-int threadsOf(const EstimationOptions& options) {
-  if (options.threads != kAutomatic) return options.threads;
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
 }
 
 OptimisationOptions optimisationOptions(const Configuration& configuration, Phase phase,
@@ -64,7 +59,7 @@ std::unique_ptr<LinearModel> buildModel(const Problem& problem) {
 
 std::unique_ptr<Likelihood> likelihoodOf(const Problem& problem, const LinearModel& model) {
   return std::make_unique<Likelihood>(model, problem.data.blocks, problem.data.count(),
-                                      threadsOf(problem.configuration.estimation));
+                                      threadCount(problem.configuration.estimation.threads));
 }
 
 }  // namespace uncertainty_identification

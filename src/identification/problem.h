@@ -79,9 +79,6 @@ struct FittedModel {
   Optimum optimum;
 };
 
-/// The number of threads that the options name or, where automatic, one less than there are cores.
-int threadsOf(const EstimationOptions& options);
-
 /// Options of an optimisation whose iterations are reported as progress of `phase`.
 OptimisationOptions optimisationOptions(const Configuration& configuration, Phase phase,
                                         ProgressPhases* progress);

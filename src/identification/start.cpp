@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "configuration/thread_count.h"
 #include "estimation/excerpt.h"
 #include "estimation/initial_guess.h"
 #include "estimation/linearisation.h"
@@ -228,8 +229,8 @@ std::optional<Linearisation> linearisedToStart(const Problem& problem, const Lin
                                                const ModelParameters& start, Journal* journal) {
   const Eigen::MatrixXd points = pointsToStartFrom(problem, model);
   auto at_means = linearisedAtPosteriorMeans(model, problem.data.blocks, problem.data.count(),
-                                             threadsOf(problem.configuration.estimation), start,
-                                             &journal->passes, points);
+                                             threadCount(problem.configuration.estimation.threads),
+                                             start, &journal->passes, points);
   if (points.size() == 0) return at_means;
   Linearisation known{model.linearisedAbout(points), points, 0};
   const auto at = [&](const Linearisation& about) {

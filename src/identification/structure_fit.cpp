@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "configuration/thread_count.h"
 #include "estimation/first_samples.h"
 #include "estimation/initial_guess.h"
 #include "estimation/linearisation.h"
@@ -123,8 +124,9 @@ std::optional<StructureFit> fitAt(const Problem& problem, const std::string& des
                                   LinearisedPoint at, Journal* journal) {
   const Configuration& configuration = problem.configuration;
   if (at.model != nullptr && hasUnknownsOfExperiments(configuration.estimation))
-    at.log_likelihood -= firstSamplesDensity(*at.model, at.point, problem.data.experiments,
-                                             threadsOf(configuration.estimation), &journal->passes);
+    at.log_likelihood -=
+        firstSamplesDensity(*at.model, at.point, problem.data.experiments,
+                            threadCount(configuration.estimation.threads), &journal->passes);
   if (!std::isfinite(at.log_likelihood)) return {};
   const int fixed = problem.plant ? static_cast<int>(problem.plant->point.parameters.size()) : 0;
   return StructureFit{{description, configuration},
@@ -152,7 +154,7 @@ LinearisedPoint fitFrom(const Problem& problem, std::shared_ptr<const LinearMode
   journal->passes += likelihood->passes();
   if (ranked.empty() || !model->admissible(ranked.front().point.parameters)) return nothing();
   return improved(model, ranked.front().point, data, kSteps, options,
-                  threadsOf(problem.configuration.estimation), &journal->passes);
+                  threadCount(problem.configuration.estimation.threads), &journal->passes);
 }
 
 }  // namespace
@@ -175,7 +177,7 @@ double scoreAfterFirstSamples(const Problem& problem, const StructureFit& fit, J
   const EstimationOptions& options = fit.structure.configuration.estimation;
   if (hasUnknownsOfExperiments(options)) return score;
   return score - firstSamplesDensity(*fit.model, fit.point, problem.data.experiments,
-                                     threadsOf(options), &journal->passes);
+                                     threadCount(options.threads), &journal->passes);
 }
 
 StartingPoint StructureFit::start() const {
@@ -222,17 +224,17 @@ std::optional<StructureFit> fitStructureFrom(const Problem& problem,
   if (!model->admissible(start.parameters)) return {};
   const OptimisationOptions options =
       optimisationOptions(own.configuration, Phase::structure, &journal->progress);
-  return fitAt(
-      own, structure.description,
-      improved(model, start, own.data, kSteps, options, threadsOf(own.configuration.estimation),
-               &journal->passes, pointsAt(*model, own.data.blocks, start.parameters, xi)),
-      journal);
+  return fitAt(own, structure.description,
+               improved(model, start, own.data, kSteps, options,
+                        threadCount(own.configuration.estimation.threads), &journal->passes,
+                        pointsAt(*model, own.data.blocks, start.parameters, xi)),
+               journal);
 }
 
 double heldOutDensity(const Problem& problem, const StructureFit& fit, Journal* journal) {
   constexpr int kFolds = 5, kSteps = 6;
   const int folds = std::min(kFolds, problem.data.count());
-  const int threads = threadsOf(problem.configuration.estimation);
+  const int threads = threadCount(problem.configuration.estimation.threads);
   const OptimisationOptions options =
       optimisationOptions(fit.structure.configuration, Phase::structure, &journal->progress);
   Problem own = problem;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "configuration/thread_count.h"
 #include "data/experiment_checks.h"
 #include "data/stray_readings.h"
 #include "data/thinning.h"
@@ -18,7 +19,7 @@ double logDensity(Problem problem, const FittedModel& fitted, InitialState state
   problem.configuration.estimation.initial_state = state;
   const std::vector<Block> blocks = makeBlocks(experiments);
   const int count = static_cast<int>(experiments.size());
-  const int threads = threadsOf(problem.configuration.estimation);
+  const int threads = threadCount(problem.configuration.estimation.threads);
   const ModelParameters& point = fitted.optimum.point;
   const std::unique_ptr<LinearModel> model = buildModel(problem);
   const auto about =

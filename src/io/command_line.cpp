@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "configuration/thread_count.h"
 #include "io/memory.h"
 #include "io/printable.h"
 #include "uncertainty_identification/errors.h"
@@ -61,6 +62,7 @@ int parseAndRun(const Program& program, int argc, const char* const* argv) {
 
 int runProgram(const Program& program, int argc, const char* const* argv) {
   keepFreedMemory();
+  useAllCores();
   const auto failed = [&program](int status, const std::string& message) {
     printMessage(program.name, message);
     return status;

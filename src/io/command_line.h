@@ -25,9 +25,10 @@ struct Program {
       run;  ///< returns the exit status
 };
 
-/// Parses the command line and runs the program. Exceptions become a message and an exit status:
-/// kNoAnswer for DataError; kUsageError for every other Error and for a wrong command line;
-/// kNoAnswer for any other exception, which is a fault of the program and is called one.
+/// Parses the command line and runs the program, on all processor cores. Exceptions become a
+/// message and an exit status: kNoAnswer for DataError; kUsageError for every other Error and for a
+/// wrong command line; kNoAnswer for any other exception, which is a fault of the program and is
+/// called one.
 int runProgram(const Program& program, int argc, const char* const* argv);
 
 /// Writes a message to standard error, each of its lines starting with the program's name. Bytes
