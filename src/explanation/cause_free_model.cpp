@@ -29,7 +29,7 @@ namespace uncertainty_identification {
 namespace {
 
 /// Of explanation.time_limit, in addition to it; where nothing is wrong, only a figure is lacking.
-constexpr double kShare = 1, kShareOfNone = 0.3;
+constexpr double kShare = 0.5, kShareOfNone = 0.3;
 
 std::vector<Experiment> heldOutOf(const Split& data) {
   return data.fitted_to ? std::vector<Experiment>() : data.held;
@@ -243,16 +243,17 @@ void compareWithCauseFreeModel(const Configuration& asked, const Split& data,
                                Explanation* explanation) {
   if (!leavesModelOpen(asked) || !isOpen(*explanation)) return;
   const bool is_none = explanation->verdict == Verdict::none;
-  const double until =
-      progress.seconds() + (is_none ? kShareOfNone : kShare) * asked.explanation.time_limit;
   const auto go = [&](const Progress& at) {
-    return progress.report("identifying with another error model", 0.95, at.log_likelihood) &&
-           (asked.explanation.time_limit <= 0 || progress.seconds() < until);
+    return progress.report("identifying with another error model", 0.95, at.log_likelihood);
   };
+  Configuration limited = asked;
+  double& limit = limited.estimation.time_limit;
+  if (limit == 0) limit = (is_none ? kShareOfNone : kShare) * asked.explanation.time_limit;
   try {
-    Estimate estimate = Identifier(asked).identify(data.train, heldOutOf(data), go);
-    if (estimate.termination == Termination::cancelled && is_none) return;
-    if (estimate.termination == Termination::cancelled)
+    Estimate estimate = Identifier(limited).identify(data.train, heldOutOf(data), go);
+    estimate.configuration.estimation.time_limit = asked.estimation.time_limit;
+    if (!estimate.usable() && is_none) return;
+    if (!estimate.usable())
       explanation->warnings.push_back(
           "there was no time to compare with the model that identify chooses, which may need no "
           "cause; a longer explanation.time_limit allows it");

@@ -17,8 +17,8 @@ namespace uncertainty_identification {
 /// held-out experiments clearly better, nor makes the data far more likely (`with_causes`), causes
 /// are withdrawn; the verdict becomes `none` if they pass at their own level and it explains most
 /// of the output. `asked` is the user's configuration; only one that leaves orders and error model
-/// to be chosen is tried. It may take as long again as explanation.time_limit; a warning tells if
-/// that is too short.
+/// to be chosen is tried. It may take half of explanation.time_limit in addition; a warning tells
+/// if that is too short.
 void compareWithCauseFreeModel(const Configuration& asked, const Split& data,
                                const AnswerLikelihood& with_causes, SearchProgress& progress,
                                Explanation* explanation);

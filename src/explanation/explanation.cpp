@@ -70,30 +70,19 @@ class Explaining {
   Explanation explanation_;
 };
 
-/// Where curves explain most of the error, a choice of orders would only take part of it up.
+/// The best model that is found within a share of the time. Where curves explain most of the error,
+/// a choice of orders would only take part of it up, and that of an error model needs little time.
 Estimate Explaining::identify(const std::vector<Experiment>& experiments) {
-  NominalModelOptions& nominal = configuration_.nominal_model;
-  if (nominal.orders_auto && !leading_curves_.empty())
-    nominal = ofOrder(explanation_.simulation.order);
-  const bool may_simplify = nominal.orders_auto && configuration_.explanation.time_limit > 0;
-  const auto go = [this](const Progress& at, double limit) {
-    return progress_.report(at.phase, 0.3 * at.fraction, at.log_likelihood) &&
-           (limit <= 0 || progress_.seconds() < limit);
+  constexpr double kShare = 0.5, kBesideCurves = 0.15;
+  const bool leads = !leading_curves_.empty();
+  const int order = explanation_.simulation.order;
+  if (configuration_.nominal_model.orders_auto && leads)
+    configuration_.nominal_model = ofOrder(order);
+  const auto go = [this](const Progress& at) {
+    return progress_.report(at.phase, 0.3 * at.fraction, at.log_likelihood);
   };
-  const double half = may_simplify ? 0.5 * configuration_.explanation.time_limit : 0;
-  Estimate chosen = Identifier(configuration_).identify(experiments, {}, [&](const Progress& at) {
-    return go(at, half);
-  });
-  if (progress_.cancelled() || !may_simplify || chosen.termination != Termination::cancelled)
-    return chosen;
-  nominal = ofOrder(explanation_.simulation.order);
-  simplification_ =
-      "the choice of orders did not end within half of explanation.time_limit; the "
-      "model has the order " +
-      std::to_string(nominal.na) + " of the free simulation";
-  return Identifier(configuration_).identify(experiments, {}, [&](const Progress& at) {
-    return go(at, 0);
-  });
+  return identifyInTime(leads ? kBesideCurves : kShare, order, experiments, go, &configuration_,
+                        &simplification_);
 }
 
 /// Goes down to the order of the free simulation or, from there, to first order. False where the

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "curves/preparation.h"
+#include "data/text.h"
 #include "data/thinning.h"
 
 namespace uncertainty_identification {
@@ -46,6 +47,26 @@ NominalModelOptions ofOrder(int order) {
   nominal.nd = 1;
   nominal.delay = 1;
   return nominal;
+}
+
+Estimate identifyInTime(double share, int order, const std::vector<Experiment>& experiments,
+                        const ProgressCallback& progress, Configuration* configuration,
+                        std::string* remark) {
+  Configuration limited = *configuration;
+  double& limit = limited.estimation.time_limit;
+  if (limit == 0) limit = share * configuration->explanation.time_limit;
+  Estimate chosen = Identifier(limited).identify(experiments, {}, progress);
+  const bool is_hurried = chosen.termination == Termination::time_limit;
+  const std::string within = " within " + rounded(100 * share) + " % of explanation.time_limit; ";
+  if (is_hurried) *remark = "the choice of a model did not end" + within + "the best one is taken";
+  if (is_hurried && !chosen.usable()) {
+    if (configuration->nominal_model.orders_auto) configuration->nominal_model = ofOrder(order);
+    *remark = "no model was found" + within + "the orders are " +
+              std::to_string(configuration->nominal_model.na) + " and not chosen";
+    chosen = Identifier(*configuration).identify(experiments, {}, progress);
+  }
+  chosen.configuration.estimation.time_limit = configuration->estimation.time_limit;
+  return chosen;
 }
 
 }  // namespace uncertainty_identification

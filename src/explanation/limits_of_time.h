@@ -5,6 +5,7 @@
 
 #include "explanation/split.h"
 #include "uncertainty_identification/configuration.h"
+#include "uncertainty_identification/identifier.h"
 
 /// What makes a model of the likelihood simple enough for explanation.time_limit.
 namespace uncertainty_identification {
@@ -19,5 +20,11 @@ bool areMany(const std::vector<Experiment>& experiments);
 
 /// A plant of this order with a noise pole and no other choice.
 NominalModelOptions ofOrder(int order);
+
+/// The best model that is identified within a share of explanation.time_limit; where none is, that
+/// of this order, of which the configuration then is. `remark` says so.
+Estimate identifyInTime(double share, int order, const std::vector<Experiment>& experiments,
+                        const ProgressCallback& progress, Configuration* configuration,
+                        std::string* remark);
 
 }  // namespace uncertainty_identification

@@ -25,6 +25,19 @@ bool mayBeDifference(const Cause& cause) {
          (hasTrait(cause.name, Trait::by_experiment) || hasTrait(cause.name, Trait::spectral_line));
 }
 
+/// Whether tests fail and a curve of some shape halves the error of simulating held-out data: no
+/// linear plant simulates these as well, however plants differ.
+bool isBeyondLinear(const Explanation& explanation) {
+  constexpr double kHalf = 0.5;
+  const SimulationCauses& simulation = explanation.simulation;
+  return !allPassed(explanation.checks_before) &&
+         std::any_of(simulation.causes.begin(), simulation.causes.end(),
+                     [&](const SimulationCause& cause) {
+                       return cause.what.shape != "curve" &&
+                              100 - cause.fit_after < kHalf * (100 - simulation.fit_before);
+                     });
+}
+
 }  // namespace
 
 bool leavesModelOpen(const Configuration& asked) {
@@ -46,7 +59,8 @@ bool isOpen(const Explanation& explanation) {
   const bool is_controlled = std::any_of(checks.begin(), checks.end(), fails) ||
                              std::any_of(causes.begin(), causes.end(), is_loop);
   const bool has_other = causes.empty() || !std::all_of(causes.begin(), causes.end(), isOfSamples);
-  return has_other && !is_controlled && (allPassed(checks) || !isOfNoiseAlone(checks));
+  return has_other && !is_controlled && !isBeyondLinear(explanation) &&
+         (allPassed(checks) || !isOfNoiseAlone(checks));
 }
 
 }  // namespace uncertainty_identification

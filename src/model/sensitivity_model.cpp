@@ -262,7 +262,9 @@ MatrixXd SensitivityModel::firstPoints(const std::vector<Block>& blocks, const V
 }
 
 std::unique_ptr<LinearModel> SensitivityModel::linearisedAbout(const MatrixXd& points) const {
-  return std::make_unique<SensitivityModel>(sharedNominal(), error_model_, options(), points);
+  auto model = std::make_unique<SensitivityModel>(*this);
+  model->points_ = points;
+  return model;
 }
 
 std::unique_ptr<LinearModel> makeLinearModel(std::shared_ptr<const NominalModel> nominal,

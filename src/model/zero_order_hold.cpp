@@ -179,6 +179,10 @@ Sampled<Scalar> discretise(const Coefficients<Scalar>& numerator,
       return of(std::integral_constant<int, 2>());
     case 3:
       return of(std::integral_constant<int, 3>());
+    case 4:
+      return of(std::integral_constant<int, 4>());
+    case 5:
+      return of(std::integral_constant<int, 5>());
     default:
       return of(std::integral_constant<int, Eigen::Dynamic>());
   }
