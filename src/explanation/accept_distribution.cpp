@@ -52,7 +52,7 @@ bool Search::acceptDistribution(SearchState* state, const FittedEffect& best) {
   if (cause.gain) cause.gain->noise_variance.after = state->fit.at.noise_variance;
   state->causes.push_back(std::move(cause));
   banDistributions(state);
-  state->heavy_tails = true;
+  state->law = ResidualLaw::heavy_tails;
   state->total += best.score;
   return true;
 }

@@ -205,8 +205,7 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   explanation_.before = best.estimate;
   describeHeldOut(best.base, &explanation_);
   explanation_.before.rejected = rejected;
-  explanation_.checks_before =
-      checkResiduals(best.base.fit, best.base.train, best.base.heavy_tails);
+  explanation_.checks_before = checkResiduals(best.base.fit, best.base.train, best.base.law);
   explanation_.candidates = best.tried;
   describe(best.base, best.found);
   compareWithCauseFreeModel(asked_, whole, likelihoodOf(best), progress_, &explanation_);
@@ -239,7 +238,7 @@ std::string Explaining::describeModels(const SearchState& base, const SearchStat
 void Explaining::describe(const SearchState& base, const SearchState& found) {
   progress_.report("describing", 0.9, found.fit.log_likelihood);
   const std::string remark = describeModels(base, found);
-  explanation_.checks_after = checkResiduals(found.fit, found.train, found.heavy_tails);
+  explanation_.checks_after = checkResiduals(found.fit, found.train, found.law);
   addFailedPredictions(&explanation_);
   addUnclearDirection(following_, ordersAreChosen(), &explanation_);
   const TestsAround tests{

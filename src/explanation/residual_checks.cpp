@@ -157,13 +157,13 @@ Check experimentCheck(const ScaledResidual& of, const FitData& data) {
 
 }  // namespace
 
-std::vector<Check> checkResiduals(const Fit& fit, const FitData& data, bool heavy_tails) {
+std::vector<Check> checkResiduals(const Fit& fit, const FitData& data, ResidualLaw law) {
   const ScaledResidual of = scaled(residualsOf(fit, data), data);
   const double sample_time = data.experiments().front().sample_time;
   std::vector<Check> checks{whitenessCheck(of, sample_time), featureCheck(fit, data, of),
                             timeCheck(of, data)};
-  if (heavy_tails) return checks;
-  checks.push_back(volatilityCheck(of));
+  if (law != ResidualLaw::of_steps) checks.push_back(volatilityCheck(of));
+  if (law != ResidualLaw::gaussian) return checks;
   // For N Gaussian samples the kurtosis has variance 24/N. The third moment has 15/N, as it is
   // taken about zero, where the model says that the mean is, and not about the sample mean.
   const double tails = of.kurtosis / std::sqrt(24 / of.samples);

@@ -70,7 +70,7 @@ std::vector<FittedEffect> Search::rank(const SearchState& state) {
   constexpr double kUsual = 3;  // rankings, after which half of the search is reported as done
   context_.report_searched(rankings_ / (rankings_ + kUsual));
   ++rankings_;
-  const bool checks_pass = allPassed(checkResiduals(state.fit, state.train, state.heavy_tails));
+  const bool checks_pass = allPassed(checkResiduals(state.fit, state.train, state.law));
   std::vector<FittedEffect> ranked =
       fittedEffects(state.fit, state.train, considered(state), context_, checks_pass);
   // Effects outside the chain of signals, which are fitted in ways of their own.
@@ -257,7 +257,7 @@ SearchState Search::search(const SearchState& base) {
     return best;
   forwardSelection(&best, most);
   const bool one_cause_suffices = best.causes.size() <= base.causes.size() + 1 &&
-                                  allPassed(checkResiduals(best.fit, best.train, best.heavy_tails));
+                                  allPassed(checkResiduals(best.fit, best.train, best.law));
   if (one_cause_suffices) return best;
   std::size_t restarts = 0;
   for (auto first = ranked.begin(); first != ranked.end(); ++first) {

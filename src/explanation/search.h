@@ -7,6 +7,7 @@
 #include "explanation/candidates.h"
 #include "explanation/measure.h"
 #include "explanation/refusals.h"
+#include "explanation/residual_checks.h"
 #include "explanation/residual_distribution.h"
 #include "uncertainty_identification/effects/catalogue.h"
 #include "uncertainty_identification/explanation/explanation.h"
@@ -32,10 +33,9 @@ struct SearchState {
   FitData train, held;  ///< experiments to fit to, and to measure gains on
   std::vector<FoundCause> causes;
   std::vector<std::string> banned;  ///< names of effects that are not tried any more
-  bool heavy_tails = false;         ///< as for checkResiduals()
-  bool quantised = false;           ///< most of the noise is rounding to the sensor's steps
-  std::string remark = "";          ///< on the samples, for people; may be empty
-  bool eliminated = false;          ///< a cause was removed by backward elimination
+  ResidualLaw law = ResidualLaw::gaussian;
+  std::string remark = "";  ///< on the samples, for people; may be empty
+  bool eliminated = false;  ///< a cause was removed by backward elimination
   double total = 0;  ///< [nats] gain of log-likelihood over the base, minus the causes' penalties
   bool fitted_to = false;  ///< too few experiments to hold any out: `held` are those of `train`
 

@@ -83,7 +83,7 @@ void addCausesThatSamplesShow(const std::vector<SpoiltSamples>& spoilt, const Ef
         if (share > kNoticeable) base->remark = quantisationRemark(step, share);
         continue;
       }
-      base->quantised = base->heavy_tails = true;
+      base->law = ResidualLaw::of_steps;
     }
     const HeldOut held = heldOut(base->fit, base->held);
     FoundCause cause;
@@ -100,7 +100,7 @@ void addCausesThatSamplesShow(const std::vector<SpoiltSamples>& spoilt, const Ef
 
 /// Whether the residuals hold what the input did before.
 bool dependsOnInput(const SearchState& state) {
-  for (const Check& check : checkResiduals(state.fit, state.train, state.heavy_tails))
+  for (const Check& check : checkResiduals(state.fit, state.train, state.law))
     if (check.name == "dependence on the input") return !check.passed;
   return false;
 }
@@ -126,7 +126,7 @@ void addFeedback(const Effects& effects, SearchState* base, SearchState* found) 
 
 /// Whether the model with the causes found so far describes the data.
 bool describesAll(const SearchState& state) {
-  return allPassed(checkResiduals(state.fit, state.train, state.heavy_tails));
+  return allPassed(checkResiduals(state.fit, state.train, state.law));
 }
 
 /// The causes that the curves name, and another one of the whole catalogue beside them, if all
@@ -241,8 +241,9 @@ SearchOutcome searchOnTopOf(ExplanationOptions options, const FitContext& contex
   if (!only.empty()) excludeOthers(only, effects, summary, &options.exclude);
   Search search(options, context, effects);
   // The error of a coarse quantisation is neither Gaussian nor white, and hides other effects.
-  SearchState found = base.quantised ? base : search.run(base);
-  if (!base.quantised && !only.empty() && !found.causes.empty())
+  const bool of_steps = base.law == ResidualLaw::of_steps;
+  SearchState found = of_steps ? base : search.run(base);
+  if (!of_steps && !only.empty() && !found.causes.empty())
     found = withAnother(std::move(found), whole, context, effects);
   if (tests_feedback) addFeedback(effects, &base, &found);
   SearchOutcome outcome{std::move(estimate), std::move(base), std::move(found), search.tried(),

@@ -31,7 +31,7 @@ Judged judgedWith(const Spoil& spoil) {
 
 Check checkNamed(const std::string& name, const Spoil& spoil) {
   const Judged judged = judgedWith(spoil);
-  for (const Check& check : checkResiduals(judged.fit, judged.data, false))
+  for (const Check& check : checkResiduals(judged.fit, judged.data, ResidualLaw::gaussian))
     if (check.name == name) return check;
   ADD_FAILURE() << "no check " << name;
   return {};
@@ -47,7 +47,7 @@ void expectFails(const std::string& name, const std::string& where, const Spoil&
 
 TEST(Checks, PassAtTheTruth) {
   const Judged judged = judgedWith([](Experiment*) {});
-  const auto checks = checkResiduals(judged.fit, judged.data, false);
+  const auto checks = checkResiduals(judged.fit, judged.data, ResidualLaw::gaussian);
   EXPECT_EQ(checks.size(), 7u);
   for (const Check& check : checks) {
     EXPECT_TRUE(check.passed) << check.name;
@@ -55,8 +55,27 @@ TEST(Checks, PassAtTheTruth) {
     EXPECT_TRUE(check.where.empty());
   }
   EXPECT_TRUE(allPassed(checks));
-  EXPECT_EQ(checkResiduals(judged.fit, judged.data, true).size(), 3u)
+  EXPECT_EQ(checkResiduals(judged.fit, judged.data, ResidualLaw::of_steps).size(), 3u)
       << "without those of the shape";
+}
+
+/// An input that is not recorded moves the output by steps: what follows them is large for a while.
+/// The noise's own tails do not cluster.
+TEST(Checks, LargeResidualsThatClusterAreNoHeavyTails) {
+  std::mt19937_64 engine(1);
+  std::normal_distribution<double> normal;
+  const auto passes = [&](double in_bursts) {
+    const Judged judged = judgedWith([&](Experiment* e) {
+      for (int t = 0; t < e->samples(); ++t)
+        if (t % 20 < 5) e->y[t] += in_bursts * normal(engine);
+    });
+    const auto checks = checkResiduals(judged.fit, judged.data, ResidualLaw::heavy_tails);
+    EXPECT_EQ(checks.size(), 4u) << "without those of the shape";
+    EXPECT_EQ(checks.back().name, "volatility");
+    return checks.back().passed;
+  };
+  EXPECT_TRUE(passes(0));
+  EXPECT_FALSE(passes(1));
 }
 
 TEST(Checks, SeeWhatIsWrongAndWhere) {
