@@ -49,7 +49,10 @@ void dropUnconfirmed(Explanation* explanation) {
 void dropBesideWithheld(Explanation* explanation) {
   const std::vector<std::string>& withheld = explanation->simulation.withheld;
   if (withheld.empty()) return;
-  drop([&](const Cause& cause) { return isCurveCause(cause.name) && !isAmong(withheld, cause); },
+  const auto is_elsewhere = [&](const Cause& cause) {
+    return isCurveCause(cause.name) && !isOfSamples(cause) && !isAmong(withheld, cause);
+  };
+  drop(is_elsewhere,
        ": found by the likelihood, and tests still fail; the free simulation shows " +
            withheld.front() + " in its place, so that it may only resemble that; not named",
        explanation);

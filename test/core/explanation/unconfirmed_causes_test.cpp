@@ -40,6 +40,10 @@ TEST(UnconfirmedCauses, ACurveIsNotNamedWhereTheSimulationShowsAnother) {
   EXPECT_EQ(left(withheld({"plant_cubic"})), std::vector<std::string>{"plant_parameter_spread"});
   EXPECT_EQ(left(withheld({"plant_cubic", "sens_wiener"})).size(), 2u) << "a tie of it";
   EXPECT_EQ(left(withheld({})).size(), 2u);
+  Explanation clipped = withheld({"plant_product"});
+  clipped.causes[0].name = "sens_clip";
+  clipped.causes[0].seen_in_samples = true;
+  EXPECT_EQ(left(clipped).size(), 2u) << "the samples show a limit by themselves";
 }
 
 TEST(UnconfirmedCauses, OneThatIsDroppedIsToldWithWhatIsInItsPlace) {
