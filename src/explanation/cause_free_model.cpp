@@ -223,12 +223,19 @@ void take(Estimate estimate, const Split& data, Explanation* explanation) {
     explanation->warnings.push_back(few);
     return withdrawCauses(explanation);
   }
+  const std::string untested = failedOfNoise(explanation->checks_before);
   forgetSearch(explanation);
   withdrawCauses(explanation);
   for (const auto* remarks : {&estimate.warnings, &estimate.trust.reasons})
     explanation->warnings.insert(explanation->warnings.end(), remarks->begin(), remarks->end());
   explanation->verdict = explanation->causes.empty() ? Verdict::none : Verdict::explained;
   explanation->message = messageOf(explanation->causes, estimate);
+  if (!untested.empty())
+    explanation->message +=
+        ". How its noise is distributed is not tested; in the model that causes were looked for "
+        "in, "
+        "tests of that fail (" +
+        untested + "), as with jumps, shocks or wrong readings";
   explanation->checks_before = explanation->checks_after = checksOf(estimate.residual_tests);
   if (!data.fitted_to)
     explanation->held_out_fit = estimate.validation.simulation_fit_percent_pooled;

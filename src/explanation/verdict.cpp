@@ -116,12 +116,26 @@ const EnumNames<Verdict>& enumNames(Verdict) {
   return kNames;
 }
 
-bool isOfNoiseAlone(const std::vector<Check>& checks) {
+namespace {
+
+bool isOfNoise(const Check& check) {
   static const std::set<std::string> kOfNoise{"tails", "volatility", "symmetry",
                                               "variance over time", "variance over experiments"};
-  return std::all_of(checks.begin(), checks.end(), [&](const Check& check) {
-    return check.passed || kOfNoise.count(check.name) > 0;
-  });
+  return kOfNoise.count(check.name) > 0;
+}
+
+}  // namespace
+
+bool isOfNoiseAlone(const std::vector<Check>& checks) {
+  return std::all_of(checks.begin(), checks.end(),
+                     [](const Check& check) { return check.passed || isOfNoise(check); });
+}
+
+std::string failedOfNoise(const std::vector<Check>& checks) {
+  std::string failed;
+  for (const Check& check : checks)
+    if (!check.passed && isOfNoise(check)) failed = joined(failed, check.name);
+  return failed;
 }
 
 bool isSymptom(const FoundCause& found, const SearchState& state, bool fail_of_noise_only) {

@@ -56,6 +56,9 @@ std::string describedNames(const std::vector<Cause>& causes);
 /// when they are large. What the plant lacks shows in the dependence on the input.
 bool isOfNoiseAlone(const std::vector<Check>& checks);
 
+/// The names of the checks of the noise alone that fail, separated by commas.
+std::string failedOfNoise(const std::vector<Check>& checks);
+
 /// Sets verdict and message of an explanation from its causes and checks. `withheld`: causes were
 /// found that are not named.
 void conclude(Explanation* explanation, bool withheld = false);

@@ -102,6 +102,16 @@ TEST(CauseFreeModel, NeedsNoCauseWhereLinearPlantsDiffer) {
       << "as does this warning";
 }
 
+TEST(CauseFreeModel, SaysWhichTestsOfTheNoiseItDoesNotMake) {
+  Explanation search = partly(named("act_quantisation"));
+  EXPECT_FALSE(
+      test::mentions(compared(search, byDefault(), firstFive(linearPlants())).message, "tails"));
+  search.checks_before.push_back(failed("tails"));
+  const Explanation found = compared(search, byDefault(), firstFive(linearPlants()));
+  EXPECT_EQ(found.verdict, Verdict::none);
+  EXPECT_TRUE(test::mentions(found.message, "tests of that fail (tails)")) << found.message;
+}
+
 /// Nothing is wrong, and a tenth of the output and more is left, which gains that differ explain.
 TEST(CauseFreeModel, SaysByWhatPlantsDifferWhereNothingIsWrong) {
   Explanation nothing;
