@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "data/text.h"
 #include "estimation/excerpt.h"
 #include "explanation/confirmation.h"
+#include "explanation/limits_of_time.h"
 #include "explanation/measure.h"
 #include "explanation/named_causes.h"
 #include "explanation/open_answers.h"
@@ -227,7 +229,13 @@ void take(Estimate estimate, const Split& data, Explanation* explanation) {
   forgetSearch(explanation);
   withdrawCauses(explanation);
   for (const auto* remarks : {&estimate.warnings, &estimate.trust.reasons})
-    explanation->warnings.insert(explanation->warnings.end(), remarks->begin(), remarks->end());
+    std::copy_if(remarks->begin(), remarks->end(), std::back_inserter(explanation->warnings),
+                 [](const std::string& remark) {
+                   return remark.find("estimation.time_limit") == std::string::npos;
+                 });
+  if (estimate.termination == Termination::time_limit)
+    explanation->warnings.push_back(
+        "explanation.time_limit cut the choice of this model short; the best one is taken");
   explanation->verdict = explanation->causes.empty() ? Verdict::none : Verdict::explained;
   explanation->message = messageOf(explanation->causes, estimate);
   if (!untested.empty())
@@ -254,13 +262,15 @@ void compareWithCauseFreeModel(const Configuration& asked, const Split& data,
     return progress.report("identifying with another error model", 0.95, at.log_likelihood);
   };
   Configuration limited = asked;
-  double& limit = limited.estimation.time_limit;
-  if (limit == 0) limit = (is_none ? kShareOfNone : kShare) * asked.explanation.time_limit;
+  limitTime(is_none ? kShareOfNone : kShare, &limited);
   try {
     Estimate estimate = Identifier(limited).identify(data.train, heldOutOf(data), go);
     estimate.configuration.estimation.time_limit = asked.estimation.time_limit;
-    if (!estimate.usable() && is_none) return;
-    if (!estimate.usable())
+    const bool is_hurried = estimate.termination == Termination::time_limit;
+    const bool lacks_time =
+        !estimate.usable() || (is_hurried && !agrees(estimate, kCheckThreshold));
+    if (lacks_time && is_none) return;
+    if (lacks_time)
       explanation->warnings.push_back(
           "there was no time to compare with the model that identify chooses, which may need no "
           "cause; a longer explanation.time_limit allows it");

@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "curves/preparation.h"
-#include "data/text.h"
 #include "data/thinning.h"
 
 namespace uncertainty_identification {
@@ -49,20 +48,26 @@ NominalModelOptions ofOrder(int order) {
   return nominal;
 }
 
+void limitTime(double share, Configuration* configuration) {
+  const double most = share * configuration->explanation.time_limit;
+  double& limit = configuration->estimation.time_limit;
+  if (most > 0) limit = limit > 0 ? std::min(limit, most) : most;
+}
+
 Estimate identifyInTime(double share, int order, const std::vector<Experiment>& experiments,
                         const ProgressCallback& progress, Configuration* configuration,
                         std::string* remark) {
   Configuration limited = *configuration;
-  double& limit = limited.estimation.time_limit;
-  if (limit == 0) limit = share * configuration->explanation.time_limit;
+  limitTime(share, &limited);
   Estimate chosen = Identifier(limited).identify(experiments, {}, progress);
   const bool is_hurried = chosen.termination == Termination::time_limit;
-  const std::string within = " within " + rounded(100 * share) + " % of explanation.time_limit; ";
-  if (is_hurried) *remark = "the choice of a model did not end" + within + "the best one is taken";
+  if (is_hurried)
+    *remark =
+        "explanation.time_limit cut the choice of a model short; the best one until then is taken";
   if (is_hurried && !chosen.usable()) {
     if (configuration->nominal_model.orders_auto) configuration->nominal_model = ofOrder(order);
-    *remark = "no model was found" + within + "the orders are " +
-              std::to_string(configuration->nominal_model.na) + " and not chosen";
+    *remark = "explanation.time_limit left no time to choose a model; its order is " +
+              std::to_string(configuration->nominal_model.na);
     chosen = Identifier(*configuration).identify(experiments, {}, progress);
   }
   chosen.configuration.estimation.time_limit = configuration->estimation.time_limit;

@@ -21,6 +21,9 @@ bool areMany(const std::vector<Experiment>& experiments);
 /// A plant of this order with a noise pole and no other choice.
 NominalModelOptions ofOrder(int order);
 
+/// Limits the time of an identification to a share of explanation.time_limit.
+void limitTime(double share, Configuration* configuration);
+
 /// The best model that is identified within a share of explanation.time_limit; where none is, that
 /// of this order, of which the configuration then is. `remark` says so.
 Estimate identifyInTime(double share, int order, const std::vector<Experiment>& experiments,

@@ -207,7 +207,7 @@ void joinCurves(Explanation* explanation) {
   if (simulation.causes.empty()) {
     if (passed) return;
     dropUnconfirmed(explanation);
-    dropBesideWithheld(explanation);
+    if (!isOfNoiseAlone(explanation->checks_after)) dropBesideWithheld(explanation);
     return;
   }
   const double by_curves = logRatio(simulation.fit_before, simulation.fit_after);

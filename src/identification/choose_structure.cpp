@@ -52,17 +52,16 @@ std::vector<StructureFit> fitAll(const Problem& problem,
   constexpr std::size_t kFromData = 2;  // structures that also start from the data
   std::vector<StructureFit> fits;
   std::vector<StartingPoint> starts = points;
-  double highest = -std::numeric_limits<double>::infinity(), most_likely = highest;
+  double highest = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < structures.size(); ++k) {
     if (k > 0 && journal->progress.searchEnds()) break;
     if (!isWorthFitting(problem, structures[k], fits)) continue;
-    auto fit = fitStructure(problem, structures[k], starts, k < kFromData, journal, most_likely);
+    auto fit = fitStructure(problem, structures[k], starts, k < kFromData, journal);
     journal->progress.report(Phase::structure,
                              static_cast<double>(k + 1) / static_cast<double>(structures.size()));
     const bool free = problem.configuration.error_model.basis == BasisKind::automatic;
     if (!fit || (free && (!plantsExist(*fit) || isBesideItsPlants(problem, *fit)))) continue;
     fits.push_back(std::move(*fit));
-    most_likely = std::max(most_likely, fits.back().of_all_samples);
     const double score = scoreOf(problem, fits.back());
     if (score <= highest) continue;
     highest = score;

@@ -30,16 +30,12 @@ struct LinearisedPoint {
   Eigen::MatrixXd points{};  ///< of the linearisation, a column for each experiment
 };
 
-constexpr double kNone = -std::numeric_limits<double>::infinity();
-
 /// Scoring steps from a point, alternating with linearisations where the model is only locally
-/// linear, as long as that may still reach a log-likelihood of `highest`.
+/// linear.
 LinearisedPoint improved(std::shared_ptr<const LinearModel> model, ModelParameters point,
                          const CheckedData& data, int steps, const OptimisationOptions& wanted,
-                         int threads, int* passes, const Eigen::MatrixXd& from = {},
-                         double highest = kNone) {
+                         int threads, int* passes, const Eigen::MatrixXd& from = {}) {
   constexpr int kRounds = 3;
-  constexpr double kHopeless = 1000;  // [nats]: one round in a hundred gains as much
   OptimisationOptions options = wanted;
   LinearisedPoint now{std::move(model), std::move(point), 0, from};
   const bool goes_on = from.size() > 0;  // and does not begin at zero each time
@@ -53,16 +49,15 @@ LinearisedPoint improved(std::shared_ptr<const LinearModel> model, ModelParamete
   };
   const int rounds = now.model->isLocallyLinear() ? kRounds : 1;
   LinearisedPoint best;
-  best.log_likelihood = kNone;
+  best.log_likelihood = -std::numeric_limits<double>::infinity();
   for (int round = 0; round <= rounds; ++round) {
     linearise();  // the last steps moved the plants
     const Likelihood likelihood(*now.model, data.blocks, data.count(), threads);
-    if (goes_on || round > 0) {
+    if (goes_on || round == rounds) {
       now.log_likelihood = logLikelihoodAtPoints(*now.model, likelihood, now.point, now.points);
       const bool is_best = now.log_likelihood > best.log_likelihood;
       if (is_best || !goes_on) best = now;
-      const bool led_away = goes_on && !is_best;  // about other plants
-      if (led_away || round == rounds || now.log_likelihood < highest - kHopeless) break;
+      if (!is_best || round == rounds) break;  // about other plants, the steps led away
     }
     options.floor = covarianceFloor(now.point.mixture);
     now.point = scoringSteps(likelihood, now.point, options, steps, 1e-2);
@@ -122,13 +117,12 @@ std::vector<VectorXd> startsOf(const Problem& problem, const LinearModel& model,
   return starts;
 }
 
-LinearisedPoint nothing() { return {nullptr, {}, kNone}; }
+LinearisedPoint nothing() { return {nullptr, {}, -std::numeric_limits<double>::infinity()}; }
 
 /// The fit of a problem's own configuration at a point; none where the likelihood is not finite.
 std::optional<StructureFit> fitAt(const Problem& problem, const std::string& description,
                                   LinearisedPoint at, Journal* journal) {
   const Configuration& configuration = problem.configuration;
-  const double of_all_samples = at.log_likelihood;
   if (at.model != nullptr && hasUnknownsOfExperiments(configuration.estimation))
     at.log_likelihood -=
         firstSamplesDensity(*at.model, at.point, problem.data.experiments,
@@ -141,15 +135,14 @@ std::optional<StructureFit> fitAt(const Problem& problem, const std::string& des
                       at.log_likelihood,
                       at.model->parameterCount() + 1 + fixed,
                       mixtureParameters(configuration, at.model->regressors(), 1),
-                      at.points,
-                      of_all_samples};
+                      at.points};
 }
 
 /// The optimum near some starts, about the first of which a model that is only locally linear is
 /// linearised together with what the data say of each experiment's start.
 LinearisedPoint fitFrom(const Problem& problem, std::shared_ptr<const LinearModel> model,
                         const std::vector<VectorXd>& starts, const OptimisationOptions& options,
-                        Journal* journal, double highest) {
+                        Journal* journal) {
   constexpr std::size_t kFinalists = 2;
   constexpr int kSteps = 20;
   const CheckedData& data = problem.data;
@@ -161,8 +154,7 @@ LinearisedPoint fitFrom(const Problem& problem, std::shared_ptr<const LinearMode
   journal->passes += likelihood->passes();
   if (ranked.empty() || !model->admissible(ranked.front().point.parameters)) return nothing();
   return improved(model, ranked.front().point, data, kSteps, options,
-                  threadCount(problem.configuration.estimation.threads), &journal->passes, {},
-                  highest);
+                  threadCount(problem.configuration.estimation.threads), &journal->passes);
 }
 
 }  // namespace
@@ -196,7 +188,7 @@ StartingPoint StructureFit::start() const {
 
 std::optional<StructureFit> fitStructure(const Problem& problem, const ErrorStructure& structure,
                                          const std::vector<StartingPoint>& points, bool from_data,
-                                         Journal* journal, double highest) {
+                                         Journal* journal) {
   constexpr std::size_t kMostStarts = 2;
   Problem own = problem;
   own.configuration = structure.configuration;
@@ -209,11 +201,11 @@ std::optional<StructureFit> fitStructure(const Problem& problem, const ErrorStru
   if (starts.empty()) return {};
   LinearisedPoint best = nothing();
   if (!model->isLocallyLinear() || !estimatesInitialState(configuration.estimation)) {
-    best = fitFrom(own, model, starts, options, journal, highest);
+    best = fitFrom(own, model, starts, options, journal);
   } else {
     starts.resize(std::min(starts.size(), kMostStarts));
     for (const VectorXd& start : starts) {
-      LinearisedPoint reached = fitFrom(own, model, {start}, options, journal, highest);
+      LinearisedPoint reached = fitFrom(own, model, {start}, options, journal);
       if (reached.log_likelihood > best.log_likelihood) best = std::move(reached);
     }
   }
@@ -257,7 +249,7 @@ double heldOutDensity(const Problem& problem, const StructureFit& fit, Journal* 
     sum += logDensity(*model, trained.point, held_out, own.configuration.estimation, threads,
                       &journal->passes);
   }
-  return std::isfinite(sum) ? sum / problem.data.count() : kNone;
+  return std::isfinite(sum) ? sum / problem.data.count() : -std::numeric_limits<double>::infinity();
 }
 
 }  // namespace uncertainty_identification

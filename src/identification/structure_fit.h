@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -24,7 +23,6 @@ struct StructureFit {
   int parameters = 0;         ///< of theta, offset and sigma^2
   int mixture = 0;            ///< of the error model
   Eigen::MatrixXd points{};   ///< of the linearisation, a column for each experiment
-  double of_all_samples = 0;  ///< log-likelihood, the first samples included
 
   StartingPoint start() const;  ///< Go, H and the offset at `point`
 };
@@ -37,13 +35,10 @@ int mixtureParameters(const Configuration& configuration, int dimension, int com
 double scoreOf(const Problem& problem, const StructureFit& fit);
 
 /// Fits a structure to the data of a problem, from starting points and, with `from_data`, also from
-/// the starts that the data give. None where the likelihood is not finite at any start. A model
-/// that is linearised is not improved any further where its log-likelihood of all samples is far
-/// below `highest`.
+/// the starts that the data give. None where the likelihood is not finite at any start.
 std::optional<StructureFit> fitStructure(const Problem& problem, const ErrorStructure& structure,
                                          const std::vector<StartingPoint>& points, bool from_data,
-                                         Journal* journal,
-                                         double highest = -std::numeric_limits<double>::infinity());
+                                         Journal* journal);
 
 /// The same from one point of the whole model, with error parameters `xi` of the experiments, a
 /// column each: near plants that differ much.

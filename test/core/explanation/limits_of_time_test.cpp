@@ -79,7 +79,7 @@ TEST(LimitsOfTime, AModelIsIdentifiedHoweverLittleTimeThereIs) {
     EXPECT_EQ(chosen.configuration.estimation.time_limit, 0) << "is the user's";
     if (limit == 1000) EXPECT_EQ(remark, "");
     if (limit == 1e-6) {
-      EXPECT_TRUE(test::mentions(remark, "no model was found within 50 %")) << remark;
+      EXPECT_TRUE(test::mentions(remark, "left no time to choose a model")) << remark;
       EXPECT_EQ(own.nominal_model.na, 1);
       EXPECT_FALSE(own.nominal_model.orders_auto);
     }

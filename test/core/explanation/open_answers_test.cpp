@@ -21,6 +21,8 @@ Explanation withCurve(const std::string& shape, double fit_after) {
   curve.fit_before = 80;
   curve.fit_after = fit_after;
   explanation.simulation.causes = {curve};
+  explanation.causes[0].simulation = curve;
+  explanation.held_out_fit = 81;
   return explanation;
 }
 
@@ -31,6 +33,17 @@ TEST(OpenAnswers, ACurveThatHalvesTheErrorIsNotComparedWithALinearPlant) {
   Explanation passing = withCurve("square", 91);
   passing.checks_before = {};
   EXPECT_TRUE(isOpen(passing));
+  Explanation levels = withCurve("square", 91);
+  levels.held_out_fit = 90;
+  EXPECT_TRUE(isOpen(levels)) << "the linear model, with offsets of its own, simulates as well";
+  levels.held_out_fit.reset();
+  EXPECT_TRUE(isOpen(levels)) << "nothing is held out";
+  Explanation second = withCurve("square", 91);
+  second.causes[0].simulation->fit_before = 90;
+  EXPECT_TRUE(isOpen(second)) << "another cause does most";
+  Explanation noise = withCurve("square", 91);
+  noise.checks_before[0].name = "tails";
+  EXPECT_TRUE(isOpen(noise));
 }
 
 TEST(OpenAnswers, WhatIsNotNamedIsOpen) {

@@ -67,27 +67,6 @@ bool contains(const std::vector<std::string>& all, const std::string& one) {
   return std::find(all.begin(), all.end(), one) != all.end();
 }
 
-/// A model that is linearised about each experiment's own parameters takes several rounds.
-TEST_F(StructureChoice, DoesNotImproveWhatIsFarBelowTheBest) {
-  const Problem problem = problemOf(simulatedPlants(vectorOf({0.2}), vectorOf({-0.8})), 1, 1);
-  ErrorStructure spread{"parameter_spread of a1", problem.configuration};
-  spread.configuration.error_model.basis = BasisKind::parameter_spread;
-  spread.configuration.error_model.parameters = {"a1"};
-  spread.configuration.error_model.constraint = Constraint::zero_mean;
-  spread.configuration.error_model.taps = 1;
-  const auto fitted = [&](double highest) {
-    journal_.passes = 0;
-    return *fitStructure(problem, spread, {}, true, &journal_, highest);
-  };
-  const StructureFit whole = fitted(-1e9);
-  const int passes = journal_.passes;
-  fitted(whole.of_all_samples + 900);
-  EXPECT_EQ(journal_.passes, passes) << "a round may gain that much";
-  const StructureFit hopeless = fitted(whole.of_all_samples + 1100);
-  EXPECT_LT(journal_.passes, passes);
-  EXPECT_LE(hopeless.of_all_samples, whole.of_all_samples + 0.1);
-}
-
 TEST_F(StructureChoice, ComparesPhysicalParametersWhereThePolesHaveAContinuousCounterpart) {
   const Problem problem = problemOf(simulatedPlants(vectorOf({0.2}), vectorOf({-0.8})), 1, 1);
   Polynomials plant;
