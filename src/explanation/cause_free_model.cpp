@@ -228,21 +228,21 @@ void take(Estimate estimate, const Split& data, Explanation* explanation) {
   const std::string untested = failedOfNoise(explanation->checks_before);
   forgetSearch(explanation);
   withdrawCauses(explanation);
+  const bool is_hurried = estimate.termination == Termination::time_limit;
   for (const auto* remarks : {&estimate.warnings, &estimate.trust.reasons})
     std::copy_if(remarks->begin(), remarks->end(), std::back_inserter(explanation->warnings),
-                 [](const std::string& remark) {
-                   return remark.find("estimation.time_limit") == std::string::npos;
+                 [&](const std::string& remark) {  // its own limit is none that the user set
+                   return !is_hurried || remark.find(estimate.message) == std::string::npos;
                  });
-  if (estimate.termination == Termination::time_limit)
+  if (is_hurried)
     explanation->warnings.push_back(
         "explanation.time_limit cut the choice of this model short; the best one is taken");
   explanation->verdict = explanation->causes.empty() ? Verdict::none : Verdict::explained;
   explanation->message = messageOf(explanation->causes, estimate);
   if (!untested.empty())
     explanation->message +=
-        ". How its noise is distributed is not tested; in the model that causes were looked for "
-        "in, "
-        "tests of that fail (" +
+        ". How its noise is distributed is not tested; tests of that fail in the model that the "
+        "search for causes began with (" +
         untested + "), as with jumps, shocks or wrong readings";
   explanation->checks_before = explanation->checks_after = checksOf(estimate.residual_tests);
   if (!data.fitted_to)

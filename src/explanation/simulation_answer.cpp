@@ -220,6 +220,23 @@ void joinCurves(Explanation* explanation) {
     takeCurves(explanation);
 }
 
+/// Says of a cause that was found twice that it is named, in place of the end of what was said of
+/// it as one that is not confirmed.
+void sayNamedAllTheSame(Explanation* explanation) {
+  static const std::string kNotNamed = "Not named";
+  const auto cause =
+      std::find_if(explanation->causes.begin(), explanation->causes.end(), isStructural);
+  const std::string named =
+      cause->name + " is named all the same: the likelihood of all samples asks for the same cause";
+  std::vector<std::string>& warnings = explanation->warnings;
+  const auto refused = std::find(warnings.begin(), warnings.end(), explanation->simulation.refused);
+  const std::size_t end = refused == warnings.end() ? std::string::npos : refused->rfind(kNotNamed);
+  if (end == std::string::npos)
+    warnings.push_back(named);
+  else
+    refused->replace(end, kNotNamed.size(), named);
+}
+
 /// The verdict is not `none` where the free simulation gains by curves, although all tests pass
 /// without them.
 void doubtNothing(Explanation* explanation) {
@@ -256,10 +273,7 @@ void joinSimulation(Explanation* explanation, const std::optional<LastThirds>& l
   if (explanation->simulation.skipped.empty()) joinCurves(explanation);
   if (explanation->simulation.causes.empty()) dropCausesThatSimulateWorse(explanation);
   dropUnverified(last_thirds, explanation);
-  if (isFoundTwice(*explanation))
-    explanation->warnings.push_back(
-        std::find_if(explanation->causes.begin(), explanation->causes.end(), isStructural)->name +
-        " is named all the same: the likelihood of all samples asks for the same cause");
+  if (isFoundTwice(*explanation)) sayNamedAllTheSame(explanation);
   warnOfPoorSimulation(explanation);
   doubtNothing(explanation);
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "explanation/simulation_answer.h"
 #include "support/mentions.h"
 
 namespace uncertainty_identification {
@@ -54,6 +55,31 @@ TEST(UnconfirmedCauses, OneThatIsDroppedIsToldWithWhatIsInItsPlace) {
   ASSERT_EQ(found.warnings.size(), 1u);
   EXPECT_TRUE(test::mentions(found.warnings[0], "sens_wiener: found by the likelihood"));
   EXPECT_TRUE(test::mentions(found.warnings[0], "plant_cubic in its place"));
+}
+
+/// Tests of the noise alone say nothing against a curve of the plant.
+TEST(UnconfirmedCauses, TheAnswerHasNoCurveBesideAWithheldOneUnlessOnlyTheNoiseIsWrong) {
+  for (const std::string failing : {"whiteness", "tails"}) {
+    Explanation found = withheld({"plant_cubic"});
+    found.causes.pop_back();
+    found.held_out = {"1"};
+    found.checks_before[0].name = found.checks_after[0].name = failing;
+    joinSimulation(&found, {});
+    EXPECT_EQ(found.causes.size(), failing == "tails" ? 1u : 0u) << failing;
+  }
+}
+
+/// What is said of it as not confirmed does not contradict that it is named.
+TEST(UnconfirmedCauses, OneThatIsFoundTwiceIsToldInOneSentence) {
+  Explanation found = withheld({"sens_wiener"});
+  found.causes.pop_back();
+  found.held_out = {"1"};
+  found.simulation.refused = "sens_wiener: not found in windows of 200. Not named";
+  joinSimulation(&found, {});
+  ASSERT_EQ(found.causes.size(), 1u);
+  EXPECT_FALSE(test::anyMentions(found.warnings, "Not named"));
+  EXPECT_TRUE(
+      test::anyMentions(found.warnings, "windows of 200. sens_wiener is named all the same"));
 }
 
 }  // namespace
