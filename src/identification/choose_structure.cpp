@@ -4,6 +4,7 @@
 #include "estimation/excerpt.h"
 #include "estimation/selection.h"
 #include "identification/mean_plant.h"
+#include "identification/short_gaps.h"
 #include "identification/steps.h"
 #include "identification/structure_fit.h"
 #include "model/sensitivity.h"
@@ -13,13 +14,18 @@
 namespace uncertainty_identification {
 namespace {
 
-/// The part of the data that is enough to compare structures: of long records the beginnings.
-CheckedData enough(CheckedData part) {
+/// The part of the data that is enough to compare structures: of long records the beginnings, with
+/// short gaps filled where there is a plant to fill them by.
+CheckedData enough(const Problem& problem) {
   constexpr int kAlways = 1000, kTogether = 8000;  // samples of each, and of few
+  CheckedData part = problem.data;
   const int longest = std::max(kAlways, kTogether / part.count());
   part.experiments = fewerSamples(part.experiments, 2 * kEnoughSamples);
   for (Experiment& experiment : part.experiments)
     if (experiment.samples() > longest) experiment = excerpt(experiment, 0, longest);
+  if (problem.plant)
+    part.experiments = withShortGapsFilled(std::move(part.experiments), problem.plant->polynomials,
+                                           problem.plant->offset, problem.configuration.estimation);
   part.blocks = makeBlocks(part.experiments);
   return part;
 }
@@ -242,7 +248,7 @@ std::vector<StartingPoint> startsOf(const Problem& problem) {
 
 ModelChoice chooseAroundPlant(const Problem& problem, const Configuration& asked,
                               Journal* journal) {
-  const CheckedData data = enough(problem.data);
+  const CheckedData data = enough(problem);
   const bool free_orders = asked.nominal_model.orders_auto;
   Problem part = partOf(problem, data, free_orders, PlantFit::simulation);
   part.plant = problem.plant;
@@ -270,7 +276,7 @@ ModelChoice chooseModel(const Problem& problem, const Configuration& asked, Orde
   }
   const bool joint = free_orders && asked.nominal_model.fit == PlantFit::likelihood;
   if (problem.plant && !joint) return chooseAroundPlant(problem, asked, journal);
-  const CheckedData data = enough(problem.data);
+  const CheckedData data = enough(problem);
   const Problem part = partOf(problem, data, free_orders, PlantFit::likelihood);
   const bool automatic = part.configuration.error_model.basis == BasisKind::automatic;
   const Freedom free{free_orders, free_offsets,
