@@ -208,6 +208,7 @@ void joinCurves(Explanation* explanation) {
     if (passed) return;
     dropUnconfirmed(explanation);
     if (!isOfNoiseAlone(explanation->checks_after)) dropBesideWithheld(explanation);
+    dropNotShown(explanation);
     return;
   }
   const double by_curves = logRatio(simulation.fit_before, simulation.fit_after);

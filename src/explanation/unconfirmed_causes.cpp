@@ -8,6 +8,7 @@
 #include "explanation/acceptance.h"
 #include "explanation/named_causes.h"
 #include "explanation/verdict.h"
+#include "uncertainty_identification/effects/catalogue.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -55,6 +56,19 @@ void dropBesideWithheld(Explanation* explanation) {
   drop(is_elsewhere,
        ": found by the likelihood, and tests still fail; the free simulation shows " +
            withheld.front() + " in its place, so that it may only resemble that; not named",
+       explanation);
+}
+
+void dropNotShown(Explanation* explanation) {
+  const std::vector<std::string>& withheld = explanation->simulation.withheld;
+  if (!withheld.empty() && isOfNoiseAlone(explanation->checks_after)) return;
+  const auto is_not_shown = [&](const Cause& cause) {
+    return isCurveCause(cause.name) && !isOfSamples(cause) &&
+           !hasTrait(cause.name, Trait::by_experiment) && !isAmong(withheld, cause);
+  };
+  drop(is_not_shown,
+       ": raises the likelihood, but the free simulation, which looks for the same curve in the "
+       "same place, does not show it, and tests still fail; not named",
        explanation);
 }
 

@@ -13,4 +13,9 @@ void dropUnconfirmed(Explanation* explanation);
 /// withheld it: neither of the two is confirmed, and the likelihood's may only resemble it.
 void dropBesideWithheld(Explanation* explanation);
 
+/// Drops curves of the likelihood with which tests fail, and that the simulation does not show at
+/// all: where something else is wrong, any curve takes part of it up. One that differs between
+/// experiments is none that it could show.
+void dropNotShown(Explanation* explanation);
+
 }  // namespace uncertainty_identification

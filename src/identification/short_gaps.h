@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "uncertainty_identification/configuration.h"
 #include "uncertainty_identification/data/experiment.h"
 #include "uncertainty_identification/model/nominal_model.h"
-#include "uncertainty_identification/configuration.h"
 
 namespace uncertainty_identification {
 

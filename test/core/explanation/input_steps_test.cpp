@@ -122,6 +122,7 @@ TEST(InputSteps, AreNamedWithTheirLevel) {
 TEST(InputSteps, AreNotAveragedAway) {
   Configuration configuration;
   configuration.nominal_model.orders_auto = false;
+  configuration.explanation.time_limit = 120;  // thinned as by default, with time for all samples
   const Explanation found = explain(configuration, heaterInSteps(1.3, 40.4, 8, 6));
   const auto steps = std::find_if(found.causes.begin(), found.causes.end(), [](const Cause& cause) {
     return cause.name == "act_quantisation";

@@ -69,6 +69,25 @@ TEST(UnconfirmedCauses, TheAnswerHasNoCurveBesideAWithheldOneUnlessOnlyTheNoiseI
   }
 }
 
+/// Where something else is wrong, any curve takes part of it up.
+TEST(UnconfirmedCauses, ACurveThatTheFreeSimulationDoesNotShowIsNotNamed) {
+  for (const std::string name : {"act_hammerstein", "sens_drift", "plant_parameter_spread"}) {
+    Explanation found = withheld({});
+    found.causes.pop_back();
+    found.held_out = {"1"};
+    found.causes[0].name = name;
+    joinSimulation(&found, {});
+    const bool is_curve = name == "act_hammerstein";
+    EXPECT_EQ(found.causes.size(), is_curve ? 0u : 1u) << name;
+    EXPECT_EQ(test::anyMentions(found.warnings, "does not show it"), is_curve);
+  }
+  Explanation not_searched = withheld({});
+  not_searched.held_out = {"1"};
+  not_searched.simulation.skipped = "only one window";
+  joinSimulation(&not_searched, {});
+  EXPECT_EQ(not_searched.causes.size(), 2u);
+}
+
 /// What is said of it as not confirmed does not contradict that it is named.
 TEST(UnconfirmedCauses, OneThatIsFoundTwiceIsToldInOneSentence) {
   Explanation found = withheld({"sens_wiener"});
