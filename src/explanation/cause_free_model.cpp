@@ -276,7 +276,9 @@ void compareWithCauseFreeModel(const Configuration& asked, const Split& data,
           "cause; a longer explanation.time_limit allows it");
     else if (stands(*explanation, with_causes, estimate, data))
       return;
-    else if (isAnswer(estimate, data) && !saysLittle(estimate.trust, explanation->simulation))
+    else if (isAnswer(estimate, data) && !saysLittle(estimate.trust, explanation->simulation) &&
+             !isBehindLinear(estimate, simulationFitOf(estimate).value_or(0),
+                             explanation->simulation))
       take(std::move(estimate), data, explanation);
     else
       withdrawCauses(explanation);

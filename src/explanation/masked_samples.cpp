@@ -28,6 +28,18 @@ std::vector<SpoiltSamples> spoiltOf(const Configuration& configuration, const Sp
   return spoilt;
 }
 
+/// Masks what a defect has spoilt, unless that leaves too little of a record to explain: of a
+/// sensor that reports few values, the held ones are all there is.
+void mask(const SpoiltSamples& defect, const LimitOptions& limits, Split* data) {
+  std::vector<Experiment> train = withoutSpoiled(data->train, defect);
+  if (std::any_of(train.begin(), train.end(), [&](const Experiment& experiment) {
+        return experiment.validSamples() < limits.min_samples;
+      }))
+    return;
+  data->train = std::move(train);
+  data->held = withoutSpoiled(std::move(data->held), defect);
+}
+
 }  // namespace
 
 bool isExceeded(const SpoiltSamples& limit, const std::vector<Experiment>& others) {
@@ -82,8 +94,7 @@ std::vector<SpoiltSamples> maskSpoilt(const std::optional<SpoiltSamples>& stray,
   data->held = withoutRest(std::move(data->held));
   std::vector<SpoiltSamples> spoilt = spoiltOf(*configuration, *data);
   for (const SpoiltSamples& each : spoilt) {
-    data->train = withoutSpoiled(std::move(data->train), each);
-    data->held = withoutSpoiled(std::move(data->held), each);
+    mask(each, configuration->limits, data);
     if (each.trait != Trait::quantisation) configuration->limits.max_missing = kAny;
   }
   if (stray) spoilt.push_back(*stray);
@@ -91,10 +102,8 @@ std::vector<SpoiltSamples> maskSpoilt(const std::optional<SpoiltSamples>& stray,
 }
 
 Split withoutSpoiltSamples(const Configuration& configuration, Split data) {
-  for (const SpoiltSamples& each : spoiltOf(configuration, data)) {
-    data.train = withoutSpoiled(std::move(data.train), each);
-    data.held = withoutSpoiled(std::move(data.held), each);
-  }
+  for (const SpoiltSamples& each : spoiltOf(configuration, data))
+    mask(each, configuration.limits, &data);
   return data;
 }
 

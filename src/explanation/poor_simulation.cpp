@@ -82,12 +82,7 @@ std::string shortcoming(const Explanation& explanation, const Simulated& simulat
   constexpr double kPoor = 50;          // [%] fit
   constexpr double kFewCovered = 0.75;  // of the samples
   const double linear = explanation.simulation.fit_before;
-  // The linear model has one offset for all: its fit is about another mean. One that oscillates
-  // for ever follows a line that does not come from the input.
-  const bool own_offsets =
-      explanation.before.configuration.estimation.offsets == Offsets::per_experiment;
-  const bool holds_line = explanation.simulation.lasting_oscillation > 0;
-  const bool is_behind = !own_offsets && !holds_line && simulated.fit < linear - kFar;
+  const bool is_behind = isBehindLinear(explanation.before, simulated.fit, explanation.simulation);
   if (simulated.coverage < kFewCovered)
     return "the 95 % intervals of the simulation hold " + rounded(100 * simulated.coverage) +
            " % of the samples only: the model does not know how far its simulation is off";
@@ -208,6 +203,12 @@ bool saysLittle(const Trust& trust, const SimulationCauses& simulation) {
   return !simulation.skipped.empty() && !trust.trusted && !trust.reasons.empty();
 }
 
+bool isBehindLinear(const Estimate& model, double fit, const SimulationCauses& simulation) {
+  const bool own_offsets = model.configuration.estimation.offsets == Offsets::per_experiment;
+  const bool holds_line = simulation.lasting_oscillation > 0;
+  return !own_offsets && !holds_line && fit < simulation.fit_before - kFar;
+}
+
 void warnOfPoorSimulation(Explanation* explanation) {
   const std::vector<Cause>& causes = explanation->causes;
   const bool is_aside = std::all_of(causes.begin(), causes.end(), [](const Cause& cause) {
@@ -228,8 +229,7 @@ void warnOfPoorSimulation(Explanation* explanation) {
     if (lacks.empty()) return;
     explanation->warnings.push_back(lacks);
     if (!causes.empty()) return;
-    if (simulated.fit < 0 || lacks == lossOnHeldOut(*explanation))
-      explanation->verdict = Verdict::unknown;
+    explanation->verdict = Verdict::unknown;
     explanation->message = "the checks of the residuals find nothing wrong, but " + lacks;
     return;
   }

@@ -23,6 +23,12 @@ bool leavesDifferencesUntold(const Explanation& explanation);
 /// few experiments poorly, which do not show whether they differ by chance. Empty where it is.
 std::string tooFewToTell(std::size_t experiments, double fit);
 
+/// Whether a model without causes that simulates with this fit [%] lacks what the linear plant of
+/// the free simulation has. That one has one offset for all, so that nothing is said of a model
+/// with several: its fit is about another mean. Nor where it oscillates for ever, along a line that
+/// does not come from the input.
+bool isBehindLinear(const Estimate& model, double fit, const SimulationCauses& simulation);
+
 /// Whether nothing was looked for, since the data or the steps of the input are too few, in a model
 /// that is not to be relied on: tests that pass say little then.
 bool saysLittle(const Trust& trust, const SimulationCauses& simulation);

@@ -35,11 +35,14 @@ void drop(const Doubt& is_doubtful, const std::string& why, Explanation* explana
 
 void dropUnconfirmed(Explanation* explanation) {
   constexpr double kUseful = 50;  // [%] fit; below it identify does not trust a model
+  const bool plant_fails = !isOfNoiseAlone(explanation->checks_after);
   const auto is_unconfirmed = [&](const Cause& cause) {
     if (isOfSamples(cause) || !cause.gain) return false;
     const bool useful = cause.gain->nrmse_fit_percent.after >= kUseful;
     const bool simulates = useful && isClear(*cause.gain);
-    return !simulates && ((useful && isCurveCause(cause.name)) || !(cause.gain->lower_90 > 0));
+    const bool gains_nothing = plant_fails && isStructural(cause) && !(errorRatio(*cause.gain) < 1);
+    return gains_nothing ||
+           (!simulates && ((useful && isCurveCause(cause.name)) || !(cause.gain->lower_90 > 0)));
   };
   drop(is_unconfirmed,
        ": raises the likelihood, but neither held-out data nor a useful simulation confirm it, and "

@@ -6,7 +6,8 @@ namespace uncertainty_identification {
 
 /// Drops causes with which tests fail, and that gain too little on held-out data. Those that a
 /// simulation must show have to be clear there; of others, and where no simulation is useful, the
-/// log density has to gain with 95 %.
+/// log density has to gain with 95 %. What changes the plant must not make its simulation worse
+/// where tests of the plant still fail.
 void dropUnconfirmed(Explanation* explanation);
 
 /// Drops curves of the likelihood with which tests fail, where the simulation found another one and
