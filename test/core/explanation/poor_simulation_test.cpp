@@ -51,10 +51,26 @@ TEST(PoorSimulation, NothingSaysThatTheTestsCannotSeeWhatAModelThatLeavesMostLac
     explanation.simulation.fit_before = explanation.simulation.fit_after = 57;
     explanation.held_out_fit = held_out_fit;
     warnOfPoorSimulation(&explanation);
-    return explanation.message;
+    return explanation;
   };
-  EXPECT_TRUE(test::mentions(said(32), "held-out data by 32 % only")) << said(32);
-  EXPECT_TRUE(test::mentions(said(52), "agrees with the data")) << said(52);
+  EXPECT_TRUE(test::mentions(said(32).message, "held-out data by 32 % only")) << said(32).message;
+  EXPECT_EQ(said(32).verdict, Verdict::unknown);
+  EXPECT_TRUE(test::mentions(said(52).message, "agrees with the data")) << said(52).message;
+  EXPECT_EQ(said(52).verdict, Verdict::none);
+}
+
+TEST(PoorSimulation, AModelMayBeBehindALinearPlantWithTheSameOffset) {
+  SimulationCauses simulation;
+  simulation.fit_before = 87;
+  Estimate model;
+  model.configuration.estimation.offsets = Offsets::estimate;
+  EXPECT_TRUE(isBehindLinear(model, 70, simulation));
+  EXPECT_FALSE(isBehindLinear(model, 80, simulation));
+  simulation.lasting_oscillation = 3;
+  EXPECT_FALSE(isBehindLinear(model, 70, simulation)) << "which holds a line that is no response";
+  simulation.lasting_oscillation = 0;
+  model.configuration.estimation.offsets = Offsets::per_experiment;
+  EXPECT_FALSE(isBehindLinear(model, 70, simulation)) << "whose fit is about another mean";
 }
 
 TEST(PoorSimulation, AModelThatAConstantBeatsIsUnknownWithoutASearch) {
