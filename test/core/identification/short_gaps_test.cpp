@@ -90,7 +90,7 @@ TEST(ShortGaps, AreFilledWhereStructuresAreCompared) {
   EXPECT_EQ(estimate.sample_count, 6 * 290);
   double compared = 0;
   for (const Candidate& each : estimate.candidates)
-    if (each.choice == "error model" && each.chosen) compared = each.log_likelihood;
+    if (each.choice == "error model" && each.chosen) compared = each.log_likelihood.value_or(0);
   // Density of a sample: log(1/0.05) - 1.42. The 60 that were filled are more than 60 nats.
   EXPECT_GT(compared, estimate.log_likelihood + 60) << estimate.log_likelihood;
 }
