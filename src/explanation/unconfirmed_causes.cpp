@@ -40,7 +40,9 @@ void dropUnconfirmed(Explanation* explanation) {
     if (isOfSamples(cause) || !cause.gain) return false;
     const bool useful = cause.gain->nrmse_fit_percent.after >= kUseful;
     const bool simulates = useful && isClear(*cause.gain);
-    const bool gains_nothing = plant_fails && isStructural(cause) && !(errorRatio(*cause.gain) < 1);
+    const bool is_spread = hasTrait(cause.name, Trait::in_mixture);  // whose mean is the same plant
+    const bool gains_nothing =
+        plant_fails && isStructural(cause) && !is_spread && !(errorRatio(*cause.gain) < 1);
     return gains_nothing ||
            (!simulates && ((useful && isCurveCause(cause.name)) || !(cause.gain->lower_90 > 0)));
   };
