@@ -229,7 +229,10 @@ void warnOfPoorSimulation(Explanation* explanation) {
     if (lacks.empty()) return;
     explanation->warnings.push_back(lacks);
     if (!causes.empty()) return;
-    explanation->verdict = Verdict::unknown;
+    // A fit that is low without another model that does better may be due to much noise.
+    if (simulated.fit < 0 || lacks == lossOnHeldOut(*explanation) ||
+        isBehindLinear(explanation->before, simulated.fit, explanation->simulation))
+      explanation->verdict = Verdict::unknown;
     explanation->message = "the checks of the residuals find nothing wrong, but " + lacks;
     return;
   }

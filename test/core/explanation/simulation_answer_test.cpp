@@ -359,6 +359,7 @@ TEST(SimulationAnswer, DropsWhatNeitherTestsNorSimulationConfirm) {
   found.simulation.causes.clear();
   found.causes[0].gain->standard_error = found.causes[1].gain->standard_error = 1;
   found.causes[0].gain->lower_90 = found.causes[1].gain->lower_90 = 0.1;
+  found.causes[1].group = "noise";
   joinSimulation(&found, {});
   ASSERT_EQ(found.causes.size(), 1u);
   EXPECT_EQ(found.causes[0].name, "noise_tails");
