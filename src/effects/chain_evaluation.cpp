@@ -110,7 +110,8 @@ void ChainEvaluation::addFreeResponse(Response* response) const {
   const VectorXd of_basis = basis_.denominator();
   const int directions =
       freeResponseDirections(polynomials(), basis_, static_cast<int>(chain_.x.cols()));
-  Signals impulse = Signals::Zero(kLanes, chain_.x.cols()), free, shifted;
+  const int duration = durationOfColumns({polynomials().a, polynomials().a, of_basis}, directions);
+  Signals impulse = Signals::Zero(kLanes, duration), free, shifted;
   impulse.col(0).setOnes();
   filter(VectorXd::Ones(1), multiply(polynomials().a, of_basis), 0, impulse, &free);
   for (int k = 0; k < directions; ++k) {
@@ -135,7 +136,8 @@ void ChainEvaluation::divideByDeviation(Response* response) const {
   WhitenedSignals& value = response->value;
   value.residual *= weight;
   for (Signals& regressor : value.regressors) regressor *= weight;
-  for (auto& column : value.columns) column = std::make_shared<Signals>(*column * weight);
+  for (auto& column : value.columns)
+    column = std::make_shared<Signals>(*column * weight.leftCols(column->cols()));
   value.log_jacobian += (weight.log() * block().weight).rowwise().sum();
 }
 

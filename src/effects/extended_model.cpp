@@ -28,7 +28,9 @@ WhitenedSignals difference(const WhitenedSignals& from, const WhitenedSignals& t
   for (std::size_t i = 0; i < from.regressors.size(); ++i)
     change.regressors.push_back(difference(from.regressors[i], to.regressors[i], step));
   for (std::size_t k = 0; k < from.columns.size(); ++k) {
-    auto column = std::make_shared<Signals>(difference(*from.columns[k], *to.columns[k], step));
+    const Index samples = std::max(from.columns[k]->cols(), to.columns[k]->cols());
+    auto column = std::make_shared<Signals>(difference(
+        withZerosUntil(samples, *from.columns[k]), withZerosUntil(samples, *to.columns[k]), step));
     if (column->cols() == 0) column = nullptr;
     change.columns.push_back(std::move(column));
   }

@@ -101,9 +101,11 @@ VectorXd ExtendedModel::pointDeviations(const VectorXd& parameters, double noise
 VectorXd ExtendedModel::columnCoefficients(const Response& response, const Signals& unexplained,
                                            int lane) {
   const Index columns = response.column_precision.size(), samples = unexplained.cols();
-  MatrixXd Z(samples, columns);
-  for (Index k = 0; k < columns; ++k)
-    Z.col(k) = response.value.columns[static_cast<std::size_t>(k)]->row(lane).transpose();
+  MatrixXd Z = MatrixXd::Zero(samples, columns);
+  for (Index k = 0; k < columns; ++k) {
+    const Signals& column = *response.value.columns[static_cast<std::size_t>(k)];
+    Z.col(k).head(column.cols()) = column.row(lane).transpose();
+  }
   MatrixXd inner = Z.transpose() * Z;
   inner.diagonal() += response.column_precision;
   return PseudoInverse(inner).inverse *

@@ -13,8 +13,8 @@ using Eigen::VectorXd;
 
 void subtractScaled(const Signals& signal, const Lanes& factor, Signals* from) {
   if (signal.cols() == 0) return;
-  if (from->cols() == 0) from->setZero(kLanes, signal.cols());
-  *from -= signal.colwise() * factor;
+  if (from->cols() < signal.cols()) *from = withZerosUntil(signal.cols(), *from);
+  from->leftCols(signal.cols()) -= signal.colwise() * factor;
 }
 
 /// Row i of a matrix with one column per experiment, as one value per lane.

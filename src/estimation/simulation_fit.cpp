@@ -34,10 +34,11 @@ Eigen::VectorXd errorOf(const Response& response, const Block& block, int lane) 
   const int samples = block.lengths[static_cast<std::size_t>(lane)];
   Eigen::VectorXd error = response.value.residual.row(lane).head(samples).transpose();
   if (columns == 0) return error;
-  Eigen::MatrixXd Z(samples, columns);
+  Eigen::MatrixXd Z = Eigen::MatrixXd::Zero(samples, columns);
   for (Eigen::Index k = 0; k < columns; ++k) {
-    Z.col(k) =
-        response.value.columns[static_cast<std::size_t>(k)]->row(lane).head(samples).transpose();
+    const Signals& column = *response.value.columns[static_cast<std::size_t>(k)];
+    const Eigen::Index known = std::min<Eigen::Index>(samples, column.cols());
+    Z.col(k).head(known) = column.row(lane).head(known).transpose();
   }
   error -= Z * initialCoefficients(Z, error);
   return error;

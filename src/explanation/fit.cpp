@@ -75,8 +75,10 @@ Residuals residualsOf(const Fit& fit, const FitData& data) {
             fit.xi(i, r) * response.value.regressors[static_cast<std::size_t>(i)].row(lane);
       const VectorXd zeta = ExtendedModel::columnCoefficients(response, left, lane);
       residuals.coefficients.col(r) = zeta;
-      for (Index k = 0; k < zeta.size(); ++k)
-        left.row(lane) -= zeta[k] * response.value.columns[static_cast<std::size_t>(k)]->row(lane);
+      for (Index k = 0; k < zeta.size(); ++k) {
+        const Signals& column = *response.value.columns[static_cast<std::size_t>(k)];
+        left.row(lane).head(column.cols()) -= zeta[k] * column.row(lane);
+      }
     }
     left *= scale * block.weight;
     residuals.standardised.push_back(std::move(left));

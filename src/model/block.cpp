@@ -23,6 +23,13 @@ void place(const Experiment& experiment, int index, int lane, Block* block) {
 
 }  // namespace
 
+Signals withZerosUntil(Eigen::Index samples, const Signals& signal) {
+  Signals all = Signals::Zero(kLanes, samples);
+  const Eigen::Index known = std::min(samples, signal.cols());
+  all.leftCols(known) = signal.leftCols(known);
+  return all;
+}
+
 std::vector<Block> makeBlocks(const std::vector<Experiment>& experiments) {
   std::vector<int> order(experiments.size());
   std::iota(order.begin(), order.end(), 0);

@@ -5,13 +5,14 @@
 
 #include "math/constants.h"
 #include "model/filter.h"
+#include "model/shared_signal.h"
 
 namespace uncertainty_identification {
 namespace {
 
 void addScaled(double factor, const Signals& from, Signals* to) {
   if (from.cols() == 0) return;
-  if (to->cols() == 0) to->setZero(kLanes, from.cols());
+  if (to->cols() < from.cols()) *to = withZerosUntil(from.cols(), *to);
   addShifted(factor, 0, from, to);
 }
 
@@ -29,6 +30,15 @@ void addScaled(double factor, const WhitenedSignals& from, WhitenedSignals* to) 
     to->columns[k] = sum;
   }
   to->log_jacobian += factor * from.log_jacobian;
+}
+
+/// The coordinate that only column j of a Jacobian depends on, and by the factor 1, so that its
+/// signals can be moved; -1 if there is none.
+Eigen::Index coordinateOf(const Eigen::MatrixXd& jacobian, Eigen::Index j) {
+  for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
+    if (jacobian(i, j) == 1 && (jacobian.row(i).array() != 0).count() == 1) return i;
+  }
+  return -1;
 }
 
 }  // namespace
@@ -105,6 +115,19 @@ void Evaluation::run(double offset, Response* response) {
   response->value.log_jacobian -= wide * logOfPrior(options_);
 }
 
+int Evaluation::durationOfColumns(std::vector<Eigen::VectorXd> denominators, int directions) const {
+  denominators.insert(denominators.end(), 2, polynomials_.c);
+  int missing = 0;  // samples at which the noise model's state does not decay by C
+  for (int lane = 0; block_.gaps && lane < block_.lanes; ++lane) {
+    const int length = block_.lengths[static_cast<std::size_t>(lane)];
+    const auto measured = static_cast<int>(block_.weight.row(lane).sum());
+    missing = std::max(missing, length - measured);
+  }
+  const int decay = decayOf(denominators, block_.samples);
+  return std::min(block_.samples,
+                  decay + directions + static_cast<int>(polynomials_.d.size()) + missing);
+}
+
 Signals* Evaluation::at(std::vector<Signals>* list, std::size_t k) {
   if (list->size() <= k) list->resize(k + 1);
   return &(*list)[k];
@@ -170,10 +193,12 @@ void applyJacobian(const Eigen::MatrixXd& jacobian, std::vector<WhitenedSignals>
   if (jacobian.rows() == jacobian.cols() && jacobian.isIdentity(0)) return;
   std::vector<WhitenedSignals> combined(static_cast<std::size_t>(jacobian.cols()));
   for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
+    WhitenedSignals& sum = combined[static_cast<std::size_t>(j)];
+    const Eigen::Index own = coordinateOf(jacobian, j);
+    if (own >= 0) sum = std::move((*derivatives)[static_cast<std::size_t>(own)]);
     for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
-      if (jacobian(i, j) == 0) continue;
-      addScaled(jacobian(i, j), (*derivatives)[static_cast<std::size_t>(i)],
-                &combined[static_cast<std::size_t>(j)]);
+      if (jacobian(i, j) == 0 || i == own) continue;
+      addScaled(jacobian(i, j), (*derivatives)[static_cast<std::size_t>(i)], &sum);
     }
   }
   for (auto i = static_cast<std::size_t>(jacobian.rows()); i < derivatives->size(); ++i) {

@@ -93,6 +93,10 @@ class Evaluation {
   static Signals* at(std::vector<Signals>* list, std::size_t k);
   static Signals* at(std::vector<std::shared_ptr<const Signals>>* list, std::size_t k);
 
+  /// Number of samples after which the columns q^-k/P, k < `directions`, whitened, and their
+  /// derivatives have vanished: P is the product of the denominators, those that are varied twice.
+  int durationOfColumns(std::vector<Eigen::VectorXd> denominators, int directions) const;
+
   const Polynomials& polynomials() const { return polynomials_; }
   const Block& block() const { return block_; }
   bool derivatives() const { return derivatives_; }

@@ -19,9 +19,20 @@ void shift(int delay, const Signals& in, Signals* out);
 /// out += factor q^-delay in.
 void addShifted(double factor, int delay, const Signals& in, Signals* out);
 
+/// A delayed signal times a factor of its own in each lane.
+struct DelayedSignal {
+  const Signals* signal;
+  Lanes factor;
+  int delay;
+};
+
+/// x <- (x + sum of the terms)/A, with A = 1 + a1 q^-1 + ... of each lane. The signals are as long
+/// as x. One loop does it all, because the memory that it reads takes the time.
+void filterSum(const std::vector<DelayedSignal>& terms, const std::vector<Lanes>& a, Signals* x);
+
 /// Inner products over the samples, for each lane: left_i'right_j is stored at [i right.size() +
-/// j]. A null pointer stands for a zero signal. Proceeds in pieces of the samples that fit the
-/// cache.
+/// j]. A null pointer stands for a zero signal, and a signal that is shorter than the others is
+/// zero beyond its end. Proceeds in pieces of the samples that fit the cache.
 std::vector<Lanes> innerProducts(const std::vector<const Signals*>& left,
                                  const std::vector<const Signals*>& right);
 

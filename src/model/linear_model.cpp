@@ -83,7 +83,8 @@ class LinearEvaluation : public Evaluation {
     const VectorXd of_basis = basis_.denominator();
     const int na = static_cast<int>(p.a.size()), nb = static_cast<int>(p.b.size());
     const int directions = freeResponseDirections(p, basis_, block().samples);
-    Signals impulse = Signals::Zero(kLanes, block().samples), response_of_a, sensitivity, shifted;
+    const int duration = durationOfColumns({p.a, p.a, of_basis}, directions);
+    Signals impulse = Signals::Zero(kLanes, duration), response_of_a, sensitivity, shifted;
     impulse.col(0).setOnes();
     filter(VectorXd::Ones(1), multiply(p.a, of_basis), 0, impulse, &response_of_a);
     for (int k = 0; k < directions; ++k) {

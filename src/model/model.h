@@ -17,7 +17,8 @@ struct WhitenedSignals {
   std::vector<Signals> regressors;  ///< Phi, n signals: e = Phi xi + omega
   /// Z, the random-effect columns of each experiment: e = Phi xi + Z zeta + omega. Shared, because
   /// one signal may be the derivative of several columns and its inner products are then computed
-  /// once. Null stands for zero.
+  /// once. Null stands for zero; a column may end before the last sample, and is zero from there
+  /// on.
   std::vector<std::shared_ptr<const Signals>> columns;
   Lanes log_jacobian = Lanes::Zero();
 };

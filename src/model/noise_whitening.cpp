@@ -30,11 +30,19 @@ inline const Pack& at(const double* const* signals, int i, int t) {
   return reinterpret_cast<const Pack*>(signals[i])[t];
 }
 
-/// Filters one signal. Stores the innovations nu and the effective v (with predictions at missing
-/// samples), which the derivatives need.
-UI_VECTOR_CLONES
-void whiten(const View& f, const Pack* v, Pack* e, Pack* nu, Pack* effective, Pack* state) {
-  const int m = f.order;
+/// What the derivatives need of a filtered signal: the innovations nu and the effective v (with
+/// predictions at missing samples). Null pointers where no derivatives are wanted.
+struct Kept {
+  Pack *nu, *effective;
+};
+
+/// Filters one signal. `Order`: that of the noise model, so that its state stays in registers; 0:
+/// any.
+template <int Order>
+UI_INLINE void whitenBy(const View& f, const Pack* v, Pack* e, const Kept& kept, Pack* any_state) {
+  Pack own_state[Order + 1] = {};
+  Pack* state = Order > 0 ? own_state : any_state;
+  const int m = Order > 0 ? Order : f.order;
   for (int i = 0; i <= m; ++i) state[i] = Pack{};
   for (int t = f.first; t < f.samples; ++t) {
     const Pack predicted = state[0];
@@ -48,8 +56,23 @@ void whiten(const View& f, const Pack* v, Pack* e, Pack* nu, Pack* effective, Pa
       for (int i = 0; i < m; ++i) state[i] = state[i + 1] + f.c[i] * innovation - f.d[i] * value;
       e[t] = innovation * f.weight[t];
     }
-    nu[t] = innovation;
-    effective[t] = value;
+    if (kept.nu == nullptr) continue;
+    kept.nu[t] = innovation;
+    kept.effective[t] = value;
+  }
+}
+
+UI_VECTOR_CLONES
+void whiten(const View& f, const Pack* v, Pack* e, const Kept& kept, Pack* state) {
+  switch (f.order) {
+    case 1:
+      return whitenBy<1>(f, v, e, kept, state);
+    case 2:
+      return whitenBy<2>(f, v, e, kept, state);
+    case 3:
+      return whitenBy<3>(f, v, e, kept, state);
+    default:
+      return whitenBy<0>(f, v, e, kept, state);
   }
 }
 
@@ -158,9 +181,11 @@ std::vector<const double*> NoiseWhitening::gainsOf(int parameter) const {
 void NoiseWhitening::apply(const Signals& v, Signals* e) const { apply(v, e, nullptr); }
 
 void NoiseWhitening::apply(const Signals& v, Signals* e, std::vector<Signals>* derivatives) const {
-  e->setZero(kLanes, v.cols());
+  e->resize(kLanes, v.cols());
+  e->leftCols(std::min<Index>(first_, v.cols())).setZero();
   if (order_ == 0) {
-    e->rightCols(v.cols() - first_) = (v * block_.weight).rightCols(v.cols() - first_);
+    const Eigen::Index first = std::min<Eigen::Index>(first_, v.cols()), rest = v.cols() - first;
+    e->rightCols(rest) = v.rightCols(rest) * block_.weight.middleCols(first, rest);
     return;
   }
   const std::vector<const double*> gains = gainsOf(kValue);
@@ -174,9 +199,12 @@ void NoiseWhitening::apply(const Signals& v, Signals* e, std::vector<Signals>* d
                   varying_ > 0 ? packs(scaleOf(kValue)) : nullptr,
                   packs(block_.weight),
                   block_.gaps};
-  Signals nu(kLanes, v.cols()), effective(kLanes, v.cols()), state(kLanes, order_ + 1);
-  whiten(view, packs(v), packs(e), packs(&nu), packs(&effective), packs(&state));
-  if (derivatives == nullptr) return;
+  Signals nu, effective, state(kLanes, order_ + 1);
+  if (derivatives == nullptr)
+    return whiten(view, packs(v), packs(e), {nullptr, nullptr}, packs(&state));
+  nu.resize(kLanes, v.cols());
+  effective.resize(kLanes, v.cols());
+  whiten(view, packs(v), packs(e), {packs(&nu), packs(&effective)}, packs(&state));
   derivatives->resize(static_cast<std::size_t>(nc_ + nd_));
   for (int j = 0; j < nc_ + nd_; ++j) {
     const auto at = static_cast<std::size_t>(j);

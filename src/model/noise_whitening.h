@@ -27,7 +27,7 @@ class NoiseWhitening {
   NoiseWhitening(const Eigen::VectorXd& c, const Eigen::VectorXd& d, NoiseStart start, int first,
                  const Block& block, bool derivatives);
 
-  /// Computes e, the whitened signal v.
+  /// Computes e, the whitened signal v, over the samples of v, which may be fewer than the block's.
   void apply(const Signals& v, Signals* e) const;
 
   /// Also computes de/d(c1.., d1..), nc + nd signals, for a v that does not depend on c and d.

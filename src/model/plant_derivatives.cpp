@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/filter.h"
+
 namespace uncertainty_identification {
 namespace {
 
@@ -13,10 +15,6 @@ using Eigen::VectorXd;
 /// Relative step of the finite differences. They are of fourth order, so a wide step is accurate;
 /// and the Jacobian may itself be computed by differences, whose error a narrow step would amplify.
 constexpr double kStep = 1e-2;
-
-void addShifted(const Lanes& factor, Index delay, const Signals& in, Signals* out) {
-  for (Index t = delay; t < in.cols(); ++t) out->col(t) += factor * in.col(t - delay);
-}
 
 bool isZero(const Lanes& lanes) { return (lanes == 0).all(); }
 
@@ -95,45 +93,50 @@ const std::vector<Lanes>& PlantDerivatives::coefficients(const DerivativeIndex& 
   return coefficients_.emplace(index, std::move(all)).first->second;
 }
 
-Signals PlantDerivatives::timesA(const DerivativeIndex& index, const Signals& x) {
+/// Appends factor sum_k (coefficient k of A_S) q^-k x.
+void PlantDerivatives::appendTimesA(const DerivativeIndex& index, double factor, const Signals& x,
+                                    std::vector<DelayedSignal>* terms) {
   const std::vector<Lanes>& all = coefficients(index);
   const Index nb = lanes_->front().nb(), na = lanes_->front().na();
-  Signals out = Signals::Zero(kLanes, x.cols());
   for (Index k = 0; k < na; ++k) {
-    const Lanes& factor = all[static_cast<std::size_t>(nb + k)];
-    if (!isZero(factor)) addShifted(factor, k + 1, x, &out);
+    const Lanes& one = all[static_cast<std::size_t>(nb + k)];
+    if (!isZero(one)) terms->push_back({&x, factor * one, static_cast<int>(k) + 1});
   }
+}
+
+Signals PlantDerivatives::timesA(const DerivativeIndex& index, const Signals& x) {
+  std::vector<DelayedSignal> terms;
+  appendTimesA(index, 1, x, &terms);
+  Signals out = Signals::Zero(kLanes, x.cols());
+  filterSum(terms, {}, &out);
   return out;
 }
 
-void PlantDerivatives::divideByA(Signals* x) {
+std::vector<Lanes> PlantDerivatives::denominator() {
   const std::vector<Lanes>& all = coefficients({});
-  const Index nb = lanes_->front().nb(), na = lanes_->front().na();
-  for (Index t = 0; t < x->cols(); ++t) {
-    for (Index k = 1; k <= std::min(na, t); ++k)
-      x->col(t) -= all[static_cast<std::size_t>(nb + k - 1)] * x->col(t - k);
-  }
+  return {all.begin() + lanes_->front().nb(), all.end()};
 }
+
+void PlantDerivatives::divideByA(Signals* x) { filterSum({}, denominator(), x); }
 
 const Signals& PlantDerivatives::signal(const DerivativeIndex& index) {
   const auto known = signals_.find(index);
   if (known != signals_.end()) return known->second;
   Signals x = Signals::Zero(kLanes, input_.cols());
-  const std::vector<Lanes>& all = coefficients(index);
-  const Index nb = lanes_->front().nb();
-  for (Index k = 0; k < nb; ++k) {
-    const Lanes& factor = all[static_cast<std::size_t>(k)];
-    if (!isZero(factor)) addShifted(factor, lanes_->front().delay() + k, input_, &x);
-  }
   if (index.empty() && start_.size() > 0) {
     const Index first = std::min(start_.rows(), x.cols());
-    x.topLeftCorner(start_.cols(), first) += start_.topRows(first).transpose().array();
+    x.topLeftCorner(start_.cols(), first) = start_.topRows(first).transpose().array();
+  }
+  std::vector<DelayedSignal> terms;
+  const std::vector<Lanes>& all = coefficients(index);
+  for (int k = 0; k < lanes_->front().nb(); ++k) {
+    const Lanes& factor = all[static_cast<std::size_t>(k)];
+    if (!isZero(factor)) terms.push_back({&input_, factor, lanes_->front().delay() + k});
   }
   const unsigned whole = 1u << index.size();
-  for (unsigned mask = 1; mask < whole; ++mask) {
-    x -= timesA(chosen(index, mask), signal(chosen(index, whole - 1 - mask)));
-  }
-  divideByA(&x);
+  for (unsigned mask = 1; mask < whole; ++mask)
+    appendTimesA(chosen(index, mask), -1, signal(chosen(index, whole - 1 - mask)), &terms);
+  filterSum(terms, denominator(), &x);
   return signals_.emplace(index, std::move(x)).first->second;
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "model/filter.h"
 #include "uncertainty_identification/model/block.h"
 #include "uncertainty_identification/model/nominal_model.h"
 
@@ -26,6 +27,7 @@ class PlantCoefficients {
   int delay() const { return delay_; }
   Eigen::Index nb() const { return nb_; }
   Eigen::Index na() const { return na_; }
+  Eigen::VectorXd a() const { return value_.tail(na_); }
 
   /// The derivative of [b; a] (nb + na entries).
   Eigen::VectorXd derivative(const DerivativeIndex& index);
@@ -63,6 +65,9 @@ class PlantDerivatives {
 
  private:
   const std::vector<Lanes>& coefficients(const DerivativeIndex& index);
+  std::vector<Lanes> denominator();
+  void appendTimesA(const DerivativeIndex& index, double factor, const Signals& x,
+                    std::vector<DelayedSignal>* terms);
 
   std::vector<PlantCoefficients>* lanes_;
   const Signals& input_;

@@ -60,9 +60,15 @@ class SensitivityResponse : public PlantResponse {
   std::vector<Signals> regressorDerivatives(int l) override {
     std::vector<Signals> all;
     for (int i = 0; i < terms_.count(); ++i) {
-      Signals derivative = terms_.scaleDerivative(i, l, at_.theta) * plant_.signal(term(i));
-      if (!isApart(l)) derivative += terms_.scale(i, at_.theta) * plant_.signal(with(term(i), l));
-      all.push_back(std::move(derivative));
+      const double of_scale = terms_.scaleDerivative(i, l, at_.theta);
+      const double scale = terms_.scale(i, at_.theta);
+      if (isApart(l)) {
+        all.push_back(of_scale * plant_.signal(term(i)));
+      } else if (of_scale == 0) {
+        all.push_back(scale * plant_.signal(with(term(i), l)));
+      } else {
+        all.push_back(of_scale * plant_.signal(term(i)) + scale * plant_.signal(with(term(i), l)));
+      }
     }
     return all;
   }
@@ -120,7 +126,7 @@ class SensitivityEvaluation : public Evaluation {
   void addFreeResponse(Response* response) const override {
     const PlantCoefficients& go = at_->lanes.front();
     const int directions = std::min(freeDirections(go, power_), block().samples);
-    Signals free = Signals::Zero(kLanes, block().samples), shifted;
+    Signals free = Signals::Zero(kLanes, durationOfColumns(directions)), shifted;
     free.col(0).setOnes();
     PlantDerivatives plant(&at_->lanes, free);
     for (int m = 0; m < power_; ++m) plant.divideByA(&free);
@@ -143,6 +149,16 @@ class SensitivityEvaluation : public Evaluation {
   }
 
  private:
+  /// That of the slowest lane.
+  int durationOfColumns(int directions) const {
+    int longest = 0;
+    for (const PlantCoefficients& go : at_->lanes) {
+      const std::vector<VectorXd> powers(static_cast<std::size_t>(power_) + 1, go.a());
+      longest = std::max(longest, Evaluation::durationOfColumns(powers, directions));
+    }
+    return longest;
+  }
+
   const SensitivityTerms& terms_;
   LanePlants* at_;
   int power_;

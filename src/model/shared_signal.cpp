@@ -70,27 +70,35 @@ MatrixXd LaggedProducts::until(int end) {
   return all;
 }
 
-int decayOf(const VectorXd& a, const VectorXd& c, int longest) {
-  // Small enough that no later value exceeds the precision of the sums, even if several slow poles
-  // make the response grow again.
-  constexpr double kVanished = 1e-30;
-  const int order = static_cast<int>(a.size() + c.size());
-  VectorXd of_a = VectorXd::Zero(a.size() + 1), of_ac = VectorXd::Zero(c.size() + 1);
-  double largest = 0;
-  int small = 0;  // number of small values so far in a row
-  for (int t = 0; t < longest; ++t) {
-    double value = t == 0 ? 1 : 0;
-    for (Index k = 0; k < a.size(); ++k) value -= a[k] * of_a[k];
-    for (Index k = a.size(); k > 0; --k) of_a[k] = of_a[k - 1];
-    of_a[0] = value;
-    for (Index k = 0; k < c.size(); ++k) value -= c[k] * of_ac[k];
-    for (Index k = c.size(); k > 0; --k) of_ac[k] = of_ac[k - 1];
-    of_ac[0] = value;
-    largest = std::max(largest, std::abs(value));
-    small = std::abs(value) < kVanished * largest ? small + 1 : 0;
-    if (small > order) return t + 1;
+int decayOf(const std::vector<VectorXd>& denominators, int longest) {
+  // So small that no later value exceeds the precision of the sums, even if several slow poles make
+  // the response grow again.
+  constexpr double kForgotten = 1e-30, kVanished = 1e-17;
+  std::vector<VectorXd> states;  // of each factor, the latest value first
+  Index order = 0;
+  for (const VectorXd& p : denominators) {
+    states.emplace_back(VectorXd::Zero(p.size() + 1));
+    order += p.size();
   }
-  return longest;
+  std::vector<double> magnitudes;
+  double largest = 0;
+  Index small = 0;  // number of small values so far in a row
+  for (int t = 0; t < longest && small <= order; ++t) {
+    double value = t == 0 ? 1 : 0;
+    for (std::size_t f = 0; f < denominators.size(); ++f) {
+      VectorXd& state = states[f];
+      for (Index k = denominators[f].size(); k > 0; --k) {
+        state[k] = state[k - 1];
+        value -= denominators[f][k - 1] * state[k];
+      }
+      state[0] = value;
+    }
+    magnitudes.push_back(std::abs(value));
+    largest = std::max(largest, magnitudes.back());
+    small = magnitudes.back() < kForgotten * largest ? small + 1 : 0;
+  }
+  while (magnitudes.size() > 1 && magnitudes.back() <= kVanished * largest) magnitudes.pop_back();
+  return static_cast<int>(magnitudes.size());
 }
 
 }  // namespace uncertainty_identification

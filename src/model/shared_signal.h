@@ -53,8 +53,8 @@ class LaggedProducts {
   Eigen::VectorXd last_column_, last_row_;
 };
 
-/// Number of samples after which 1/(A C), the slowest of the shared responses that decay, has
-/// vanished beyond any doubt; at most `longest`.
-int decayOf(const Eigen::VectorXd& a, const Eigen::VectorXd& c, int longest);
+/// Number of samples after which the response of 1/(P1 P2 ...) to an impulse has vanished within
+/// rounding; at most `longest`.
+int decayOf(const std::vector<Eigen::VectorXd>& denominators, int longest);
 
 }  // namespace uncertainty_identification

@@ -78,7 +78,8 @@ StartColumns::StartColumns(const Polynomials& p, int states, const EstimationOpt
   const int longest = *std::max_element(lengths.begin(), lengths.end());
   const int order = static_cast<int>(std::max({p.a.size(), p.c.size(), p.d.size()}));
   const int lag = std::max(states_, noise_) + order + 1;
-  const int decay = std::min(longest, decayOf(p.a, p.c, longest) + static_cast<int>(p.d.size()));
+  const int decay =  // of the derivatives, too
+      std::min(longest, decayOf({p.a, p.a, p.c, p.c}, longest) + static_cast<int>(p.d.size()));
   const SharedSignal over_c = SharedSignal::impulse(decay, lag).dividedBy(p.c);
   if (noise_ > 0) {
     start_ = NoiseStartCovariance(p, derivatives);

@@ -16,10 +16,12 @@ constexpr double kUnknown = 1e8;
 // coefficients, and is no residual itself.
 constexpr double kUndetermined = 1e4;
 
-/// One lane of a signal; a signal without samples stands for zero.
+/// One lane of a signal, which is zero beyond its end.
 VectorXd laneOf(const Signals& signal, int lane, Index samples) {
-  if (signal.cols() == 0) return VectorXd::Zero(samples);
-  return signal.row(lane).head(samples).transpose();
+  VectorXd values = VectorXd::Zero(samples);
+  const Index known = std::min(samples, signal.cols());
+  values.head(known) = signal.row(lane).head(known).transpose();
+  return values;
 }
 
 /// [Z Phi] of a lane, or its derivative.

@@ -18,6 +18,9 @@ using Lanes = Eigen::Array<double, kLanes, 1>;
 /// One signal of a block: row = experiment (lane), column = sample.
 using Signals = Eigen::Array<double, kLanes, Eigen::Dynamic>;
 
+/// A signal that is zero beyond its end, with that many samples.
+Signals withZerosUntil(Eigen::Index samples, const Signals& signal);
+
 /// Up to kLanes experiments of similar length with interleaved samples. Unused lanes and samples
 /// are zero.
 struct Block {

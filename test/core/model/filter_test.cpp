@@ -7,6 +7,7 @@
 namespace uncertainty_identification {
 namespace {
 
+using Eigen::Index;
 using Eigen::VectorXd;
 using test::vectorOf;
 
@@ -44,6 +45,31 @@ TEST(AddShifted, Accumulates) {
   addShifted(-2, 1, in, &out);
   EXPECT_TRUE((out.col(0) == 1).all());
   EXPECT_LT((out.rightCols(5) - (1 - 2 * in.leftCols(5))).abs().maxCoeff(), 1e-15);
+}
+
+TEST(InnerProducts, OfShorterSignalsEndWithThem) {
+  // lengths at, before and behind the ends of the pieces that the sums proceed in
+  const std::vector<Index> lengths{200, 3, 64, 130, 200, 65, 1, 129};
+  std::vector<Signals> signals;
+  for (const Index length : lengths) signals.push_back(Signals::Random(kLanes, length));
+  std::vector<const Signals*> left, right;
+  for (const Signals& signal : signals) left.push_back(&signal);
+  left.push_back(nullptr);
+  right.assign(left.begin() + 1, left.end());
+  for (const auto& other : {left, right}) {
+    const std::vector<Lanes> found = innerProducts(left, other);
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      for (std::size_t j = 0; j < other.size(); ++j) {
+        Lanes expected = Lanes::Zero();
+        if (left[i] != nullptr && other[j] != nullptr) {
+          const Index both = std::min(left[i]->cols(), other[j]->cols());
+          expected = (left[i]->leftCols(both) * other[j]->leftCols(both)).rowwise().sum();
+        }
+        EXPECT_LT((found[i * other.size() + j] - expected).abs().maxCoeff(), 1e-12)
+            << i << " " << j;
+      }
+    }
+  }
 }
 
 }  // namespace
