@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "curves/free_simulation.h"
-#include "curves/starts.h"
+#include "curves/starts_behind.h"
 #include "math/polynomial.h"
 
 namespace uncertainty_identification {
@@ -161,65 +161,22 @@ std::vector<PlaceOf> placesFor(const SimulationData& data, const CurveModel& mod
   return all;
 }
 
-/// Widths of a play, or limits of the rate, to begin with. In a closed loop most changes of the
-/// input are noise and few reach the limit, so that limits of very different size must be tried.
-std::vector<double> widthsFor(const SimulationData& data, Place place) {
-  if (place != Place::rate_limit) return {0.1, 0.25, 0.5};
-  std::vector<double> changes;
-  for (const SimulationWindow& window : data.windows)
-    for (Eigen::Index k = 1; k < window.u.size(); ++k)
-      if (const double change = std::abs(window.u[k] - window.u[k - 1]); change > 1e-9)
-        changes.push_back(change);
-  if (changes.empty()) return {};
-  std::sort(changes.begin(), changes.end());
-  const auto quantile = [&](double share) {
-    return changes[static_cast<std::size_t>(share * static_cast<double>(changes.size() - 1))];
-  };
-  constexpr int kWidths = 8;
-  const double least = 0.3 * quantile(0.5), ratio = 0.9 * quantile(0.995) / least;
-  std::vector<double> widths;
-  widths.reserve(kWidths);
-  for (int k = 0; k < kWidths; ++k) widths.push_back(least * std::pow(ratio, k / (kWidths - 1.0)));
-  return widths;
+void keepBetter(WindowFit stepped, WindowFit* best) {
+  if (stepped.left_out < best->left_out) *best = std::move(stepped);
 }
 
-/// The data with the input behind a play or a limit of its rate.
-SimulationData through(SimulationData data, Place place, double width) {
-  for (SimulationWindow& window : data.windows) {
-    double held = window.u[0];
-    for (Eigen::Index k = 0; k < window.u.size(); ++k) {
-      double& value = window.u[k];
-      if (place == Place::play)
-        held = std::min(std::max(held, value - width), value + width);
-      else
-        held += std::min(std::max(value - held, -width), width);
-      value = held;
-    }
-  }
-  return data;
-}
-
-/// The plant that follows the input behind the play or limit, with the width for which it simulates
-/// best. One that was fitted without it is slower than the true one, from which no small step leads
-/// back.
-CurveModel startBehind(const SimulationData& data, const CurveModel& linear, Place place) {
-  constexpr int kIterations = 3;
-  CurveModel best;
-  double least = std::numeric_limits<double>::infinity(), width_of_best = 0;
-  for (const double width : widthsFor(data, place)) {
-    const SimulationData behind = through(data, place, width);
-    CurveModel start = linearStart(behind, linear.order, linear.direct, linear.delay, kIterations);
-    const double error = simulationError(behind, start);
-    if (!(error < least)) continue;
-    least = error;
-    width_of_best = width;
-    best = std::move(start);
-  }
-  if (best.order == 0) return best;
-  best.theta.conservativeResize(best.theta.size() + 1);
-  best.theta.tail(1).setConstant(width_of_best);
-  best.curves.push_back(Curve(place));
-  return best;
+/// The plant that is driven by the covariate, too, with a curve of it that is a straight line.
+CurveModel driven(const SimulationData& data, const WindowFit& fit, const PlaceOf& place) {
+  PlantBesideCovariate beside = plantBeside(data, fit.model, place.covariate);
+  CurveModel& model = beside.plant;
+  if (model.order == 0) return model;
+  const Curve curve = curveAt(data, place, &model);
+  const Eigen::VectorXd line = curve.closest(beside.ratio * curve.samples());
+  model.input_zero = data.scales.u.zero();
+  model.theta.conservativeResize(model.theta.size() + line.size());
+  model.theta.tail(line.size()) = line;
+  model.curves.push_back(curve);
+  return model;
 }
 
 }  // namespace
@@ -260,9 +217,11 @@ std::vector<ScreenedPlace> screenPlaces(const SimulationData& data, const Window
     for (const double width : widths) {
       const CurveModel model = extended(data, fit, place, width);
       if (model.curves.back().parameters() == 0) continue;
-      WindowFit stepped = stepLinearly(data, model);
-      if (stepped.left_out < screened.fit.left_out) screened.fit = std::move(stepped);
+      keepBetter(stepLinearly(data, model), &screened.fit);
     }
+    if (place.place != Place::covariate || !fit.model.curves.empty()) return;
+    const CurveModel model = driven(data, fit, place);
+    if (model.order > 0 && isSimulable(model)) keepBetter(stepLinearly(data, model), &screened.fit);
   });
   found.erase(std::remove_if(found.begin(), found.end(),
                              [](const ScreenedPlace& each) { return each.fit.step.size() == 0; }),

@@ -74,31 +74,26 @@ int decayOf(const std::vector<VectorXd>& denominators, int longest) {
   // So small that no later value exceeds the precision of the sums, even if several slow poles make
   // the response grow again.
   constexpr double kForgotten = 1e-30, kVanished = 1e-17;
-  std::vector<VectorXd> states;  // of each factor, the latest value first
-  Index order = 0;
-  for (const VectorXd& p : denominators) {
-    states.emplace_back(VectorXd::Zero(p.size() + 1));
-    order += p.size();
-  }
-  std::vector<double> magnitudes;
+  std::size_t order = 0;
+  for (const VectorXd& p : denominators) order += static_cast<std::size_t>(p.size());
+  std::vector<std::vector<double>> responses(denominators.size());  // behind each factor
   double largest = 0;
-  Index small = 0;  // number of small values so far in a row
+  std::size_t small = 0;  // number of small values so far in a row
+  int end = 0;
   for (int t = 0; t < longest && small <= order; ++t) {
     double value = t == 0 ? 1 : 0;
     for (std::size_t f = 0; f < denominators.size(); ++f) {
-      VectorXd& state = states[f];
-      for (Index k = denominators[f].size(); k > 0; --k) {
-        state[k] = state[k - 1];
-        value -= denominators[f][k - 1] * state[k];
-      }
-      state[0] = value;
+      const VectorXd& p = denominators[f];
+      std::vector<double>& response = responses[f];
+      const double* before = response.data() + t;
+      for (Index k = 1; k <= std::min<Index>(p.size(), t); ++k) value -= p[k - 1] * before[-k];
+      response.push_back(value);
     }
-    magnitudes.push_back(std::abs(value));
-    largest = std::max(largest, magnitudes.back());
-    small = magnitudes.back() < kForgotten * largest ? small + 1 : 0;
+    largest = std::max(largest, std::abs(value));
+    small = std::abs(value) < kForgotten * largest ? small + 1 : 0;
+    if (std::abs(value) > kVanished * largest) end = t + 1;
   }
-  while (magnitudes.size() > 1 && magnitudes.back() <= kVanished * largest) magnitudes.pop_back();
-  return static_cast<int>(magnitudes.size());
+  return std::max(end, std::min(longest, 1));
 }
 
 }  // namespace uncertainty_identification
