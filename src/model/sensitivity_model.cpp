@@ -153,6 +153,7 @@ class SensitivityEvaluation : public Evaluation {
   int durationOfColumns(int directions) const {
     int longest = 0;
     for (const PlantCoefficients& go : at_->lanes) {
+      if (longest == block().samples) break;
       const std::vector<VectorXd> powers(static_cast<std::size_t>(power_) + 1, go.a());
       longest = std::max(longest, Evaluation::durationOfColumns(powers, directions));
     }
