@@ -91,6 +91,7 @@ void filter(const Eigen::VectorXd& numerator, const Eigen::VectorXd& monic_denom
 void filterSum(const std::vector<DelayedSignal>& terms, const std::vector<Lanes>& a, Signals* x) {
   checkpoint();
   std::vector<Term> all;
+  all.reserve(terms.size());
   for (const DelayedSignal& term : terms)
     all.push_back(
         {packs(*term.signal), reinterpret_cast<const Pack*>(term.factor.data()), term.delay});
