@@ -25,8 +25,9 @@ struct PlantBesideCovariate {
   double ratio = 0;
 };
 
-/// That with the ratio for which it simulates best: a second input may move the output more than
-/// the first does. `linear`: of which order and delay.
+/// The plant, of the order and delay of `linear`, with the ratio for which it simulates best: a
+/// second input may move the output more than the first does. Its order is 0 if none can be
+/// simulated.
 PlantBesideCovariate plantBeside(const SimulationData& data, const CurveModel& linear,
                                  const std::string& covariate);
 

@@ -93,8 +93,9 @@ class Evaluation {
   static Signals* at(std::vector<Signals>* list, std::size_t k);
   static Signals* at(std::vector<std::shared_ptr<const Signals>>* list, std::size_t k);
 
-  /// Number of samples after which the columns q^-k/P, k < `directions`, whitened, and their
-  /// derivatives have vanished: P is the product of the denominators, those that are varied twice.
+  /// Number of samples after which the whitened columns q^-k/P, k < `directions`, and their
+  /// derivatives have vanished. P is the product of `denominators`; one that the parameters change
+  /// must be listed once more, because the derivative is divided by it again.
   int durationOfColumns(std::vector<Eigen::VectorXd> denominators, int directions) const;
 
   const Polynomials& polynomials() const { return polynomials_; }

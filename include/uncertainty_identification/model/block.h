@@ -18,7 +18,7 @@ using Lanes = Eigen::Array<double, kLanes, 1>;
 /// One signal of a block: row = experiment (lane), column = sample.
 using Signals = Eigen::Array<double, kLanes, Eigen::Dynamic>;
 
-/// A signal that is zero beyond its end, with that many samples.
+/// The signal with `samples` samples: zeros follow where it is shorter.
 Signals withZerosUntil(Eigen::Index samples, const Signals& signal);
 
 /// Up to kLanes experiments of similar length with interleaved samples. Unused lanes and samples
