@@ -104,6 +104,7 @@ void addCurves(const SimulationData& data, const WindowFit& now, const Candidate
     whole.naming = nameCurve(data, now, whole.fit, screened[k].fit, kShapes, context);
     found[2 * k + 1] = whole;  // a free curve has leverage: its shape competes as well
     found[2 * k + 1].fit = whole.naming.fit;
+    found[2 * k + 1].is_named = true;
   });
   for (CurveCandidate& candidate : found)
     if (isPossible(candidate)) all->push_back(std::move(candidate));
@@ -144,6 +145,29 @@ bool hasSmallerError(const CurveCandidate& left, const CurveCandidate& right) {
   return left.unseen.sum() < right.unseen.sum();
 }
 
+/// Fills in the unseen errors, which `unseen` gives of a fit: of each fit once, since the named
+/// curve competes itself.
+void fillUnseen(const std::function<Eigen::VectorXd(const WindowFit&)>& unseen, WorkerPool* pool,
+                std::vector<CurveCandidate>* all) {
+  const auto namedOf = [all](const CurveCandidate& free) {
+    return std::find_if(all->begin(), all->end(), [&](const CurveCandidate& each) {
+      return each.is_named && each.place.place == free.place.place &&
+             each.place.covariate == free.place.covariate;
+    });
+  };
+  const auto is_curve = [](const CurveCandidate& each) {
+    return each.kind == CandidateKind::curve;
+  };
+  pool->forEach(static_cast<int>(all->size()), [&](int index) {
+    CurveCandidate& each = (*all)[static_cast<std::size_t>(index)];
+    each.unseen = unseen(each.fit);
+    if (is_curve(each) && namedOf(each) == all->end()) each.named_unseen = unseen(each.naming.fit);
+  });
+  for (CurveCandidate& each : *all)
+    if (const auto named = namedOf(each); is_curve(each) && named != all->end())
+      each.named_unseen = named->unseen;
+}
+
 }  // namespace
 
 std::vector<CurveCandidate> candidatesFor(const SimulationData& data, const SimulationData& held,
@@ -153,27 +177,24 @@ std::vector<CurveCandidate> candidatesFor(const SimulationData& data, const Simu
   std::vector<CurveCandidate> all;
   const int most = now.model.curves.empty() ? limits.max_order : std::min(limits.max_order, 3);
   for (PlantChange& change : largerPlants(data, now, linear, most, context))
-    all.push_back({kindOf(change.kind), {}, std::move(change.fit), {}, {}, {}, {}});
+    all.push_back({kindOf(change.kind), {}, std::move(change.fit), {}, {}, {}, {}, false});
   addCurves(data, now, limits, context, &all);
   dropDominated(now, &all);
-  for (CurveCandidate& each : all) {
-    each.unseen = unseenErrors(each.fit, held);
-    if (each.kind == CandidateKind::curve) each.named_unseen = unseenErrors(each.naming.fit, held);
-  }
+  fillUnseen([&](const WindowFit& fit) { return unseenErrors(fit, held); }, context.pool, &all);
   std::stable_sort(all.begin(), all.end(), hasSmallerError);
   return all;
 }
 
 std::vector<CurveCandidate> curvesBeyondDifferences(
-    std::vector<CurveCandidate> all, const Eigen::VectorXd& now,
+    std::vector<CurveCandidate> all, const Eigen::VectorXd& now, WorkerPool* pool,
     const std::function<Eigen::VectorXd(const WindowFit&)>& unseen) {
   std::vector<CurveCandidate> curves;
-  for (CurveCandidate& each : all) {
-    if (each.kind != CandidateKind::curve || each.unseen.sum() >= now.sum()) continue;
-    each.unseen = unseen(each.fit);
-    each.named_unseen = unseen(each.naming.fit);
-    if (each.unseen.size() > 0) curves.push_back(std::move(each));
-  }
+  for (CurveCandidate& each : all)
+    if (each.kind == CandidateKind::curve && each.unseen.sum() < now.sum())
+      curves.push_back(std::move(each));
+  fillUnseen(unseen, pool, &curves);
+  const auto shows_none = [](const CurveCandidate& each) { return each.unseen.size() == 0; };
+  curves.erase(std::remove_if(curves.begin(), curves.end(), shows_none), curves.end());
   std::stable_sort(curves.begin(), curves.end(), hasSmallerError);
   return curves;
 }

@@ -20,6 +20,7 @@ struct CurveCandidate {
   Eigen::VectorXd unseen;        ///< unseenErrors() of fit
   Eigen::VectorXd named_unseen;  ///< unseenErrors() of naming.fit
   Eigen::VectorXd beyond;        ///< its unseenBeyondDifferences(); may be empty
+  bool is_named = false;         ///< fit is naming.fit
 
   /// The larger plant, or the named curve.
   const WindowFit& accepted() const { return kind == CandidateKind::curve ? naming.fit : fit; }
@@ -42,7 +43,7 @@ std::vector<CurveCandidate> candidatesFor(const SimulationData& data, const Simu
 /// gives of a fit. Only those with which unseen windows are simulated better also as they are;
 /// nothing where the windows do not show what experiments differ by.
 std::vector<CurveCandidate> curvesBeyondDifferences(
-    std::vector<CurveCandidate> all, const Eigen::VectorXd& now,
+    std::vector<CurveCandidate> all, const Eigen::VectorXd& now, WorkerPool* pool,
     const std::function<Eigen::VectorXd(const WindowFit&)>& unseen);
 
 /// The first curve of each place that none of those `tied` is at.

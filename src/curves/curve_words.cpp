@@ -182,4 +182,12 @@ bool isCurveCause(const std::string& name) {
   return std::binary_search(kNames.begin(), kNames.end(), name);
 }
 
+std::string causeBetween(const std::vector<std::string>& names) {
+  static const char* const kSmooth = "cubic";
+  const auto has = [&](Place place) {
+    return std::find(names.begin(), names.end(), causeNamed(place, kSmooth)) != names.end();
+  };
+  return has(Place::input) && has(Place::sensor) ? causeNamed(Place::position, "curve") : "";
+}
+
 }  // namespace uncertainty_identification

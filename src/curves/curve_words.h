@@ -17,6 +17,10 @@ std::vector<std::string> curveCauseNames();
 /// Whether a name is one of these: of a cause that the free simulation can show.
 bool isCurveCause(const std::string& name);
 
+/// The cause within the plant that lies between a smooth curve of the input and one of the sensor;
+/// empty unless both are among the names.
+std::string causeBetween(const std::vector<std::string>& names);
+
 /// "a dead zone".
 std::string shapeInWords(const std::string& shape);
 

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "curves/linear_simulation.h"
 #include "curves/simulator.h"
 
 namespace uncertainty_identification {
 namespace {
 
-constexpr double kLargest = 50;       ///< standard deviations at which a diverging state is held
 constexpr double kOutputState = 0.1;  ///< unit of curves that act on the output's own state
 
 }  // namespace
@@ -39,8 +40,7 @@ void Simulator::begin(const Eigen::VectorXd& initial) {
   level_ = model_.own_level ? initial[model_.order] : 0;
   by_state_ = Eigen::ArrayXXd::Zero(columns_, model_.order);
   if (derive_) by_state_.middleRows(model_.parameters(), model_.order).matrix().setIdentity();
-  const int ahead = std::min(3, window_.samples() - 1);
-  previous_ = window_.y[0] - (ahead > 0 ? (window_.y[ahead] - window_.y[0]) / ahead : 0.0);
+  previous_ = valueBefore(window_);
   for (Eigen::ArrayXd* each :
        {&previous_by_, &x_.by, &input_.by, &gain_.by, &added_.by, &to_state_.by, &rate_.by,
         &total_.by, &plant_output_.by, &output_.by})
@@ -67,8 +67,8 @@ void Simulator::advance() {
     const double a = model_.theta[i], b = model_.theta[n + i];
     double next = (i + 1 < n ? state_[i + 1] : 0) - a * plant_output_.value + b * total_.value;
     if (i == 0) next += kOutputState * to_state_.value;
-    const bool diverges = !(std::abs(next) <= kLargest);
-    state_[i] = diverges ? (next < 0 ? -kLargest : kLargest) : next;
+    const bool diverges = !(std::abs(next) <= kLargestState);
+    state_[i] = diverges ? (next < 0 ? -kLargestState : kLargestState) : next;
     if (!derive_) continue;
     if (diverges) {
       by_state_.col(i).setZero();
@@ -116,6 +116,9 @@ double Simulator::step(int k) {
 FreeSimulation simulateFreely(const CurveModel& model, const std::vector<CurveTable>& tables,
                               const SimulationWindow& window, const Eigen::VectorXd& initial,
                               bool with_derivatives) {
+  if (model.curves.empty())
+    if (auto linear = simulateLinearly(model, window, initial, with_derivatives))
+      return std::move(*linear);
   FreeSimulation simulated;
   const int samples = window.samples();
   simulated.y.resize(samples);
@@ -130,6 +133,11 @@ FreeSimulation simulateFreely(const CurveModel& model, const std::vector<CurveTa
     if (with_derivatives) simulated.derivatives.col(k) = simulator.outputDerivatives().matrix();
   }
   return simulated;
+}
+
+double valueBefore(const SimulationWindow& window) {
+  const int ahead = std::min(3, window.samples() - 1);
+  return window.y[0] - (ahead > 0 ? (window.y[ahead] - window.y[0]) / ahead : 0.0);
 }
 
 std::vector<CurveTable> tablesOf(const CurveModel& model) {

@@ -8,6 +8,8 @@
 
 namespace uncertainty_identification {
 
+constexpr double kLargestState = 50;  ///< standard deviations at which a diverging state is held
+
 /// The output of a model that sees the input only, and its derivatives.
 struct FreeSimulation {
   Eigen::VectorXd y;  ///< T
@@ -22,6 +24,9 @@ struct FreeSimulation {
 FreeSimulation simulateFreely(const CurveModel& model, const std::vector<CurveTable>& tables,
                               const SimulationWindow& window, const Eigen::VectorXd& initial,
                               bool with_derivatives);
+
+/// The measured output a sample before the window, by the slope of its first samples.
+double valueBefore(const SimulationWindow& window);
 
 /// The tables of all curves at the model's theta; empty ones for widths and limits.
 std::vector<CurveTable> tablesOf(const CurveModel& model);

@@ -19,28 +19,36 @@ Eigen::VectorXd stateAtRest(const CurveModel& model, const SimulationWindow& win
   return state;
 }
 
+SimulationWindow beginningOf(const SimulationWindow& whole, int length) {
+  SimulationWindow window = whole;
+  window.u.conservativeResize(length);
+  window.y.conservativeResize(length);
+  window.measured.conservativeResize(length);
+  return window;
+}
+
 }  // namespace
 
 std::vector<Eigen::VectorXd> initialStates(const SimulationData& data, const CurveModel& model,
                                            int samples, int iterations) {
   constexpr double kChange = 1e-3;
   const std::vector<CurveTable> tables = tablesOf(model);
+  const bool is_linear = model.curves.empty();  // so that slopes stay what they are
   std::vector<Eigen::VectorXd> states;
   for (const SimulationWindow& whole : data.windows) {
-    SimulationWindow window = whole;
     const int length = std::min(samples, whole.samples());
-    window.u.conservativeResize(length);
-    window.y.conservativeResize(length);
-    window.measured.conservativeResize(length);
+    SimulationWindow beginning;
+    if (length < whole.samples()) beginning = beginningOf(whole, length);
+    const SimulationWindow& window = length < whole.samples() ? beginning : whole;
     const auto residual = [&](const Eigen::VectorXd& from) -> Eigen::VectorXd {
       return window.measured *
              (window.y - simulateFreely(model, tables, window, from, false).y).array();
     };
     Eigen::VectorXd state = stateAtRest(model, whole), now = residual(state);
+    Eigen::MatrixXd slopes(length, model.initialValues());
     double damping = 1e-2;
     for (int k = 0; k < iterations; ++k) {
-      Eigen::MatrixXd slopes(length, model.initialValues());
-      for (int i = 0; i < model.initialValues(); ++i) {
+      for (int i = 0; i < model.initialValues() && (k == 0 || !is_linear); ++i) {
         Eigen::VectorXd other = state;
         other[i] += kChange;
         slopes.col(i) = (now - residual(other)) / kChange;

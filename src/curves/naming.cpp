@@ -116,14 +116,18 @@ bool levelsOff(const Curve& curve, const Eigen::VectorXd& parameters) {
 }
 
 /// Whether the last curve is what its shape is called. Friction that pushes along with the motion
-/// is none: it stands for something else that limits the speed. A curve that grows steeper does not
-/// level off.
+/// is none: it stands for something else that limits the speed. Nor is a sine that pushes away from
+/// zero the weight of what hangs: with the linear plant it is a spring that hardens. A curve that
+/// grows steeper does not level off.
 bool isPossible(const CurveModel& model) {
   const Curve& curve = model.curves.back();
   if (curve.shape()->levels_off && isPassed(curve.place()))
     return levelsOff(curve, model.parametersOf(model.curves.size() - 1));
   if (!curve.shape()->opposes || !isFedBack(curve.place())) return true;
-  const double gain = model.directGain() + model.theta.segment(model.order, model.order).sum();
+  const double gain =
+      curve.place() == Place::output_state
+          ? 1
+          : model.directGain() + model.theta.segment(model.order, model.order).sum();
   return gain * model.parametersOf(model.curves.size() - 1)[0] <= 0;
 }
 

@@ -134,6 +134,16 @@ bool changesSign(const SimulationData& data) {
   return std::min(above, below) > kShare * samples;
 }
 
+/// Whether a play shows: it takes the same width at each reversal. At the first motion it is a dead
+/// zone.
+bool reverses(const SimulationData& data) {
+  constexpr double kLeast = 0.1;  // standard deviations of the input
+  constexpr int kTwice = 2;
+  int reversals = 0;
+  for (const SimulationWindow& window : data.windows) reversals += reversalsOf(window.u, kLeast);
+  return reversals >= kTwice;
+}
+
 std::vector<PlaceOf> placesFor(const SimulationData& data, const CurveModel& model) {
   std::vector<PlaceOf> all{{Place::input, ""}, {Place::position, ""}};
   if (model.order > 1) all.push_back({Place::output_state, ""});
@@ -149,8 +159,10 @@ std::vector<PlaceOf> placesFor(const SimulationData& data, const CurveModel& mod
     all.push_back({Place::covariate, name});
     if (scale.lag == 0) all.push_back({Place::covariate_gain, name});
   }
-  for (const Place place : {Place::play, Place::rate_limit, Place::output_play})
-    all.push_back({place, ""});
+  const bool may_have_play = reverses(data);
+  if (may_have_play) all.push_back({Place::play, ""});
+  all.push_back({Place::rate_limit, ""});
+  if (may_have_play) all.push_back({Place::output_play, ""});
   const auto taken = [&](const PlaceOf& at) {
     return std::any_of(model.curves.begin(), model.curves.end(), [&](const Curve& curve) {
       return curve.place() == at.place &&

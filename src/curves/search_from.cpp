@@ -160,7 +160,7 @@ CurveSearch::Round CurveSearch::round() {
   const Round did = takeBest(all, now, false);
   if (did != Round::nothing || !result_.causes.empty()) return did;
   std::vector<CurveCandidate> curves = curvesBeyondDifferences(
-      std::move(all), now, [this](const WindowFit& fit) { return unseenBeyond(fit); });
+      std::move(all), now, context_.pool, [this](const auto& fit) { return unseenBeyond(fit); });
   if (curves.empty()) return Round::nothing;
   return takeBest(std::move(curves), unseenBeyond(result_.fit), true);
 }

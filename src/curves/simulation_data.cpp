@@ -46,4 +46,23 @@ int changesOf(const Eigen::VectorXd& signal) {
                    (signal.tail(count - 1).array() != signal.head(count - 1).array()).count());
 }
 
+int reversalsOf(const Eigen::VectorXd& signal, double least) {
+  int reversals = 0;
+  double highest = signal[0], lowest = signal[0];  // since the last reversal
+  int direction = 0;
+  for (Eigen::Index k = 0; k < signal.size(); ++k) {
+    const double value = signal[k];
+    highest = std::max(highest, value);
+    lowest = std::min(lowest, value);
+    int turned = direction;
+    if (direction >= 0 && value < highest - least) turned = -1;
+    if (direction <= 0 && value > lowest + least) turned = 1;
+    if (turned == direction) continue;
+    if (direction != 0) ++reversals;
+    direction = turned;
+    highest = lowest = value;
+  }
+  return reversals;
+}
+
 }  // namespace uncertainty_identification

@@ -70,4 +70,7 @@ SimulationData onlyOf(const SimulationData& data, const std::vector<int>& window
 /// How often a signal changes its value.
 int changesOf(const Eigen::VectorXd& signal);
 
+/// How often the signal turns back, by more than `least` each time.
+int reversalsOf(const Eigen::VectorXd& signal, double least);
+
 }  // namespace uncertainty_identification

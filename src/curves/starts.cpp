@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <string>
 
 #include "curves/free_simulation.h"
 #include "curves/initial_states.h"
@@ -14,19 +15,11 @@
 namespace uncertainty_identification {
 namespace {
 
-/// signal / A(q), from rest.
-Eigen::VectorXd filteredBy(const Eigen::VectorXd& a, const Eigen::VectorXd& signal) {
-  Eigen::VectorXd out = signal;
-  for (Eigen::Index k = 0; k < signal.size(); ++k)
-    for (Eigen::Index i = 0; i < std::min(k, a.size()); ++i) out[k] -= a[i] * out[k - 1 - i];
-  return out;
-}
-
 /// Poles near or outside the unit circle moved to 0.99.
 Eigen::VectorXd pulledIn(const Eigen::VectorXd& a) {
   if (isStable(a, 0.998)) return a;
   Eigen::VectorXcd poles = roots(a);
-  for (std::complex<double>& pole : poles) pole /= std::max(1.0, std::abs(pole) / 0.99);
+  poles = (poles.array() / (poles.array().abs() / 0.99).max(1.0)).matrix();
   Eigen::VectorXcd polynomial = Eigen::VectorXcd::Zero(poles.size() + 1);
   polynomial[0] = 1;
   for (Eigen::Index k = 0; k < poles.size(); ++k)
@@ -39,20 +32,26 @@ struct FilteredRegression {
   Eigen::VectorXd output;
 };
 
-/// y = -a y(k-i) + b u(k-i-delay) [+ b_0 u(k-delay)] + constant, all filtered by 1/A.
+/// y = -a y(k-i) + b u(k-i-delay) [+ b_0 u(k-delay)] [+ c v(k-i)] + constant, all filtered by 1/A;
+/// v is the covariate, if one is named.
 FilteredRegression filteredRegression(const SimulationData& data, int order, bool direct, int delay,
-                                      const Eigen::VectorXd& a, int first) {
-  const int columns = 2 * order + (direct ? 1 : 0) + 1;
+                                      const Eigen::VectorXd& a, int first,
+                                      const std::string& covariate) {
+  const int of_input = 2 * order + (direct ? 1 : 0);
+  const int columns = of_input + (covariate.empty() ? 0 : order) + 1;
   FilteredRegression made{Eigen::MatrixXd(data.samples, columns), Eigen::VectorXd(data.samples)};
   Eigen::Index row = 0;
   for (const SimulationWindow& window : data.windows) {
-    const Eigen::VectorXd y = filteredBy(a, window.y), u = filteredBy(a, window.u),
-                          one = filteredBy(a, Eigen::VectorXd::Ones(window.samples()));
+    const Eigen::VectorXd y = dividedBy(a, window.y), u = dividedBy(a, window.u),
+                          one = dividedBy(a, Eigen::VectorXd::Ones(window.samples()));
+    Eigen::VectorXd v;
+    if (!covariate.empty()) v = dividedBy(a, window.covariates.at(covariate));
     for (int k = std::max(first, order); k < window.samples(); ++k) {
       if (window.measured[k] == 0 || row == made.output.size()) continue;
       for (int i = 0; i < order; ++i) {
         made.regressors(row, i) = -y[k - 1 - i];
         made.regressors(row, order + i) = u[std::max(k - 1 - i - delay, 0)];
+        if (v.size() > 0) made.regressors(row, of_input + i) = v[k - 1 - i];
       }
       if (direct) made.regressors(row, 2 * order) = u[std::max(k - delay, 0)];
       made.regressors(row, columns - 1) = one[k];
@@ -62,6 +61,20 @@ FilteredRegression filteredRegression(const SimulationData& data, int order, boo
   made.regressors.conservativeResize(row, columns);
   made.output.conservativeResize(row);
   return made;
+}
+
+/// Its least squares; empty where the rows are too few, or the solution is not finite.
+Eigen::VectorXd solutionOf(const FilteredRegression& regression) {
+  if (regression.output.size() <= regression.regressors.cols()) return {};
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+  decomposition.setThreshold(1e-9);
+  Eigen::VectorXd theta = decomposition.compute(regression.regressors).solve(regression.output);
+  return theta.allFinite() ? theta : Eigen::VectorXd();
+}
+
+/// The first sample of a window that the regression uses, once the filter has settled.
+int firstSample(const SimulationData& data, int order, int iteration) {
+  return iteration == 0 ? order : std::min(3 * order + 2, data.longest / 4);
 }
 
 /// A constant at the output as a bias of the plant's input.
@@ -79,18 +92,14 @@ CurveModel linearStart(const SimulationData& data, int order, bool direct, int d
   double least = std::numeric_limits<double>::infinity();
   Eigen::VectorXd a = Eigen::VectorXd::Zero(order);
   for (int k = 0; k < iterations; ++k) {
-    const int first = k == 0 ? order : std::min(3 * order + 2, data.longest / 4);
-    const FilteredRegression regression = filteredRegression(data, order, direct, delay, a, first);
-    if (regression.output.size() <= regression.regressors.cols()) break;
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(1e-9);
     CurveModel model;
     model.order = order;
     model.direct = direct;
     model.delay = delay;
     model.own_level = data.own_levels;
-    model.theta = decomposition.compute(regression.regressors).solve(regression.output);
-    if (!model.theta.allFinite()) break;
+    model.theta = solutionOf(
+        filteredRegression(data, order, direct, delay, a, firstSample(data, order, k), ""));
+    if (model.theta.size() == 0) break;
     a = pulledIn(model.theta.head(order));
     model.theta.head(order) = a;
     model.theta[model.biasIndex()] = biasOf(model.theta, order, direct);
@@ -102,6 +111,28 @@ CurveModel linearStart(const SimulationData& data, int order, bool direct, int d
     }
   }
   return best;
+}
+
+double ratioOfGains(const SimulationData& data, const CurveModel& linear,
+                    const std::string& covariate) {
+  constexpr int kIterations = 4;
+  constexpr double kMost = 30;
+  const int n = linear.order, of_input = n + (linear.direct ? 1 : 0);  // coefficients
+  Eigen::VectorXd a = Eigen::VectorXd::Zero(n);
+  double ratio = 0;
+  for (int k = 0; k < kIterations; ++k) {
+    const Eigen::VectorXd theta = solutionOf(filteredRegression(
+        data, n, linear.direct, linear.delay, a, firstSample(data, n, k), covariate));
+    if (theta.size() == 0) break;
+    a = pulledIn(theta.head(n));
+    const double gain = theta.segment(n, of_input).sum(),
+                 of_covariate = theta.segment(n + of_input, n).sum();
+    if (std::abs(of_covariate) > kMost * std::abs(gain))
+      ratio = (gain < 0) == (of_covariate < 0) ? kMost : -kMost;
+    else
+      ratio = of_covariate == 0 ? 0 : of_covariate / gain;
+  }
+  return ratio;
 }
 
 CurveModel withMode(const SimulationData& data, const CurveModel& model) {

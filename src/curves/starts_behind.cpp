@@ -73,20 +73,11 @@ CurveModel startBehind(const SimulationData& data, const CurveModel& linear, Pla
 PlantBesideCovariate plantBeside(const SimulationData& data, const CurveModel& linear,
                                  const std::string& covariate) {
   constexpr int kIterations = 2;
-  PlantBesideCovariate best;
-  double least = std::numeric_limits<double>::infinity();
-  for (const double ratio : {-30.0, -10.0, -3.0, -1.0, -0.3, 0.3, 1.0, 3.0, 10.0, 30.0}) {
-    SimulationData together = data;
-    for (SimulationWindow& window : together.windows)
-      window.u += ratio * window.covariates.at(covariate);
-    CurveModel plant =
-        linearStart(together, linear.order, linear.direct, linear.delay, kIterations);
-    const double error = simulationError(together, plant);
-    if (!(error < least)) continue;
-    least = error;
-    best = {std::move(plant), ratio};
-  }
-  return best;
+  const double ratio = ratioOfGains(data, linear, covariate);
+  SimulationData together = data;
+  for (SimulationWindow& window : together.windows)
+    window.u += ratio * window.covariates.at(covariate);
+  return {linearStart(together, linear.order, linear.direct, linear.delay, kIterations), ratio};
 }
 
 }  // namespace uncertainty_identification

@@ -25,9 +25,9 @@ struct PlantBesideCovariate {
   double ratio = 0;
 };
 
-/// The plant, of the order and delay of `linear`, with the ratio for which it simulates best: a
-/// second input may move the output more than the first does. Its order is 0 if none can be
-/// simulated.
+/// The plant, of the order and delay of `linear`, with the ratio of a plant that has a numerator
+/// for each of the two: a second input may move the output more than the first does. Its order is 0
+/// if none can be fitted.
 PlantBesideCovariate plantBeside(const SimulationData& data, const CurveModel& linear,
                                  const std::string& covariate);
 

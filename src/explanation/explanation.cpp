@@ -191,8 +191,8 @@ SearchOutcome Explaining::searchLikelihood(const std::optional<SpoiltSamples>& s
 Explanation Explaining::run(const std::vector<Experiment>& experiments,
                             const std::vector<Experiment>& validation) {
   requireExplainable(configuration_, experiments);
-  Split data = split(configuration_, experiments, validation);
-  const std::vector<RejectedExperiment> rejected = leaveOutUnusable(configuration_, &data);
+  std::vector<RejectedExperiment> rejected;
+  Split data = splitUsable(configuration_, experiments, validation, &rejected);
   const std::optional<SpoiltSamples> stray = maskStray(&configuration_, &data);
   left_out_ = leaveOutReadingsOfTheOutput(asked_, &data);
   following_ = followingOf(data.train);

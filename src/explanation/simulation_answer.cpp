@@ -12,6 +12,7 @@
 #include "explanation/acceptance.h"
 #include "explanation/confirmation.h"
 #include "explanation/doubtful_curves.h"
+#include "explanation/equivalent_curves.h"
 #include "explanation/named_causes.h"
 #include "explanation/poor_simulation.h"
 #include "explanation/residual_checks.h"
@@ -274,6 +275,7 @@ void joinSimulation(Explanation* explanation, const std::optional<LastThirds>& l
   if (explanation->simulation.skipped.empty()) joinCurves(explanation);
   if (explanation->simulation.causes.empty()) dropCausesThatSimulateWorse(explanation);
   dropUnverified(last_thirds, explanation);
+  tellEquivalentCurves(explanation);
   if (isFoundTwice(*explanation)) sayNamedAllTheSame(explanation);
   warnOfPoorSimulation(explanation);
   doubtNothing(explanation);

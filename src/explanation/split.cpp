@@ -71,4 +71,18 @@ Split split(const Configuration& configuration, const std::vector<Experiment>& e
   return parts;
 }
 
+Split splitUsable(const Configuration& configuration, const std::vector<Experiment>& experiments,
+                  const std::vector<Experiment>& validation,
+                  std::vector<RejectedExperiment>* rejected) {
+  if (!validation.empty()) {
+    Split data = split(configuration, experiments, validation);
+    *rejected = leaveOutUnusable(configuration, &data);
+    return data;
+  }
+  // Before the draw, which might hold out nothing but what is of no use.
+  std::vector<Experiment> usable = experiments;
+  leaveOut(configuration, configuration.sample_time, "to fit to", {}, &usable, rejected);
+  return split(configuration, usable, {});
+}
+
 }  // namespace uncertainty_identification

@@ -25,4 +25,11 @@ Split split(const Configuration& configuration, const std::vector<Experiment>& e
 /// @throws DataError if there are none left to fit to, or none to hold out.
 std::vector<RejectedExperiment> leaveOutUnusable(const Configuration& configuration, Split* data);
 
+/// The split of those that are usable: without `validation`, held-out experiments are drawn among
+/// them. Adds those that are left out to `rejected`.
+/// @throws DataError if there are none left to fit to, or none to hold out.
+Split splitUsable(const Configuration& configuration, const std::vector<Experiment>& experiments,
+                  const std::vector<Experiment>& validation,
+                  std::vector<RejectedExperiment>* rejected);
+
 }  // namespace uncertainty_identification

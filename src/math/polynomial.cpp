@@ -134,6 +134,16 @@ Eigen::VectorXd multiply(const Eigen::VectorXd& left, const Eigen::VectorXd& rig
   return product;
 }
 
+Eigen::VectorXd dividedBy(const Eigen::VectorXd& monic, const Eigen::VectorXd& signal) {
+  Eigen::VectorXd out(signal.size());
+  for (Eigen::Index k = 0; k < signal.size(); ++k) {
+    double value = signal[k];
+    for (Eigen::Index i = 0; i < std::min(k, monic.size()); ++i) value -= monic[i] * out[k - 1 - i];
+    out[k] = value;
+  }
+  return out;
+}
+
 Eigen::VectorXd toUnbounded(const Eigen::VectorXd& monic) {
   const Eigen::VectorXd reflection = reflectionCoefficients(monic);
   if (reflection.size() > 0 && !(reflection.cwiseAbs().maxCoeff() < 1.0)) {

@@ -50,6 +50,9 @@ std::complex<double> valueAt(const Eigen::VectorXd& polynomial, std::complex<dou
 /// Product of two monic polynomials.
 Eigen::VectorXd multiply(const Eigen::VectorXd& left, const Eigen::VectorXd& right);
 
+/// The signal filtered by 1/p from rest, with p monic.
+Eigen::VectorXd dividedBy(const Eigen::VectorXd& monic, const Eigen::VectorXd& signal);
+
 /// Unbounded coordinates of a stable monic polynomial: atanh of its reflection coefficients. Throws
 /// std::domain_error if it is not stable.
 Eigen::VectorXd toUnbounded(const Eigen::VectorXd& monic);

@@ -95,6 +95,54 @@ TEST(FreeSimulation, OfALinearPlantIsItsDifferenceEquation) {
   }
 }
 
+/// A plant without curves is simulated in another way than one with a curve, here of zeros.
+TEST(FreeSimulation, OfALinearPlantIsThatWithACurveOfZeros) {
+  SimulationWindow window = slowWaves();
+  window.y = window.u;
+  for (const bool direct : {false, true}) {
+    CurveModel linear;
+    linear.order = 3;
+    linear.delay = 2;
+    linear.direct = direct;
+    linear.own_level = true;
+    linear.rate_scale = 0.3;
+    linear.theta.resize(linear.linearParameters());
+    linear.theta.head(3) = Eigen::Vector3d(-1.9, 1.2, -0.22);
+    linear.theta.segment(3, 3) = Eigen::Vector3d(0.3, -0.1, 0.05);
+    if (direct) linear.theta[6] = 0.4;
+    linear.theta[linear.biasIndex()] = 0.7;
+    CurveModel with_curve = linear;
+    with_curve.curves.push_back(plantWith(Place::time, window).curves.front());
+    const int parameters = linear.parameters();
+    with_curve.theta.conservativeResize(parameters + with_curve.curves.front().parameters());
+    with_curve.theta.tail(with_curve.theta.size() - parameters).setZero();
+    const Eigen::Vector4d initial(0.3, -0.2, 0.1, 1.5);
+    const FreeSimulation made = simulateFreely(linear, {}, window, initial, true);
+    const FreeSimulation expected =
+        simulateFreely(with_curve, tablesOf(with_curve), window, initial, true);
+    EXPECT_NEAR((made.y - expected.y).cwiseAbs().maxCoeff(), 0, 1e-12);
+    EXPECT_NEAR((made.rate - expected.rate).cwiseAbs().maxCoeff(), 0, 1e-12);
+    ASSERT_EQ(made.derivatives.rows(), parameters + 4);
+    EXPECT_NEAR((made.derivatives.topRows(parameters) - expected.derivatives.topRows(parameters))
+                    .cwiseAbs()
+                    .maxCoeff(),
+                0, 1e-10);
+    EXPECT_NEAR(
+        (made.derivatives.bottomRows(4) - expected.derivatives.bottomRows(4)).cwiseAbs().maxCoeff(),
+        0, 1e-10);
+  }
+}
+
+/// A state that diverges is held, as it is where a curve may bend it back.
+TEST(FreeSimulation, OfAnUnstablePlantHoldsItsState) {
+  SimulationWindow window = slowWaves();
+  CurveModel model;
+  model.order = 1;
+  model.theta = Eigen::Vector3d(-1.2, 0.5, 0.1);
+  const Eigen::VectorXd y = simulated(model, window, Eigen::VectorXd::Constant(1, 1));
+  EXPECT_EQ(y.cwiseAbs().maxCoeff(), kLargestState);
+}
+
 TEST(FreeSimulation, PlayHoldsTheOutputWithinItsWidth) {
   SimulationWindow window = slowWaves();
   CurveModel model;

@@ -64,5 +64,20 @@ TEST(LeaveOutUnusable, SaysWhyNothingIsLeft) {
   EXPECT_NE(message.find("sample time"), std::string::npos) << message;
 }
 
+/// Half of the runs are free responses, which show nothing of the input.
+TEST(SplitUsable, HoldsOutOnlyWhatIsUsable) {
+  std::vector<Experiment> all = test::example1(2, 8).experiments;
+  for (std::size_t k = 0; k < all.size(); k += 2) all[k].u.setZero();
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    Configuration configuration;
+    configuration.estimation.seed = seed;
+    std::vector<RejectedExperiment> rejected;
+    const Split data = splitUsable(configuration, all, {}, &rejected);
+    EXPECT_EQ(rejected.size(), 4u);
+    EXPECT_EQ(data.train.size() + data.held.size(), 4u);
+    EXPECT_GE(data.held.size(), 1u);
+  }
+}
+
 }  // namespace
 }  // namespace uncertainty_identification
