@@ -77,9 +77,10 @@ bool simulatesAsWell(Problem problem, const StructureFit& own, const StructureFi
 bool mayHaveOwnOffsets(const Problem& problem) {
   constexpr int kFewest = 3;
   return problem.data.movedInputs() >= kFewest && !problem.data.single_steps &&
-         estimatesInitialState(problem.configuration.estimation) &&
          problem.configuration.estimation.offset_side == OffsetSide::output &&
-         !hasGivenParameters(problem);
+         !hasGivenParameters(problem) &&
+         (estimatesInitialState(problem.configuration.estimation) ||
+          levelsDiffer(problem.data.experiments));  // which may be at rest at levels of their own
 }
 
 Configuration chooseOffsets(const Problem& problem, Journal* journal) {

@@ -27,7 +27,7 @@ Configuration chooseOffsets(const Problem& problem, Journal* journal);
 
 /// Whether there are enough experiments, with inputs that excite enough, to show offsets of their
 /// own: where the input is constant, an offset and another gain are the same. Experiments that
-/// start at rest start at the common one.
+/// start at rest start at the common one unless their levels differ.
 /// False also for offsets of the input, and where parameters are given, by the configuration or by
 /// a previous result.
 bool mayHaveOwnOffsets(const Problem& problem);

@@ -146,5 +146,36 @@ TEST(OwnOffsets, AreTakenWhereGainsDifferAboutAPoint) {
   }
 }
 
+/// Runs of a first-order plant whose time constant differs by 15 %. Each starts at rest, and its
+/// sensor has an offset that is larger than what the input does.
+std::vector<Experiment> plantsAtRest(unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  std::vector<Experiment> all(12);
+  for (Experiment& experiment : all) {
+    experiment.id = "run_" + std::to_string(&experiment - all.data());
+    experiment.sample_time = 0.1;
+    experiment.u.resize(300);
+    experiment.y.resize(300);
+    const double rate = 0.1 / (1 + 0.15 * normal(random)), offset = -1 + 0.6 * normal(random);
+    double x = 0;
+    for (int k = 0; k < 300; ++k) {
+      experiment.u[k] = k % 2 == 0 ? (random() % 2 == 0 ? 0.5 : -0.5) : experiment.u[k - 1];
+      experiment.y[k] = offset + x + 0.02 * normal(random);
+      x += rate * (experiment.u[k] - x);
+    }
+  }
+  return all;
+}
+
+TEST(OwnOffsets, AreTakenWhereEachRunStartsAtRestAtALevelOfItsOwn) {
+  for (const unsigned seed : {2U, 7U}) {
+    const Estimate found = Identifier(Configuration()).identify(plantsAtRest(seed));
+    EXPECT_EQ(found.configuration.estimation.offsets, Offsets::per_experiment) << seed;
+    EXPECT_GT(found.simulation_fit_percent, 80) << seed;
+    EXPECT_TRUE(found.trust.trusted) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace uncertainty_identification
