@@ -32,7 +32,7 @@ struct PhysicalPoles {
 PhysicalPoles physicalPoles(const VectorXd& a, double sample_time, double longest) {
   PhysicalPoles poles;
   std::complex<double> remainder = 1;
-  for (const std::complex<double>& root : roots(a)) {
+  for (const std::complex<double>& root : listOfRoots(a)) {
     const std::complex<double> s = std::log(root) / sample_time;
     const bool real = std::abs(root.imag()) < 1e-9;
     if (real && root.real() > 0 && -s.real() * longest < 1) {

@@ -76,8 +76,7 @@ std::vector<double> angles(const VectorXd& denominator) {
     all.push_back(kPi * share);
     all.push_back(kPi * std::pow(1e-6, 1 - share));
   }
-  const Eigen::VectorXcd poles = roots(normalised(denominator));
-  for (const std::complex<double> pole : poles) {
+  for (const std::complex<double>& pole : listOfRoots(normalised(denominator))) {
     const double centre = std::abs(std::arg(pole)), width = std::abs(1 - std::abs(pole));
     for (int k = -40; k <= 40; ++k) {
       const double angle = centre + width * std::sinh(0.1 * k);

@@ -72,6 +72,11 @@ std::vector<Shape> wholeShapes() {
            false}};
 }
 
+Shape opposing(Shape shape) {
+  shape.opposes = true;
+  return shape;
+}
+
 std::vector<Shape> smoothShapes() {
   return {
       {"linear", [](double z, const double*) { return z; }, {}, {{}}},
@@ -96,24 +101,18 @@ std::vector<Shape> smoothShapes() {
        [](double z, const double* p) { return z * z + p[0] * z * z * z; },
        {{"cubic_over_square", ShapeUnit::per_signal}},
        {{0.3}, {-0.3}, {3.0}, {-3.0}}},
-      {"root",
-       [](double z, const double* p) { return std::sqrt(positive(z - p[0])); },
-       {at("empty_at")},
-       {{-1.2}, {-2.0}, {-3.0}},
-       false,
-       false,
-       true},
+      opposing({"root",
+                [](double z, const double* p) { return std::sqrt(positive(z - p[0])); },
+                {at("empty_at")},
+                {{-1.2}, {-2.0}, {-3.0}}}),
       {"exponential",
        [](double z, const double* p) { return std::exp(std::min(std::max(p[0] * z, -8.0), 8.0)); },
        {{"rate", ShapeUnit::per_signal}},
        {{0.3}, {-0.3}, {1.0}, {-1.0}}},
-      {"sine",
-       [](double z, const double* p) { return std::sin(p[0] * z); },
-       {{"angle_per_unit", ShapeUnit::per_signal}},
-       {{0.5}, {1.0}, {1.8}},
-       false,
-       false,
-       true},
+      opposing({"sine",
+                [](double z, const double* p) { return std::sin(p[0] * z); },
+                {{"angle_per_unit", ShapeUnit::per_signal}},
+                {{0.5}, {1.0}, {1.8}}}),
       {"tanh",
        [](double z, const double* p) { return std::tanh(p[0] * z); },
        {{"steepness", ShapeUnit::per_signal}},

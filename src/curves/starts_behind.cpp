@@ -53,6 +53,7 @@ std::vector<double> widthsFor(const SimulationData& data, Place place) {
 CurveModel startBehind(const SimulationData& data, const CurveModel& linear, Place place) {
   constexpr int kIterations = 3;
   CurveModel best;
+  best.order = 0;
   double least = std::numeric_limits<double>::infinity(), width_of_best = 0;
   for (const double width : widthsFor(data, place)) {
     const SimulationData behind = through(data, place, width);
@@ -77,7 +78,9 @@ PlantBesideCovariate plantBeside(const SimulationData& data, const CurveModel& l
   SimulationData together = data;
   for (SimulationWindow& window : together.windows)
     window.u += ratio * window.covariates.at(covariate);
-  return {linearStart(together, linear.order, linear.direct, linear.delay, kIterations), ratio};
+  CurveModel plant = linearStart(together, linear.order, linear.direct, linear.delay, kIterations);
+  if (plant.theta.size() == 0) plant.order = 0;
+  return {std::move(plant), ratio};
 }
 
 }  // namespace uncertainty_identification

@@ -142,8 +142,8 @@ class PlantTimeConstantSpread : public Effect {
   static VectorXd withTimeConstants(double c, const Chain& chain) {
     Polynomials p = chain.nominal.polynomials(chain.theta);
     VectorXcd poles = roots(p.a);
-    for (auto& pole : poles)
-      if (pole.real() > 0 || pole.imag() != 0) pole = std::pow(pole, 1 / (1 + c));
+    for (Eigen::Index k = 0; k < poles.size(); ++k)
+      if (poles[k].real() > 0 || poles[k].imag() != 0) poles[k] = std::pow(poles[k], 1 / (1 + c));
     const double before = 1 + p.a.sum();
     p.a = withRoots(poles);
     p.b *= (1 + p.a.sum()) / before;

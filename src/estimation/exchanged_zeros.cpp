@@ -12,7 +12,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 /// A real zero or a pair of conjugate zeros, as the monic polynomial that it is the root of.
@@ -27,7 +26,7 @@ bool hasZeros(const VectorXd& polynomial) {
 void addFactors(const VectorXd& polynomial, std::vector<Factor>* factors) {
   if (polynomial.size() < 2) return;
   const VectorXd monic = polynomial.tail(polynomial.size() - 1) / polynomial[0];
-  for (const std::complex<double>& zero : VectorXcd(roots(monic))) {
+  for (const std::complex<double>& zero : listOfRoots(monic)) {
     if (std::abs(zero.imag()) < kTiny) {
       factors->push_back(VectorXd::Constant(1, -zero.real()));
     } else if (zero.imag() > 0) {

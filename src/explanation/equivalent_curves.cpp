@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "curves/curve_words.h"
+#include "explanation/verdict.h"
 
 namespace uncertainty_identification {
 namespace {
@@ -27,6 +28,7 @@ void add(const std::string& name, Cause* cause) {
 }  // namespace
 
 void tellEquivalentCurves(Explanation* explanation) {
+  const std::string before = describedNames(explanation->causes);
   for (Cause& cause : explanation->causes) {
     for (const SimulationCause& found : explanation->simulation.causes) {
       const std::vector<std::string> names = possibleNames(found);
@@ -37,6 +39,9 @@ void tellEquivalentCurves(Explanation* explanation) {
     own.push_back(cause.name);
     if (!cause.simulation) add(causeBetween(own), &cause);
   }
+  std::string& message = explanation->message;
+  if (const std::size_t at = message.find(before); !before.empty() && at != std::string::npos)
+    message.replace(at, before.size(), describedNames(explanation->causes));
 }
 
 }  // namespace uncertainty_identification

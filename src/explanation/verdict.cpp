@@ -247,8 +247,11 @@ void addFailedParsimony(const SearchState& base, const SearchState& named,
 
 std::string describedNames(const std::vector<Cause>& causes) {
   std::string names;
-  for (const Cause& cause : causes)
-    names = joined(names, cause.description + " (" + cause.name + ")");
+  for (const Cause& cause : causes) {
+    std::string possible = cause.name;
+    for (const std::string& other : cause.equivalent) possible += " or " + other;
+    names = joined(names, cause.description + " (" + possible + ")");
+  }
   return names;
 }
 

@@ -44,7 +44,7 @@ std::optional<NominalModelOptions> continuousStructure(NominalModelOptions optio
                                                        double sample_time) {
   constexpr int kFurther = 3;  // [samples] by which single plants may be later
   if (plant.delay < 1 || plant.a.size() < 1 || plant.a.size() > 3) return {};
-  for (const std::complex<double>& root : roots(plant.a)) {
+  for (const std::complex<double>& root : listOfRoots(plant.a)) {
     const bool positive = std::abs(root.imag()) > 1e-9 || root.real() > 0.02;
     if (!positive || std::abs(root) > 0.9999) return {};
   }

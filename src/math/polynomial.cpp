@@ -98,7 +98,7 @@ Eigen::VectorXd stabilised(const Eigen::VectorXd& monic, double radius) {
   if (isStable(monic, radius)) return monic;
   Eigen::VectorXcd product = Eigen::VectorXcd::Zero(monic.size() + 1);
   product[0] = 1.0;
-  for (std::complex<double> root : roots(monic)) {
+  for (std::complex<double> root : listOfRoots(monic)) {
     if (std::abs(root) > 1.0) root = 1.0 / std::conj(root);
     if (std::abs(root) > radius) root *= radius / std::abs(root);
     for (Eigen::Index k = monic.size(); k > 0; --k) product[k] -= root * product[k - 1];
@@ -132,6 +132,11 @@ Eigen::VectorXd multiply(const Eigen::VectorXd& left, const Eigen::VectorXd& rig
   for (Eigen::Index i = 0; i < left.size(); ++i)
     product.segment(i + 1, right.size()) += left[i] * right;
   return product;
+}
+
+std::vector<std::complex<double>> listOfRoots(const Eigen::VectorXd& monic) {
+  const Eigen::VectorXcd all = roots(monic);
+  return {all.data(), all.data() + all.size()};
 }
 
 Eigen::VectorXd dividedBy(const Eigen::VectorXd& monic, const Eigen::VectorXd& signal) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <vector>
 
 namespace uncertainty_identification {
 
@@ -37,6 +38,9 @@ Eigen::VectorXd stabilised(const Eigen::VectorXd& monic, double radius = 0.999);
 
 /// The n complex roots in the q plane, computed as eigenvalues of the companion matrix.
 Eigen::VectorXcd roots(const Eigen::VectorXd& monic);
+
+/// The same to loop over: vectors of Eigen 3.3 have no iterators.
+std::vector<std::complex<double>> listOfRoots(const Eigen::VectorXd& monic);
 
 /// All coefficients: [1; monic].
 Eigen::VectorXd withLeadingOne(const Eigen::VectorXd& monic);

@@ -9,7 +9,7 @@ namespace uncertainty_identification {
 
 ContinuousPoles continuousPoles(const Eigen::VectorXd& a, double sample_time) {
   ContinuousPoles poles;
-  for (const std::complex<double>& root : roots(a)) {
+  for (const std::complex<double>& root : listOfRoots(a)) {
     const std::complex<double> bounded =
         std::abs(root) > 1e-6 ? root : std::complex<double>(1e-6, 0);
     const std::complex<double> s = std::log(bounded) / sample_time;

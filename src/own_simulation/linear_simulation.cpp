@@ -155,8 +155,7 @@ class LinearSimulation : public Simulation {
     std::vector<double> found;
     const Eigen::VectorXd& all = factors_.fixed_denominator;
     if (all.size() < 2) return found;
-    const Eigen::VectorXcd poles = roots(all.tail(all.size() - 1));
-    for (const auto& pole : poles)
+    for (const std::complex<double>& pole : listOfRoots(all.tail(all.size() - 1)))
       if (std::abs(pole - std::complex<double>(1, 0)) > 1e-4) found.push_back(pole.real());
     return found;
   }

@@ -137,7 +137,7 @@ TEST(RobustMargin, CharacteristicPolynomialsHoldTheErrorModel) {
   const VectorXd found = characteristicPolynomials(plants, controller).row(0).transpose();
   ASSERT_EQ(found.size(), 6);  // delay + nb - 1 + order of the basis + nc: 2 + 1 + 2 + 1
   const ErrorBasis basis(plants.basis);
-  for (const std::complex<double> root : roots(found)) {
+  for (const std::complex<double> root : listOfRoots(found)) {
     const std::complex<double> w = 1.0 / root;
     const std::complex<double> go = w * w * (1.0 + 0.3 * w) / (1.0 - 0.5 * w);
     const std::complex<double> error =

@@ -34,7 +34,11 @@ TEST(TellEquivalentCurves, NamesTheOtherPlacesThatTheSimulationFound) {
 TEST(TellEquivalentCurves, TellsThePlantBetweenTheInputAndTheSensor) {
   Explanation explanation;
   explanation.causes = {causeOf("sens_wiener", {"act_hammerstein"})};
+  explanation.causes[0].description = "curve";
+  explanation.message = "curve (sens_wiener or act_hammerstein): all checks pass";
   tellEquivalentCurves(&explanation);
+  EXPECT_EQ(explanation.message,
+            "curve (sens_wiener or act_hammerstein or plant_curve): all checks pass");
   EXPECT_EQ(explanation.causes[0].equivalent, (Names{"act_hammerstein", "plant_curve"}));
 }
 

@@ -58,7 +58,7 @@ TEST(HasUnexcitedOscillation, WhereItFollowsADisturbance) {
 /// never decays, and would be simulated as such.
 TEST(OrdersOfAPlant, DoNotIncludeADisturbanceThatOscillates) {
   const Estimate estimate = identify({}, {recordOf(-0.9, 0, 0.5, hum)}, {});
-  for (const std::complex<double>& root : roots(estimate.nominal_model.a))
+  for (const std::complex<double>& root : listOfRoots(estimate.nominal_model.a))
     EXPECT_TRUE(root.imag() == 0 || std::abs(root) < 0.995) << root;
   EXPECT_NEAR(estimate.nominal_model.b.sum() / (1 + estimate.nominal_model.a.sum()), 5, 0.5);
 }

@@ -128,7 +128,7 @@ TEST(IsStable, AgreesWithTheRoots) {
 
 TEST(Roots, AreZerosOfThePolynomial) {
   const VectorXd monic = random(5, 0.9, 7);
-  for (const std::complex<double> root : roots(monic)) {
+  for (const std::complex<double> root : listOfRoots(monic)) {
     EXPECT_LT(std::abs(valueAt(monic, 1.0 / root)), 1e-9);
   }
   EXPECT_EQ(roots(VectorXd()).size(), 0);
