@@ -61,7 +61,7 @@ Estimate estimateOf(const Truth& truth) {
   go.c = truth.noise.c;
   go.d = truth.noise.d;
   const VectorXd theta = Polynomials{go.delay, go.b, go.a, go.c, go.d}.stacked();
-  for (double value : theta) go.parameters.push_back({"", "", value, 0, 0});
+  for (Eigen::Index k = 0; k < theta.size(); ++k) go.parameters.push_back({"", "", theta[k], 0, 0});
   go.covariance = Eigen::MatrixXd::Zero(theta.size(), theta.size());
   estimate.error_model.options = truth.error_model.basis;
   estimate.error_model.T = ErrorBasis(truth.error_model.basis).T();

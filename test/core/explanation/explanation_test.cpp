@@ -348,7 +348,7 @@ TEST(Explain, SaysWhereNoExperimentCouldBeHeldOut) {
     std::vector<Experiment> few = clean();
     few.resize(count);
     for (Experiment& experiment : few)
-      for (double& y : experiment.y) y = step * std::round(y / step);
+      experiment.y = step * (experiment.y / step).array().round().matrix();
     const Explanation found = explain(configuration(), few);
     EXPECT_TRUE(found.held_out.empty());
     EXPECT_TRUE(test::anyMentions(found.warnings, "fitted to"));

@@ -31,8 +31,9 @@ WithNoise withNoise(const Draw& draw, double pole = 0, double wrong_readings = 0
     experiment.u = VectorXd::NullaryExpr(200, [&] { return normal(engine); });
     experiment.y = VectorXd::NullaryExpr(200, [&] { return draw(&engine); });
     for (int t = 1; t < 200; ++t) experiment.y[t] += pole * experiment.y[t - 1];
-    for (double& y : experiment.y)
-      if (std::bernoulli_distribution(wrong_readings)(engine)) y += 10 * normal(engine);
+    for (int t = 0; t < 200; ++t)
+      if (std::bernoulli_distribution(wrong_readings)(engine))
+        experiment.y[t] += 10 * normal(engine);
     experiment.y.tail(199) += experiment.u.head(199);
   }
   Configuration configuration = test::atRest(1, 0, 0, pole == 0 ? 0 : 1, 1);

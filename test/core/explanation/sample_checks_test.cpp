@@ -150,9 +150,9 @@ TEST(SampleChecks, ARecordThatBeginsAndEndsAtRestHasNoLimit) {
 TEST(SampleChecks, ExtremesOfACoarseSensorAreNoLimit) {
   std::vector<Experiment> coarse = noise();
   for (Experiment& experiment : coarse)
-    for (double& y : experiment.y) {
-      const double step = std::round(std::min(std::max(y / 2, -2.0), 2.0));
-      y = step + 0.01 * step * step;  // five levels, the outer ones 70 times each
+    for (int k = 0; k < experiment.samples(); ++k) {
+      const double step = std::round(std::min(std::max(experiment.y[k] / 2, -2.0), 2.0));
+      experiment.y[k] = step + 0.01 * step * step;  // five levels, the outer ones 70 times each
     }
   for (const SpoiltSamples& found : checkSamples(coarse))
     EXPECT_NE(found.trait, Trait::output_limit);

@@ -125,13 +125,13 @@ TEST(DeadTimes, AreFoundBesideAnErrorThatDelays) {
     std::mt19937_64 engine(seed);
     std::normal_distribution<double> normal;
     for (Experiment& experiment : plant.experiments) {
-      for (double& u : experiment.u) u = normal(engine) > 0 ? 1 : -1;
+      for (int k = 0; k < experiment.samples(); ++k) experiment.u[k] = normal(engine) > 0 ? 1 : -1;
       experiment.y = simulated(go, 0, experiment.u);
       const double xi = -1.1 + 0.1 * normal(engine);
       VectorXd before = VectorXd::Zero(experiment.y.size());
       before.tail(before.size() - 1) = experiment.y.head(before.size() - 1);
       experiment.y += xi * (experiment.y - before);
-      for (double& y : experiment.y) y += 0.01 * normal(engine);
+      for (int k = 0; k < experiment.samples(); ++k) experiment.y[k] += 0.01 * normal(engine);
     }
     plant.configuration.estimation.initial_state = InitialState::zero;
     expectAsHighAsFromTheTruth(plant, seed);

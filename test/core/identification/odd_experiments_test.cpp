@@ -99,7 +99,7 @@ TEST(OddExperiments, FollowTheSimulation) {
   std::vector<Experiment> all = experiments();
   std::mt19937_64 engine(12);
   std::normal_distribution<double> normal;
-  for (double& y : all[2].y) y = 4 + 0.4 * normal(engine);
+  for (int k = 0; k < all[2].samples(); ++k) all[2].y[k] = 4 + 0.4 * normal(engine);
   EXPECT_EQ(warningOf(identifiedFrom(all)), "");
 }
 
