@@ -80,7 +80,7 @@ bool mayHaveOwnOffsets(const Problem& problem) {
          problem.configuration.estimation.offset_side == OffsetSide::output &&
          !hasGivenParameters(problem) &&
          (estimatesInitialState(problem.configuration.estimation) ||
-          levelsDiffer(problem.data.experiments));  // which may be at rest at levels of their own
+          levelsAtRestDiffer(problem.data.experiments, problem.configuration.estimation));
 }
 
 Configuration chooseOffsets(const Problem& problem, Journal* journal) {

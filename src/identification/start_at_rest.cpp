@@ -79,24 +79,53 @@ std::optional<bool> looksAtRest(const std::vector<LeastSquaresModel>& models,
   return at_rest < (1 + margin) * usual;
 }
 
-}  // namespace
+/// Experiments, twenty at most, with a model of each one's own.
+struct OwnModels {
+  std::vector<Experiment> experiments;
+  std::vector<LeastSquaresModel> models;
+};
 
-bool startAtRest(const std::vector<Experiment>& experiments, const EstimationOptions& options) {
-  constexpr std::size_t kFewest = 3, kEnough = 20;
-  if (experiments.size() < kFewest) return false;
-  using Start = LeastSquaresStart::Start;
-  const auto together =
-      looksAtRest({simpleModel(experiments, options, Start::rest)}, options, experiments);
-  if (together) return *together;
-  // Where plants differ much, a model of each experiment's own tells what a common one cannot.
-  std::vector<Experiment> some;
-  std::vector<LeastSquaresModel> own;
+OwnModels ownModels(const std::vector<Experiment>& experiments, const EstimationOptions& options) {
+  constexpr std::size_t kEnough = 20;
+  OwnModels own;
   for (std::size_t r = 0; r < experiments.size();
        r += (experiments.size() + kEnough - 1) / kEnough) {
-    some.push_back(experiments[r]);
-    own.push_back(simpleModel({experiments[r]}, options, Start::unknown));
+    own.experiments.push_back(experiments[r]);
+    own.models.push_back(simpleModel({experiments[r]}, options, LeastSquaresStart::Start::unknown));
   }
-  return some.size() >= kFewest && looksAtRest(own, options, some).value_or(false);
+  return own;
+}
+
+}  // namespace
+
+bool levelsAtRestDiffer(const std::vector<Experiment>& experiments,
+                        const EstimationOptions& options) {
+  constexpr double kFar = 4;  // of the variance
+  const OwnModels own = ownModels(experiments, options);
+  const double usual = meanSquare(
+      errorsFrom(InitialState::estimate, own.models, options, own.experiments), own.experiments,
+      std::numeric_limits<int>::max(), std::numeric_limits<double>::infinity());
+  Eigen::ArrayXd levels(static_cast<Eigen::Index>(own.experiments.size()));
+  for (std::size_t r = 0; r < own.experiments.size(); ++r) {
+    const Experiment& experiment = own.experiments[r];
+    int first = 0;
+    while (first + 1 < experiment.samples() && !experiment.isValid(first)) ++first;
+    levels[static_cast<Eigen::Index>(r)] = experiment.y[first];
+  }
+  const double freedom = std::max(1.0, static_cast<double>(levels.size()) - 1);
+  return (levels - levels.mean()).square().sum() / freedom > kFar * usual;
+}
+
+bool startAtRest(const std::vector<Experiment>& experiments, const EstimationOptions& options) {
+  constexpr std::size_t kFewest = 3;
+  if (experiments.size() < kFewest) return false;
+  const auto together = looksAtRest(
+      {simpleModel(experiments, options, LeastSquaresStart::Start::rest)}, options, experiments);
+  if (together) return *together;
+  // Where plants differ much, a model of each experiment's own tells what a common one cannot.
+  const OwnModels own = ownModels(experiments, options);
+  return own.experiments.size() >= kFewest &&
+         looksAtRest(own.models, options, own.experiments).value_or(false);
 }
 
 bool mayStartAnywhere(const EstimationOptions& options,

@@ -27,7 +27,7 @@ Configuration chooseOffsets(const Problem& problem, Journal* journal);
 
 /// Whether there are enough experiments, with inputs that excite enough, to show offsets of their
 /// own: where the input is constant, an offset and another gain are the same. Experiments that
-/// start at rest start at the common one unless their levels differ.
+/// start at rest start at the common one unless levelsAtRestDiffer().
 /// False also for offsets of the input, and where parameters are given, by the configuration or by
 /// a previous result.
 bool mayHaveOwnOffsets(const Problem& problem);
@@ -40,6 +40,11 @@ double outputVariance(const std::vector<Experiment>& experiments);
 /// three experiments, which may start near rest by chance, and where the simulation leaves more
 /// than a quarter of the variance, so that it cannot tell.
 bool startAtRest(const std::vector<Experiment>& experiments, const EstimationOptions& options);
+
+/// Whether experiments that start at rest do so at levels of their own: whether their first
+/// readings scatter far more than what a model of each experiment's own leaves.
+bool levelsAtRestDiffer(const std::vector<Experiment>& experiments,
+                        const EstimationOptions& options);
 
 /// Whether the state before the first samples is unknown, by the options or, where they leave it to
 /// the data, by startAtRest().
