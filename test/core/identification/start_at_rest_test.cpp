@@ -59,6 +59,21 @@ TEST(StartAtRest, IsAtTheOffsetOfTheOutput) {
   EXPECT_TRUE(atRest(runs));
 }
 
+/// Gains that differ by 30 % are no levels, nor is heavy noise of first readings; offsets that
+/// differ by four times the noise are.
+TEST(LevelsAtRest, DifferByTheFirstReadingsAlone) {
+  Runs runs;
+  runs.spread = 0.3;
+  runs.offset = 20;
+  EXPECT_FALSE(levelsAtRestDiffer(simulated(runs), EstimationOptions()));
+  std::vector<Experiment> all = simulated(runs);
+  for (std::size_t r = 0; r < all.size(); ++r) all[r].y.array() += r % 2 == 0 ? 0.2 : -0.2;
+  EXPECT_TRUE(levelsAtRestDiffer(all, EstimationOptions()));
+  runs.is_heavy = true;
+  runs.count = 40;
+  EXPECT_FALSE(levelsAtRestDiffer(simulated(runs), EstimationOptions()));
+}
+
 TEST(StartAtRest, IsSeenInNoise) {
   Runs runs;
   runs.spread = 0;
