@@ -110,8 +110,12 @@ TEST(IdentifiedEffects, AreStartedFromAnEarlierEstimate) {
   evaluate.estimation.max_iterations = 0;
   const Estimate start = Identifier(evaluate).reidentify(estimate(), experiments());
   EXPECT_NEAR(start.log_likelihood, estimate().log_likelihood, 0.01);
-  EXPECT_EQ(start.effects.at(0).parameters.at(0).value, estimate().effects[0].parameters[0].value);
-  EXPECT_EQ(start.nominal_model.b, estimate().nominal_model.b);
+  // A millionth of these values: the likelihood is flat there, and rounding, which depends on the
+  // processor, decides whether a last step is taken. Standard errors are a hundredth of them.
+  constexpr double kLastStep = 1e-6;
+  EXPECT_NEAR(start.effects.at(0).parameters.at(0).value, estimate().effects[0].parameters[0].value,
+              kLastStep);
+  EXPECT_NEAR((start.nominal_model.b - estimate().nominal_model.b).norm(), 0, kLastStep);
 }
 
 TEST(IdentifiedEffects, AreKeptByResultJson) {

@@ -58,13 +58,16 @@ void expectSame(const Statistics& one, const Statistics& other, const std::strin
   compare([](const Statistics& s, int r) { return Eigen::MatrixXd(s.gram(r)); }, "gram", 0);
   compare([](const Statistics& s, int r) { return s.logJacobian().segment(r, 1); }, "logJacobian",
           1);
+  // The derivative of a log-determinant holds an inverse, which multiplies rounding errors. These
+  // depend on the instructions that the processor has.
+  constexpr double kOfInverse = 10;
   for (int j = 0; j < one.parameters(); ++j) {
     const std::string of_j = " derivative to parameter " + std::to_string(j);
     compare([j](const Statistics& s, int r) { return Eigen::MatrixXd(s.gramDerivative(r, j)); },
             "gram," + of_j, 0);
     compare(
         [j](const Statistics& s, int r) { return s.logJacobianDerivatives().block(j, r, 1, 1); },
-        "logJacobian," + of_j, 1);
+        "logJacobian," + of_j, kOfInverse);
   }
 }
 
