@@ -42,8 +42,9 @@ SimulationData sensorWindows(const Function& curve) {
   return data;
 }
 
-/// Windows of a plant of the first order, a speed, with the force `force` of Coulomb's shape.
-SimulationData frictionWindows(double force) {
+/// Windows of a plant of the first order, on which a force acts that depends on its output.
+template <typename Function>
+SimulationData forcedWindows(const Function& force) {
   std::mt19937_64 engine(2);
   std::normal_distribution<double> normal;
   SimulationData data = sensorWindows([](double x) { return x; });
@@ -51,10 +52,15 @@ SimulationData frictionWindows(double force) {
     double x = 0;
     for (int k = 0; k < window.samples(); ++k) {
       window.y[k] = x + 0.01 * normal(engine);
-      x = 0.8 * x + 0.2 * (window.u[k] + force * std::tanh(x / 0.2));
+      x = 0.8 * x + 0.2 * (window.u[k] + force(x));
     }
   }
   return data;
+}
+
+/// Of a speed, with the force `force` of Coulomb's shape.
+SimulationData frictionWindows(double force) {
+  return forcedWindows([=](double x) { return force * std::tanh(x / 0.2); });
 }
 
 class NamingACurve : public testing::Test {
@@ -163,6 +169,18 @@ TEST_F(NamingACurve, FrictionOpposesTheMotion) {
   EXPECT_FALSE(is_friction(pushing.shape)) << pushing.shape;
   EXPECT_FALSE(is_friction(pushing.nearest)) << pushing.nearest;
   for (const OtherShape& other : pushing.others) EXPECT_FALSE(is_friction(other.shape));
+}
+
+/// A sine that pushes away from zero is no weight that hangs.
+TEST_F(NamingACurve, ASineOpposesTheDeflection) {
+  allowed_ = "sine";
+  const auto shapeOf = [&](double force) {
+    return named(forcedWindows([=](double x) { return force * std::sin(2 * x); }),
+                 {Place::position, ""})
+        .shape;
+  };
+  EXPECT_EQ(shapeOf(-0.4), "sine");
+  EXPECT_EQ(shapeOf(0.4), "curve");
 }
 
 /// A tanh that is taken away makes a curve that grows steeper, however well it fits.
