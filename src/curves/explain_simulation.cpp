@@ -14,6 +14,7 @@
 #include "curves/record_difference.h"
 #include "curves/record_levels.h"
 #include "curves/search_time.h"
+#include "curves/unpredictable.h"
 #include "curves/window_search.h"
 #include "math/constants.h"
 #include "math/polynomial.h"
@@ -134,6 +135,7 @@ void describe(const WindowSearch& search, SimulationCauses* found) {
                                           std::max(of_fitted / search.data.samples, 1e-12));
   found->fit_before = search.fitOf(search.baseError());
   found->fit_after = search.fitOf(result.held_error);
+  found->unpredictable_share = unpredictableShare(result.fit);
 }
 
 /// How the held-out record that the linear plant simulates worst differs; empty where it simulates

@@ -111,15 +111,22 @@ void dropOfPoorSimulation(SimulationCauses* simulation) {
 
 }  // namespace
 
+bool takeHalfAway(const SimulationCauses& simulation) {
+  constexpr double kHalf = 0.5, kQuarter = 0.25;
+  const double before = std::pow(100 - simulation.fit_before, 2),
+               after = std::pow(100 - simulation.fit_after, 2);
+  const bool tells_noise = simulation.unpredictable_share > 0 && after <= (1 - kQuarter) * before;
+  const double noise = tells_noise ? simulation.unpredictable_share * after : 0;
+  return after - noise <= kHalf * (before - noise);
+}
+
 std::string dropCurvesThatLeaveMost(SimulationCauses* simulation) {
-  constexpr double kHalf = 0.5;  // of the squared error
-  const double share = std::pow((100 - simulation->fit_after) / (100 - simulation->fit_before), 2);
-  if (simulation->causes.empty() || share <= kHalf) return "";
+  if (simulation->causes.empty() || takeHalfAway(*simulation)) return "";
   const std::string why =
       namesOf(*simulation) + ": raises the fit of simulating held-out data from " +
       rounded(simulation->fit_before) + " to " + rounded(simulation->fit_after) +
-      " % and leaves more than half of the squared error, so that it may stand for something else; "
-      "not named";
+      " % and leaves more than half of the squared error beyond noise, so that it may stand for "
+      "something else; not named";
   refuseCurves(why, simulation);
   return why;
 }

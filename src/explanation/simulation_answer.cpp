@@ -23,7 +23,6 @@
 namespace uncertainty_identification {
 namespace {
 
-const double kHalf = std::log(0.5);  ///< of the squared error
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Logarithm of the ratio of squared errors, by fits [%].
@@ -214,8 +213,8 @@ void joinCurves(Explanation* explanation) {
   }
   const double by_curves = logRatio(simulation.fit_before, simulation.fit_after);
   // Where all tests pass, only a curve that takes half of the error away is believed instead.
-  const bool stands =
-      passed && (by_curves > kHalf || likelihoodRatio(explanation->causes) <= 0.5 * by_curves);
+  const bool stands = passed && (!takeHalfAway(simulation) ||
+                                 likelihoodRatio(explanation->causes) <= 0.5 * by_curves);
   if (stands)
     lendCurves(explanation);
   else
@@ -258,7 +257,7 @@ void doubtNothing(Explanation* explanation) {
 
 std::vector<std::string> leadingCurves(const SimulationCauses& simulation) {
   std::vector<std::string> names;
-  if (logRatio(simulation.fit_before, simulation.fit_after) > kHalf) return names;
+  if (!takeHalfAway(simulation)) return names;
   for (const SimulationCause& cause : simulation.causes) {
     names.push_back(cause.what.name);
     for (const PlaceAndShape& tie : cause.ties) names.push_back(tie.name);

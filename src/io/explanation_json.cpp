@@ -105,6 +105,7 @@ void bind(Archive& archive, SimulationCauses& simulation) {
   archive.ifThere("difference", simulation.difference);
   archive("fit_before", simulation.fit_before);
   archive("fit_after", simulation.fit_after);
+  archive.ifThere("unpredictable_share", simulation.unpredictable_share);
   archive("pictures", simulation.pictures);
   archive("ended_early", simulation.ended_early);
   archive("seconds", simulation.seconds);

@@ -72,6 +72,9 @@ struct SimulationCauses {
   /// [%] of held-out windows, in free simulation, without causes and with all; NaN: not searched.
   double fit_before = std::numeric_limits<double>::quiet_NaN();
   double fit_after = std::numeric_limits<double>::quiet_NaN();
+  /// Of the squared error that is left with all causes, the share that its own past does not
+  /// predict: noise of the sensor, which no cause can take away. NaN: not measured.
+  double unpredictable_share = std::numeric_limits<double>::quiet_NaN();
   std::string difference;  ///< how a held-out record that is simulated badly differs from those
                            ///< fitted to, in a sentence; empty: it does not, or not by one number
   std::vector<SimulatedWindow> pictures;  ///< the median and the worst window

@@ -77,6 +77,19 @@ TEST(DoubtfulCurves, NoCauseIsNamedThatLeavesMostOfTheError) {
   EXPECT_TRUE(remaining(std::nan("")).causes.empty());
 }
 
+/// Fits of 80 and 85 %: squared errors of 400 and 225.
+TEST(DoubtfulCurves, NoiseThatNoCauseCanTakeAwayIsNotCounted) {
+  const auto remaining = [](double share, double after) {
+    SimulationCauses simulation = found({"plant_coulomb", "rate", "coulomb", ""}, 80, after);
+    simulation.unpredictable_share = share;
+    dropCurvesThatLeaveMost(&simulation);
+    return simulation.causes.size();
+  };
+  EXPECT_EQ(remaining(0.9, 85), 1u) << "22 of 198 are left beyond noise";
+  EXPECT_EQ(remaining(0.2, 85), 0u) << "180 of 355";
+  EXPECT_EQ(remaining(1, 82), 0u) << "less than a quarter is gained";
+}
+
 TEST(DoubtfulCurves, NoCauseIsNamedWhereTheSimulationStaysPoor) {
   const auto remaining = [](double after) {
     SimulationCauses simulation = found({"plant_sine", "position", "sine", ""}, -88, after);
