@@ -65,7 +65,8 @@ class Explaining {
   SearchProgress& progress_;
   Following following_;                      ///< of the signals that the model is fitted to
   std::vector<std::string> leading_curves_;  ///< the only effects that the likelihood tries, if any
-  std::string left_out_, thinning_, simplification_;  ///< of covariates, long records and orders
+  std::vector<std::string> left_out_;        ///< what was said of covariates
+  std::string thinning_, simplification_;    ///< of long records and orders
   WorkerPool pool_;
   Explanation explanation_;
 };
@@ -156,7 +157,8 @@ SearchOutcome Explaining::bestOutcome(const Split& data, const std::vector<Spoil
   SearchOutcome* const best = bestOf(&outcomes, configuration_.explanation.acceptance);
   explanation_.warnings = best->estimate.warnings;
   std::vector<std::string> remarks = warningsOf(*best, outcomes);
-  remarks.insert(remarks.begin(), {left_out_, thinning_, progress_.outOfTime() ? kOutOfTime : ""});
+  remarks.insert(remarks.begin(), {thinning_, progress_.outOfTime() ? kOutOfTime : ""});
+  remarks.insert(remarks.begin(), left_out_.begin(), left_out_.end());
   for (std::string& text : remarks)
     if (!text.empty()) explanation_.warnings.push_back(std::move(text));
   if (!ordersAreChosen())
@@ -194,7 +196,7 @@ Explanation Explaining::run(const std::vector<Experiment>& experiments,
   std::vector<RejectedExperiment> rejected;
   Split data = splitUsable(configuration_, experiments, validation, &rejected);
   const std::optional<SpoiltSamples> stray = maskStray(&configuration_, &data);
-  left_out_ = leaveOutReadingsOfTheOutput(asked_, &data);
+  left_out_ = leaveOutColumnsOfTheLoop(asked_, &data);
   following_ = followingOf(data.train);
   configuration_.estimation.offsets = offsetsOfBaseModel(asked_, data.train);
   explanation_.simulation = searchSimulation(
