@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "curves/simulation_data.h"
+
 namespace uncertainty_identification {
 namespace {
 
@@ -61,7 +63,8 @@ double CurveTable::locate(double z, int* left, double* share) const {
   return (columns(0, *left + 1) - columns(0, *left)) * per_unit;
 }
 
-Curve::Curve(Place place) : place_(place) {}
+Curve::Curve(Place place)
+    : place_(place), parameters_(place == Place::input_hysteresis ? kPlays : 1) {}
 
 Curve::Curve(Place place, const Shape* shape, const Eigen::VectorXd& samples, double zero,
              std::string covariate)

@@ -23,7 +23,7 @@ struct CurveTable {
 /// at quantiles of what goes in, and a steep step at the physical zero), or has a shape.
 class Curve {
  public:
-  /// A width or limit: of places that are scalar.
+  /// A width, a limit or the weights of plays: of places that are scalar.
   explicit Curve(Place place);
   /// `samples` are what goes into the curve, `zero` is added to them to count from the physical
   /// zero. `shape` null: a free curve. `covariate`: of places that read one.

@@ -24,7 +24,7 @@ int rankOf(const CurveCandidate& candidate) {
                               Place::hysteresis,    Place::rate_gain,
                               Place::time,          Place::covariate_gain,
                               Place::play,          Place::rate_limit,
-                              Place::output_play};
+                              Place::output_play,   Place::input_hysteresis};
   return static_cast<int>(std::find(std::begin(kOrder), std::end(kOrder), candidate.place.place) -
                           std::begin(kOrder));
 }
@@ -141,6 +141,11 @@ double penalised(const CurveCandidate& candidate) {
   return candidate.named_unseen.sum() * penaltyOf(candidate.naming.fit);
 }
 
+/// Weights of plays bend to much that is not a hysteresis, such as a dead zone in a closed loop.
+bool mustBeFarBetter(const CurveCandidate& candidate) {
+  return candidate.place.place == Place::input_hysteresis;
+}
+
 bool hasSmallerError(const CurveCandidate& left, const CurveCandidate& right) {
   return left.unseen.sum() < right.unseen.sum();
 }
@@ -218,10 +223,11 @@ std::vector<CurveCandidate> tiedWithFirst(const std::vector<CurveCandidate>& all
   constexpr std::size_t kMost = 8;
   constexpr double kSignificant = 2, kNear = 1.05, kFar = 1.25, kRival = 1.1;
   const Eigen::VectorXd& best = all.front().unseen;
+  const double near = mustBeFarBetter(all.front()) ? kFar : kRival;
   std::vector<CurveCandidate> found;
   for (const CurveCandidate& each : all) {
     const bool is_rival = pairedT(each.unseen, best) < kSignificant ||
-                          each.unseen.sum() < kRival * best.sum() ||
+                          each.unseen.sum() < near * best.sum() ||
                           isSameForce(each, all.front(), now);
     if (each.kind == CandidateKind::curve && is_rival && found.size() < kMost)
       found.push_back(each);
@@ -235,7 +241,8 @@ std::vector<CurveCandidate> tiedWithFirst(const std::vector<CurveCandidate>& all
     if (isRefuted(each, first)) return true;
     return penalised(each) >= kNear * least && !isSameForce(each, first, now) &&
            (penalised(each) >= kFar * least ||
-            pairedT(each.named_unseen, first.named_unseen) >= kSignificant);
+            (!mustBeFarBetter(first) &&
+             pairedT(each.named_unseen, first.named_unseen) >= kSignificant));
   };
   found.erase(std::remove_if(found.begin(), found.end(), is_apart), found.end());
   std::stable_sort(found.begin(), found.end(),

@@ -93,6 +93,9 @@ std::string inWords(const PlaceOf& at, const std::string& shape) {
       return "how strongly the input acts depends on " + at.covariate + ", by " + what;
     case Place::play:
       return "play (backlash) between the input and the plant";
+    case Place::input_hysteresis:
+      return "the input acts through a hysteresis: right after it turns back, it acts by another "
+             "gain than over long ways";
     case Place::rate_limit:
       return "the input can only change at a limited rate";
     case Place::output_play:
@@ -121,6 +124,7 @@ std::string adviceFor(Place place) {
     case Place::loop_error:
       return "record steps of different sizes: a limit within the loop makes large ones slower";
     case Place::hysteresis:
+    case Place::input_hysteresis:
       return "record slow and fast cycles of the same size: the loop of a hysteresis stays the "
              "same";
     case Place::time:
@@ -151,6 +155,8 @@ std::string causeNamed(Place place, const std::string& shape) {
       return shape == "saturation" ? "sens_clip" : shape == "curve" ? "sens_curve" : "sens_wiener";
     case Place::play:
       return "act_backlash";
+    case Place::input_hysteresis:
+      return "act_hysteresis";
     case Place::rate_limit:
       return "act_ratelimit";
     case Place::output_play:
@@ -169,7 +175,7 @@ std::string causeNamed(Place place, const std::string& shape) {
 
 std::vector<std::string> curveCauseNames() {
   std::set<std::string> names{"act_delay"};
-  for (int index = 0; index <= static_cast<int>(Place::hysteresis); ++index) {
+  for (int index = 0; index <= static_cast<int>(Place::input_hysteresis); ++index) {
     const auto place = static_cast<Place>(index);
     names.insert(causeNamed(place, "curve"));
     for (const Shape* shape : shapesAt(place)) names.insert(causeNamed(place, shape->name));

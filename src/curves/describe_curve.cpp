@@ -17,6 +17,7 @@ Scale signalScale(const PlaceOf& at, const CurveModel& model, const SignalScales
     case Place::input_times_position:
     case Place::play:
     case Place::rate_limit:
+    case Place::input_hysteresis:
       return scales.u;
     case Place::loop_error:
       return {0, scales.u.unit};
@@ -143,6 +144,32 @@ std::vector<ShapeValue> valuesOf(const Curve& curve, const Eigen::VectorXd& para
   return all;
 }
 
+/// Of weights of plays: the gain right after the input has turned back, over that of long motions
+/// (less than one: the actuator lags behind), and the mean half width.
+Eigen::VectorXd hysteresisOf(const Eigen::VectorXd& weights) {
+  const Eigen::Map<const Eigen::ArrayXd> widths(kPlayWidths.data(), kPlays);
+  const Eigen::ArrayXd sizes = weights.array().abs() + 1e-12;
+  return Eigen::Vector2d(1 / (1 + weights.sum()), (sizes * widths).sum() / sizes.sum());
+}
+
+/// The width, limit or weights of plays at a scalar place, in the units of the data.
+std::vector<ShapeValue> valuesWithoutCurve(Place place, const Eigen::VectorXd& parameters,
+                                           const Eigen::MatrixXd& covariance, double unit,
+                                           double sample_time) {
+  if (place != Place::input_hysteresis) {
+    const bool is_limit = place == Place::rate_limit;
+    const double scale = is_limit ? unit / sample_time : unit;
+    return {{is_limit ? "limit_per_second" : "half_width", std::abs(parameters[0]) * scale,
+             std::sqrt(std::max(covariance(0, 0), 0.0)) * scale}};
+  }
+  const Eigen::VectorXd values = hysteresisOf(parameters);
+  const Eigen::MatrixXd slopes = slopesOf(hysteresisOf, parameters);
+  const Eigen::VectorXd errors =
+      (slopes * covariance * slopes.transpose()).diagonal().cwiseMax(0).cwiseSqrt();
+  return {{"gain_after_reversal", values[0], errors[0]},
+          {"mean_half_width", values[1] * unit, errors[1] * unit}};
+}
+
 /// Lower and upper 0.2 % of the measured changes of the output from sample to sample.
 std::pair<double, double> measuredRates(const SimulationData& data) {
   constexpr double kTail = 0.002;
@@ -249,11 +276,8 @@ SimulationCause describeCurve(const FoundCurve& found, const WindowFit& fit,
   cause.description = inWords(found.place, shape);
   cause.advice = adviceFor(found.place.place);
   if (isScalar(found.place.place)) {
-    const double scale =
-        found.place.place == Place::rate_limit ? signal.unit / data.sample_time : signal.unit;
-    cause.values.push_back(
-        {found.place.place == Place::rate_limit ? "limit_per_second" : "half_width",
-         std::abs(parameters[0]) * scale, std::sqrt(std::max(covariance(0, 0), 0.0)) * scale});
+    cause.values = valuesWithoutCurve(found.place.place, parameters, covariance, signal.unit,
+                                      data.sample_time);
   } else {
     cause.curve = pictureOf(curve, parameters, covariance, found.place, signal, unit,
                             drawnRange(curve, model, data));

@@ -27,7 +27,8 @@ Simulator::Simulator(const CurveModel& model, const std::vector<CurveTable>& tab
     const std::string& name = model.curves[c].covariate();
     covariates_.push_back(name.empty() ? nullptr : window.covariates.at(name).data());
     const Place place = model.curves[c].place();
-    input_moves_ |= place == Place::input || place == Place::play || place == Place::rate_limit;
+    input_moves_ |= place == Place::input || place == Place::play || place == Place::rate_limit ||
+                    place == Place::input_hysteresis;
     gain_moves_ |= place == Place::position_gain || place == Place::rate_gain ||
                    place == Place::time_gain || place == Place::covariate_gain;
     state_moves_ |= place == Place::output_state;
@@ -104,7 +105,7 @@ double Simulator::step(int k) {
     }
   }
   previous_ = x_.value;
-  actOnInput();
+  actOnInput(k);
   feedBack(k);
   advance();
   actOnOutput();

@@ -5,11 +5,24 @@
 namespace uncertainty_identification {
 
 std::string nameOf(Place place) {
-  static const std::array<const char*, 17> kNames{
-      "input",       "position",  "rate",           "position_gain", "input_times_position",
-      "sensor",      "play",      "rate_limit",     "time_gain",     "time",
-      "output_play", "covariate", "covariate_gain", "rate_gain",     "output_state",
-      "loop_error",  "hysteresis"};
+  static const std::array<const char*, 18> kNames{"input",
+                                                  "position",
+                                                  "rate",
+                                                  "position_gain",
+                                                  "input_times_position",
+                                                  "sensor",
+                                                  "play",
+                                                  "rate_limit",
+                                                  "time_gain",
+                                                  "time",
+                                                  "output_play",
+                                                  "covariate",
+                                                  "covariate_gain",
+                                                  "rate_gain",
+                                                  "output_state",
+                                                  "loop_error",
+                                                  "hysteresis",
+                                                  "input_hysteresis"};
   return kNames.at(static_cast<std::size_t>(place));
 }
 
@@ -21,7 +34,8 @@ bool isSamePlace(Place left, Place right) {
 }
 
 bool isScalar(Place place) {
-  return place == Place::play || place == Place::rate_limit || place == Place::output_play;
+  return place == Place::play || place == Place::rate_limit || place == Place::output_play ||
+         place == Place::input_hysteresis;
 }
 
 int linearPart(Place place) {

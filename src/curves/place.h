@@ -6,8 +6,8 @@ namespace uncertainty_identification {
 
 /// Where in the simulation a curve acts:
 ///
-///     u -> [input, rate_limit, play, dead time] -> (+) -> linear plant -> x -> [sensor,
-///     output_play] -> y
+///     u -> [input, input_hysteresis, rate_limit, play, dead time] -> (+) -> linear plant -> x ->
+///     [sensor, output_play] -> y
 ///                                                   ^- position, rate, products, time, covariates
 ///
 /// Curves of x, of its rate and of a loop's error are fed back to the plant's input. For a plant of
@@ -31,8 +31,10 @@ enum class Place {
   output_state,          ///< f(x), added to the change of x itself; plants of the second order on
   loop_error,  ///< f(e), added to the plant's input, where e is the input less the one that would
                ///< hold x: a limit within a plant that is a control loop, as a servo is
-  hysteresis  ///< |u| f(x), added to the plant's input: a loop that does not depend on speed, as of
-              ///< Dahl and of Bouc and Wen, where u is the velocity
+  hysteresis,  ///< |u| f(x), added to the plant's input: a loop that does not depend on speed, as
+               ///< of Dahl and of Bouc and Wen, where u is the velocity
+  input_hysteresis  ///< u + the sum of c_i p_i, where p_i is u behind a play of some width (Prandtl
+                    ///< and Ishlinskii): a magnetic or piezoelectric actuator, a sticking valve
 };
 
 /// What the place is called in results, such as "input" or "position".
@@ -41,7 +43,7 @@ std::string nameOf(Place place);
 /// Whether the places are one: a force acts on the output's own state as it does on the position.
 bool isSamePlace(Place left, Place right);
 
-/// Whether the place holds one width or limit instead of a curve.
+/// Whether the place holds a width, a limit or the weights of plays instead of a curve.
 bool isScalar(Place place);
 
 /// How much of {1, z} the linear plant already expresses at the place, so that a curve must not

@@ -24,6 +24,7 @@ SimulationWindow wholeWindow(const Experiment& experiment, const SignalScales& s
   SimulationWindow whole;
   const int samples = experiment.samples();
   whole.u = scaled(experiment.u, scales.u);
+  whole.plays = playsOf(whole.u);
   whole.y = scaled(bridgedOutput(experiment), scales.y);
   whole.measured.resize(samples);
   for (int k = 0; k < samples; ++k) whole.measured[k] = experiment.isValid(k) ? 1 : 0;
@@ -38,6 +39,7 @@ SimulationWindow cut(const SimulationWindow& whole, int begin, int length, doubl
   window.record = whole.record;
   window.start = begin * sample_time;
   window.u = whole.u.segment(begin, length);
+  window.plays = whole.plays.middleRows(begin, length);
   window.y = whole.y.segment(begin, length);
   window.measured = whole.measured.segment(begin, length);
   window.time = whole.time.segment(begin, length);
@@ -57,6 +59,7 @@ SimulationWindow withRest(const SimulationWindow& window, const RestingPoint& po
   longer.rest = samples;
   longer.u = prepended(window.u, point.u);
   longer.y = prepended(window.y, point.y);
+  longer.plays = playsOf(longer.u);
   longer.measured = prepended(window.measured.matrix(), 1).array();
   longer.time = prepended(window.time, window.time[0]);
   for (auto& [name, signal] : longer.covariates) signal = prepended(signal, signal[0]);

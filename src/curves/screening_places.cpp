@@ -100,6 +100,7 @@ Curve curveAt(const SimulationData& data, const PlaceOf& at, CurveModel* model) 
     case Place::play:
     case Place::rate_limit:
     case Place::output_play:
+    case Place::input_hysteresis:
       return Curve(at.place);
     default:
       return {at.place, nullptr, outputOf(data, *model), scales.y.zero()};
@@ -162,7 +163,10 @@ std::vector<PlaceOf> placesFor(const SimulationData& data, const CurveModel& mod
   const bool may_have_play = reverses(data);
   if (may_have_play) all.push_back({Place::play, ""});
   all.push_back({Place::rate_limit, ""});
-  if (may_have_play) all.push_back({Place::output_play, ""});
+  if (may_have_play) {
+    all.push_back({Place::output_play, ""});
+    all.push_back({Place::input_hysteresis, ""});
+  }
   const auto taken = [&](const PlaceOf& at) {
     return std::any_of(model.curves.begin(), model.curves.end(), [&](const Curve& curve) {
       return curve.place() == at.place &&

@@ -6,6 +6,17 @@
 
 namespace uncertainty_identification {
 
+Eigen::MatrixXd playsOf(const Eigen::VectorXd& u) {
+  Eigen::MatrixXd plays(u.size(), kPlays);
+  for (int p = 0; p < kPlays; ++p) {
+    const double width = kPlayWidths[static_cast<std::size_t>(p)];
+    double held = u[0];
+    for (Eigen::Index k = 0; k < u.size(); ++k)
+      plays(k, p) = held = std::min(std::max(held, u[k] - width), u[k] + width);
+  }
+  return plays;
+}
+
 Scale scaleOf(double sum, double squares, double count, bool remove_mean) {
   const double mean = sum / std::max(count, 1.0);
   const double deviation =

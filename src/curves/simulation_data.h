@@ -1,11 +1,20 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
 
 namespace uncertainty_identification {
+
+constexpr int kPlays = 4;
+
+/// Half the width of the plays that a hysteresis is made of, in standard deviations of the input.
+constexpr std::array<double, kPlays> kPlayWidths{0.15, 0.4, 0.8, 1.3};
+
+/// The input behind each of these plays, which hold its first value at first; T x kPlays.
+Eigen::MatrixXd playsOf(const Eigen::VectorXd& u);
 
 /// A stretch of a record, in standard deviations of the signals. It is simulated from an initial
 /// state of its own.
@@ -17,6 +26,7 @@ struct SimulationWindow {
   Eigen::ArrayXd measured;  ///< T weights, 1 = y was measured, 0 = missing
   Eigen::VectorXd time;     ///< T, 0 to 1 over the whole experiment
   std::map<std::string, Eigen::VectorXd> covariates;  ///< T each
+  Eigen::MatrixXd plays;  ///< T x kPlays, as playsOf(), which began with the record
 
   int samples() const { return static_cast<int>(u.size()); }
 

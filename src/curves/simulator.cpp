@@ -97,11 +97,21 @@ void Simulator::limitRate(std::size_t curve, Dual* signal) {
   *signal = memory.held;
 }
 
-void Simulator::actOnInput() {
+/// input_ += the input behind plays, weighted
+void Simulator::addPlays(std::size_t curve, int k) {
+  const auto plays = window_.plays.row(std::max(k - model_.delay, 0)).transpose();
+  input_.value += plays.dot(model_.theta.segment(first_[curve], kPlays));
+  if (derive_) input_.by.segment(first_[curve], kPlays) += plays.array();
+}
+
+void Simulator::actOnInput(int k) {
   for (std::size_t c = 0; c < model_.curves.size(); ++c) {
     switch (model_.curves[c].place()) {
       case Place::input:
         distort(c, &input_);
+        break;
+      case Place::input_hysteresis:
+        addPlays(c, k);
         break;
       case Place::play:
         play(c, &input_);

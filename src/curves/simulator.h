@@ -40,10 +40,11 @@ class Simulator {
   void multiply(std::size_t curve, double z, const Eigen::ArrayXd* through);
   void play(std::size_t curve, Dual* signal);
   void limitRate(std::size_t curve, Dual* signal);
+  void addPlays(std::size_t curve, int k);
   double widthOf(std::size_t curve, double* sign) const;
   void actOnLoop(std::size_t curve);
   void addBySizeOfInput(std::size_t curve);
-  void actOnInput();
+  void actOnInput(int k);
   void feedBack(int k);
   void actOnOutput();
   void advance();

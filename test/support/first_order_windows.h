@@ -31,6 +31,7 @@ inline SimulationData firstOrderWindows(
       window.y[k] = x + noise * normal(engine);
       x = poleOf(w) * x + kGain * window.u[k];
     }
+    window.plays = playsOf(window.u);
     window.measured = Eigen::ArrayXd::Ones(samples);
     window.time = Eigen::VectorXd::LinSpaced(samples, 0, 1);
     data.windows.push_back(window);

@@ -10,7 +10,7 @@
 namespace uncertainty_identification {
 namespace {
 
-constexpr int kPlaces = static_cast<int>(Place::hysteresis) + 1;
+constexpr int kPlaces = static_cast<int>(Place::input_hysteresis) + 1;
 
 TEST(CurveWords, EveryPlaceAndShapeHasANameAndWords) {
   const std::vector<std::string> names = curveCauseNames();
@@ -45,6 +45,7 @@ TEST(CurveWords, NamesAreThoseOfThePhysics) {
   EXPECT_EQ(causeNamed(Place::time_gain, "step"), "act_loss");
   EXPECT_EQ(causeNamed(Place::time_gain, "linear"), "plant_drift");
   EXPECT_EQ(causeNamed(Place::play, "play"), "act_backlash");
+  EXPECT_EQ(causeNamed(Place::input_hysteresis, "input_hysteresis"), "act_hysteresis");
   EXPECT_EQ(causeNamed(Place::sensor, "square"), "sens_wiener");
 }
 

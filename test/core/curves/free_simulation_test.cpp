@@ -17,6 +17,7 @@ SimulationWindow slowWaves() {
     window.u[k] = std::sin(0.31 * k) + 0.6 * std::sin(0.113 * k + 1);
     window.y[k] = 1.3 * std::sin(0.2 * k + 0.5);
   }
+  window.plays = playsOf(window.u);
   window.measured = Eigen::ArrayXd::Ones(kLength);
   window.time = Eigen::VectorXd::LinSpaced(kLength, 0, 1);
   window.covariates["heat"] = window.y.reverse();
@@ -80,7 +81,7 @@ TEST_P(FreeSimulations, DerivativesAreThoseOfTheOutput) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEachPlace, FreeSimulations, testing::Range(0, 17));
+INSTANTIATE_TEST_SUITE_P(OfEachPlace, FreeSimulations, testing::Range(0, 18));
 
 TEST(FreeSimulation, OfALinearPlantIsItsDifferenceEquation) {
   const SimulationWindow window = slowWaves();

@@ -32,6 +32,7 @@ SimulationData sensorWindows(const Function& curve) {
     }
     window.measured = Eigen::ArrayXd::Ones(150);
     window.time = Eigen::VectorXd::LinSpaced(150, 0, 1);
+    window.plays = playsOf(window.u);
     data.windows.push_back(window);
     data.groups.push_back(w);
   }

@@ -39,6 +39,7 @@ SimulationData record(double gain, double offset, int delay) {
     SimulationWindow window;
     window.record = 3;
     window.u = u.segment(begin, kHalf);
+    window.plays = playsOf(window.u);
     window.y = y.segment(begin, kHalf);
     window.measured = Eigen::ArrayXd::Ones(kHalf);
     data.windows.push_back(window);

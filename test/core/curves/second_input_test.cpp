@@ -54,6 +54,7 @@ TEST(PlantBeside, HasTheRatioOfTheGains) {
   for (const Experiment& run : underAPayload(-9, 0)) {
     SimulationWindow window;
     window.u = run.u;
+    window.plays = playsOf(window.u);
     window.y = run.y;
     window.measured = Eigen::ArrayXd::Ones(kSamples);
     window.time = Eigen::VectorXd::LinSpaced(kSamples, 0, 1);

@@ -48,7 +48,7 @@ TEST(Shapes, AreTheCurvesOfTheirNames) {
 }
 
 TEST(Shapes, EachPlaceWithACurveHasSome) {
-  for (int index = 0; index <= static_cast<int>(Place::hysteresis); ++index) {
+  for (int index = 0; index <= static_cast<int>(Place::input_hysteresis); ++index) {
     const auto place = static_cast<Place>(index);
     EXPECT_EQ(shapesAt(place).empty(), isScalar(place)) << nameOf(place);
   }
