@@ -141,7 +141,7 @@ double penalised(const CurveCandidate& candidate) {
   return candidate.named_unseen.sum() * penaltyOf(candidate.naming.fit);
 }
 
-/// Weights of plays bend to much that is not a hysteresis, such as a dead zone in a closed loop.
+/// Four weights of plays also fit what is not a hysteresis, such as a dead zone in a closed loop.
 bool mustBeFarBetter(const CurveCandidate& candidate) {
   return candidate.place.place == Place::input_hysteresis;
 }
